@@ -1,0 +1,12 @@
+package org.mechservice.orb;
+
+import org.jspecify.annotations.Nullable;
+
+/** Nobody answers at an address, or something that is not a MechService. */
+public final class ServiceUnreachableException extends RuntimeException {
+  private static final long serialVersionUID = 1L;
+
+  public ServiceUnreachableException(String message, @Nullable Throwable cause) {
+    super(message, cause);
+  }
+}

@@ -1,0 +1,5 @@
+/** The mech command line. */
+@NullMarked
+package org.mechservice.cli;
+
+import org.jspecify.annotations.NullMarked;

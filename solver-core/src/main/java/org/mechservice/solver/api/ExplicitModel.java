@@ -1,0 +1,19 @@
+package org.mechservice.solver.api;
+
+/** A model in explicit form, y' = f(t, y). */
+public interface ExplicitModel extends Model {
+  /** What {@link #derivative} returns when every articulated inertia is regular. */
+  int REGULAR = -1;
+
+  /**
+   * Evaluates y' = [N(q) v; a(t, q, v)].
+   *
+   * @param t time, s
+   * @param y state [q; v], rad, m, rad/s, m/s; not modified
+   * @param yDot derivative of the state, same layout; overwritten
+   * @return {@link #REGULAR}, or the index in {@link ModelDescription#joints()} of the joint beyond
+   *     which there is no inertia (its block of the joint-space inertia is singular); {@code yDot}
+   *     is then meaningless
+   */
+  int derivative(double t, double[] y, double[] yDot);
+}

@@ -1,0 +1,144 @@
+package org.mechservice.solver.api;
+
+/**
+ * Steers and watches one run from other threads: stop, pause, go on to a time, take a single step,
+ * see how far it is.
+ *
+ * <p>The solver calls {@link #proceed} after every accepted step and {@link #stopRequested} at
+ * every evaluation; all other methods are for the watchers.
+ */
+public final class RunControl {
+  private volatile boolean stopRequested;
+  private volatile double time = Double.NaN;
+  private volatile double stepSize;
+  private volatile int order;
+  private volatile long steps;
+
+  private boolean held;
+  private double holdAt = Double.POSITIVE_INFINITY;
+  private long stepsAllowed = Long.MAX_VALUE;
+
+  /** Asks the run to stop; it does so within one evaluation, also while it is paused. */
+  public synchronized void stop() {
+    stopRequested = true;
+    notifyAll();
+  }
+
+  /** Returns whether the run was asked to stop. */
+  public boolean stopRequested() {
+    return stopRequested;
+  }
+
+  /** Holds the run after its current step. */
+  public synchronized void pause() {
+    stepsAllowed = steps;
+    notifyAll();
+  }
+
+  /** Lets the run go on to its end. */
+  public synchronized void resume() {
+    stepsAllowed = Long.MAX_VALUE;
+    holdAt = Double.POSITIVE_INFINITY;
+    notifyAll();
+  }
+
+  /**
+   * Lets the run go on until a step reaches a time, then holds it.
+   *
+   * @param until simulated time, s
+   */
+  public synchronized void resumeTo(double until) {
+    stepsAllowed = Long.MAX_VALUE;
+    holdAt = until;
+    notifyAll();
+  }
+
+  /** Lets the run take one accepted step, then holds it. */
+  public synchronized void step() {
+    holdAt = Double.POSITIVE_INFINITY;
+    stepsAllowed = steps + 1;
+    notifyAll();
+  }
+
+  /** Returns whether the run is waiting for {@link #resume}, {@link #resumeTo} or {@link #step}. */
+  public synchronized boolean held() {
+    return held;
+  }
+
+  /**
+   * Waits until the run is held, or the time is over.
+   *
+   * @param millis longest wait, ms
+   * @return whether the run is held
+   */
+  public synchronized boolean awaitHeld(long millis) throws InterruptedException {
+    long deadline = System.nanoTime() + millis * 1_000_000;
+    while (!held) {
+      long left = (deadline - System.nanoTime()) / 1_000_000;
+      if (left <= 0) {
+        return false;
+      }
+      wait(left);
+    }
+    return true;
+  }
+
+  /** Returns the simulated time reached, s; NaN before the start. */
+  public double time() {
+    return time;
+  }
+
+  /** Returns the size of the last accepted step, s. */
+  public double stepSize() {
+    return stepSize;
+  }
+
+  /** Returns the order of the last accepted step. */
+  public int order() {
+    return order;
+  }
+
+  /** Returns how many steps were accepted. */
+  public long steps() {
+    return steps;
+  }
+
+  /**
+   * For the solver: notes where the run is and holds it while that was asked for.
+   *
+   * @param time time reached, s
+   * @param stepSize last accepted step, s; 0 at the start
+   * @param order its order; 0 at the start
+   * @param steps accepted steps so far
+   * @return whether the run shall go on; false after {@link #stop} or an interrupt
+   */
+  public boolean proceed(double time, double stepSize, int order, long steps) {
+    this.stepSize = stepSize;
+    this.order = order;
+    this.steps = steps;
+    this.time = time;
+    if (mustHold()) {
+      hold();
+    }
+    return !stopRequested;
+  }
+
+  private synchronized boolean mustHold() {
+    return !stopRequested && (steps >= stepsAllowed || time >= holdAt);
+  }
+
+  private synchronized void hold() {
+    held = true;
+    notifyAll();
+    try {
+      while (mustHold()) {
+        wait();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      stopRequested = true;
+    } finally {
+      held = false;
+    }
+  }
+}

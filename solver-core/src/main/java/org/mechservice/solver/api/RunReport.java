@@ -1,0 +1,73 @@
+package org.mechservice.solver.api;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.OptionalDouble;
+
+/**
+ * What a run did and what it cost.
+ *
+ * @param outcome how it ended
+ * @param model name of the model
+ * @param formulation formulation of the equations, such as {@code DTR}
+ * @param settings the settings used, with nothing left automatic
+ * @param steps accepted steps
+ * @param rejectedSteps steps that failed the error test
+ * @param evaluations evaluations of the right-hand side
+ * @param rows result rows put out
+ * @param timeReached simulated time at the end of the run, s
+ * @param wallTime wall-clock time of the run, s
+ * @param energyDrift largest |E(t) − E(0)| at the output times, J; empty if the energy is not
+ *     constant by nature or not known
+ * @param energyScale the larger of largest kinetic energy and largest change of potential energy,
+ *     J; what the drift is judged by
+ * @param solverVersion version of the solver that ran
+ */
+public record RunReport(
+    Outcome outcome,
+    String model,
+    String formulation,
+    RunSettings settings,
+    long steps,
+    long rejectedSteps,
+    long evaluations,
+    long rows,
+    double timeReached,
+    double wallTime,
+    OptionalDouble energyDrift,
+    OptionalDouble energyScale,
+    String solverVersion) {
+
+  /**
+   * Returns the report as ordered key and value pairs, values being {@link String}, {@link Long} or
+   * {@link Double}; what does not apply to the run is absent. Times in s, energies in J. This is
+   * the content of the report's JSON form.
+   */
+  public Map<String, Object> asMap() {
+    Map<String, Object> map = new LinkedHashMap<>();
+    map.put("scene", model);
+    if (outcome instanceof Outcome.Failed failed) {
+      map.put("outcome", "failed");
+      map.put("failure", failed.failure().message());
+    } else {
+      map.put("outcome", outcome instanceof Outcome.Stopped ? "stopped" : "completed");
+    }
+    map.put("formulation", formulation);
+    map.put("integrator", settings.integrator());
+    map.put("relativeTolerance", settings.relativeTolerance());
+    map.put("absoluteTolerance", settings.absoluteTolerance());
+    map.put("steps", steps);
+    map.put("rejectedSteps", rejectedSteps);
+    map.put("evaluations", evaluations);
+    map.put("rows", rows);
+    map.put("simulatedTime", timeReached - settings.tStart());
+    map.put("wallTime", wallTime);
+    if (wallTime > 0) {
+      map.put("realTimeFactor", (timeReached - settings.tStart()) / wallTime);
+    }
+    energyDrift.ifPresent(drift -> map.put("energyDrift", drift));
+    energyScale.ifPresent(scale -> map.put("energyScale", scale));
+    map.put("solverVersion", solverVersion);
+    return map;
+  }
+}

@@ -1,0 +1,25 @@
+package org.mechservice.solver.api;
+
+import java.io.IOException;
+
+/**
+ * Runs models. The runtime JAR offers its implementation as a service ({@link
+ * java.util.ServiceLoader}), so that whoever fetched it needs no class of it by name.
+ */
+public interface Solver {
+  /**
+   * Runs a model to the end of the requested interval, or until it fails or is stopped.
+   *
+   * @param model the model; its workspace is used, so it must not be in another run
+   * @param request interval, tolerances, columns
+   * @param sink takes the rows
+   * @param control steers and watches the run from other threads
+   * @return what happened; expected failures are outcomes, not exceptions
+   * @throws IllegalArgumentException if the request does not fit the model (unknown integrator,
+   *     columns it was built without, tolerances out of range); the message says which and what to
+   *     do
+   * @throws IOException if the sink could not keep a row
+   */
+  RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
+      throws IOException;
+}

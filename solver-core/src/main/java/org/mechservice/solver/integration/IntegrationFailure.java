@@ -1,0 +1,49 @@
+package org.mechservice.solver.integration;
+
+import java.util.List;
+
+/**
+ * Why an integration could not go on.
+ *
+ * @param cause what kind of failure
+ * @param time where it stands
+ * @param stepSize step tried last, signed; 0 at the start
+ * @param order order tried last; 0 at the start
+ * @param worstComponent index of the component that limited the step or was not finite; −1 if none
+ *     can be named
+ * @param lastSteps the last accepted and rejected steps, oldest first, at most ten
+ */
+public record IntegrationFailure(
+    Cause cause,
+    double time,
+    double stepSize,
+    int order,
+    int worstComponent,
+    List<StepRecord> lastSteps) {
+
+  public IntegrationFailure {
+    lastSteps = List.copyOf(lastSteps);
+  }
+
+  /** Kinds of failure. */
+  public enum Cause {
+    /** The error test fails at the smallest step the arithmetic can hold. */
+    STEP_TOO_SMALL,
+    /** The tolerance asks for more digits than the arithmetic has. */
+    TOLERANCE_TOO_TIGHT,
+    /** The right-hand side is not finite, also after the step was reduced repeatedly. */
+    NOT_FINITE,
+    /** The number of steps allowed is used up. */
+    TOO_MANY_STEPS
+  }
+
+  /**
+   * One step that was tried.
+   *
+   * @param time where it started
+   * @param stepSize signed
+   * @param order order used
+   * @param error estimated local error over the tolerance; accepted if at most 1
+   */
+  public record StepRecord(double time, double stepSize, int order, double error) {}
+}

@@ -1,0 +1,73 @@
+package org.mechservice.solver.integration;
+
+/**
+ * Advances an initial value problem by steps of its own choice; whatever lies inside the last step
+ * can be interpolated.
+ *
+ * <pre>{@code
+ * integrator.start(system, t0, y0, tEnd);
+ * while (integrator.step() == StepResult.ADVANCED) {
+ *   for (; next <= integrator.time(); next += h) integrator.interpolate(next, y, yDot);
+ * }
+ * }</pre>
+ *
+ * <p>An integrator is a workspace for one problem at a time and one thread. After {@link #start}
+ * nothing allocates memory.
+ */
+public interface Integrator {
+  /**
+   * Begins a problem; evaluates f once and chooses the first step.
+   *
+   * @param system the right-hand side
+   * @param t0 start
+   * @param y0 state at the start, length {@code system.dimension()}; not modified
+   * @param tEnd end, on either side of the start or equal to it
+   * @return {@link StepResult#ADVANCED}, {@link StepResult#REACHED_END} if {@code tEnd == t0}, or
+   *     {@link StepResult#FAILED} if f is not finite at the start
+   * @throws IllegalArgumentException if a tolerance is out of range, or start or end is not finite
+   */
+  StepResult start(OdeSystem system, double t0, double[] y0, double tEnd);
+
+  /**
+   * Takes one accepted step, trying smaller ones and other orders as the error test asks.
+   *
+   * @return {@link StepResult#ADVANCED} while the end is not reached, {@link
+   *     StepResult#REACHED_END} when the end lies inside or at the end of this step, else {@link
+   *     StepResult#FAILED} or {@link StepResult#STOPPED}, with the state unchanged
+   */
+  StepResult step();
+
+  /**
+   * Returns the end of the last accepted step. DE may have stepped past the end of the problem;
+   * interpolate there.
+   */
+  double time();
+
+  /** Returns the start of the last accepted step. */
+  double previousTime();
+
+  /** Returns the size of the last accepted step, signed. */
+  double stepSize();
+
+  /** Returns the order used in the last accepted step. */
+  int order();
+
+  /**
+   * Evaluates state and derivative inside the last accepted step, to the order of the method.
+   *
+   * @param t between {@link #previousTime()} and {@link #time()}
+   * @param y state at {@code t}; overwritten
+   * @param yDot derivative of the interpolating polynomial at {@code t}; overwritten
+   */
+  void interpolate(double t, double[] y, double[] yDot);
+
+  /** Returns what the integrator has done since {@link #start}. */
+  IntegrationStatistics statistics();
+
+  /**
+   * Returns why the last call gave {@link StepResult#FAILED}.
+   *
+   * @throws IllegalStateException if it did not fail
+   */
+  IntegrationFailure failure();
+}

@@ -1,0 +1,23 @@
+package org.mechservice.solver.mechanism;
+
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * Which two bodies a joint joins, and how they stand at zero.
+ *
+ * @param parent index of the body nearer the root in {@link Mechanism#bodies()}; {@link
+ *     Mechanism#ROOT} for the root
+ * @param parentPoint the joint's point on the parent, from the parent's origin, in parent axes, m
+ * @param child index of the outer body in {@link Mechanism#bodies()}
+ * @param childPoint the joint's point on the child, from the child's origin, in child axes, m
+ * @param zeroRotation from child axes to parent axes at zero coordinates (A0 in MECHML §4)
+ */
+public record Attachment(
+    int parent, Vector3 parentPoint, int child, Vector3 childPoint, Rotation zeroRotation) {
+
+  /** Returns the same attachment seen from the child. */
+  public Attachment reversed() {
+    return new Attachment(child, childPoint, parent, parentPoint, zeroRotation.transposed());
+  }
+}

@@ -1,0 +1,40 @@
+package org.mechservice.solver.mechanism;
+
+import org.mechservice.solver.api.JointType;
+
+/** A joint of the tree: it moves its child body relative to its parent body. */
+public sealed interface Joint permits Revolute, Prismatic {
+  /** Returns the name in the model file. */
+  String name();
+
+  /** Returns the bodies it joins and how they stand at zero. */
+  Attachment attachment();
+
+  /** Returns where it was written down. */
+  Origin origin();
+
+  /** Returns the joint's kind, which decides how many coordinates it has. */
+  JointType type();
+
+  /**
+   * Returns the same joint seen from its child: parent and child change places, the coordinates
+   * keep their sense (motion of the file's body 2 relative to its body 1).
+   */
+  Joint reversed();
+
+  /**
+   * Writes the joint's coordinates at the start.
+   *
+   * @param q positions, rad or m; {@code type().positionCount()} of them from {@code offset}
+   *     overwritten
+   */
+  void initialPositions(double[] q, int offset);
+
+  /**
+   * Writes the joint's velocities at the start.
+   *
+   * @param v velocities, rad/s or m/s; {@code type().velocityCount()} of them from {@code offset}
+   *     overwritten
+   */
+  void initialVelocities(double[] v, int offset);
+}

@@ -1,0 +1,54 @@
+package org.mechservice.solver.mechanism;
+
+import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * The child slides along an axis fixed in both bodies: A = A0, the child's point lies at q · axis
+ * from the parent's (MECHML §4, type P).
+ *
+ * @param name name in the model file
+ * @param attachment bodies, points, rotation at zero
+ * @param axis unit vector in parent axes; positive motion of the child relative to the parent,
+ *     right-handed
+ * @param initialPosition displacement at the start, m
+ * @param initialVelocity its rate at the start, m/s
+ * @param origin where it was written down
+ */
+public record Prismatic(
+    String name,
+    Attachment attachment,
+    Vector3 axis,
+    double initialPosition,
+    double initialVelocity,
+    Origin origin)
+    implements Joint {
+
+  @Override
+  public JointType type() {
+    return JointType.P;
+  }
+
+  /** {@inheritDoc} The axis turns round, which leaves the coordinate its sense. */
+  @Override
+  public Prismatic reversed() {
+    Vector3 axisInChild = attachment.zeroRotation().transposed().apply(axis);
+    return new Prismatic(
+        name,
+        attachment.reversed(),
+        axisInChild.negated(),
+        initialPosition,
+        initialVelocity,
+        origin);
+  }
+
+  @Override
+  public void initialPositions(double[] q, int offset) {
+    q[offset] = initialPosition;
+  }
+
+  @Override
+  public void initialVelocities(double[] v, int offset) {
+    v[offset] = initialVelocity;
+  }
+}

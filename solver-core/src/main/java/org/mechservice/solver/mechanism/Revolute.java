@@ -1,0 +1,54 @@
+package org.mechservice.solver.mechanism;
+
+import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * The child turns about an axis fixed in both bodies: A = Rot(axis, q) A0, the two points coincide
+ * (MECHML §4, type R).
+ *
+ * @param name name in the model file
+ * @param attachment bodies, points, rotation at zero
+ * @param axis unit vector in parent axes; positive motion of the child relative to the parent,
+ *     right-handed
+ * @param initialPosition angle at the start, rad
+ * @param initialVelocity its rate at the start, rad/s
+ * @param origin where it was written down
+ */
+public record Revolute(
+    String name,
+    Attachment attachment,
+    Vector3 axis,
+    double initialPosition,
+    double initialVelocity,
+    Origin origin)
+    implements Joint {
+
+  @Override
+  public JointType type() {
+    return JointType.R;
+  }
+
+  /** {@inheritDoc} The axis turns round, which leaves the coordinate its sense. */
+  @Override
+  public Revolute reversed() {
+    Vector3 axisInChild = attachment.zeroRotation().transposed().apply(axis);
+    return new Revolute(
+        name,
+        attachment.reversed(),
+        axisInChild.negated(),
+        initialPosition,
+        initialVelocity,
+        origin);
+  }
+
+  @Override
+  public void initialPositions(double[] q, int offset) {
+    q[offset] = initialPosition;
+  }
+
+  @Override
+  public void initialVelocities(double[] v, int offset) {
+    v[offset] = initialVelocity;
+  }
+}

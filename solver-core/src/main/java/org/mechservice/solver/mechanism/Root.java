@@ -1,0 +1,13 @@
+package org.mechservice.solver.mechanism;
+
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * The body at rest that the mechanism hangs on.
+ *
+ * @param name name in the model file
+ * @param position its origin in the world, m
+ * @param orientation from its axes to world axes
+ */
+public record Root(String name, Vector3 position, Rotation orientation) {}

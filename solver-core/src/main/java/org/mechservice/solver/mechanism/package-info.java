@@ -1,0 +1,7 @@
+/**
+ * The immutable description of a mechanism: bodies, joints, where they start. SI units throughout.
+ *
+ * <p>Descriptions are shared freely between threads; whatever computes with one keeps its own
+ * workspace.
+ */
+package org.mechservice.solver.mechanism;
