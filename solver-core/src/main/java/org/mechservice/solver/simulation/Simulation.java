@@ -1,18 +1,191 @@
 package org.mechservice.solver.simulation;
 
 import java.io.IOException;
+import java.util.List;
+import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.integration.IntegrationStatistics;
+import org.mechservice.solver.integration.Integrator;
+import org.mechservice.solver.integration.IntegratorFactory;
+import org.mechservice.solver.integration.IntegratorSettings;
+import org.mechservice.solver.integration.StepResult;
 
-/** Runs a model from start to end and puts out its rows. */
+/**
+ * Runs models with one integrator: steps, rows at the output times, energy watched, control obeyed.
+ */
 public final class Simulation implements Solver {
+  private final IntegratorFactory integrators;
+
+  /**
+   * @param integrators makes the integrator of each run
+   */
+  public Simulation(IntegratorFactory integrators) {
+    this.integrators = integrators;
+  }
+
   @Override
   public RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
       throws IOException {
-    throw new UnsupportedOperationException();
+    if (!(model instanceof ExplicitModel explicit)) {
+      throw new IllegalArgumentException(
+          "S-061 model \"" + model.description().name() + "\" has no explicit form y' = f(t, y)");
+    }
+    return new Run(explicit, request, sink, control).toEnd();
+  }
+
+  /** One run in progress. */
+  private final class Run {
+    private final ExplicitModel model;
+    private final RunSettings settings;
+    private final RunControl control;
+    private final Integrator integrator;
+    private final ModelEquations equations;
+    private final OutputTimes outputTimes;
+    private final RowWriter rows;
+    private final double[] y;
+    private final double[] yDot;
+    private final long startedAt = System.nanoTime();
+    private double timeReached;
+    private long nextRow;
+
+    Run(ExplicitModel model, RunRequest request, ResultSink sink, RunControl control)
+        throws IOException {
+      this.model = model;
+      this.settings = request.settings();
+      this.control = control;
+      requireUsable(settings);
+      integrator = integrators.create(integratorSettings());
+      equations = new ModelEquations(model);
+      outputTimes = new OutputTimes(settings);
+      rows = new RowWriter(model, request, sink);
+      y = new double[equations.dimension()];
+      yDot = new double[equations.dimension()];
+      timeReached = settings.tStart();
+    }
+
+    private IntegratorSettings integratorSettings() {
+      return new IntegratorSettings(
+          settings.relativeTolerance(),
+          List.of(settings.absoluteTolerance()),
+          settings.maxStep(),
+          settings.initialStep(),
+          settings.maxOrder(),
+          Long.MAX_VALUE,
+          control::stopRequested);
+    }
+
+    RunReport toEnd() throws IOException {
+      return report(integrate());
+    }
+
+    private Outcome integrate() throws IOException {
+      model.initialState(y);
+      StepResult result = integrator.start(equations, settings.tStart(), y, settings.tEnd());
+      if (result == StepResult.FAILED) {
+        return integratorFailed();
+      }
+      int badColumn = rows.write(outputTimes.time(nextRow), y);
+      if (badColumn != RowWriter.ALL_FINITE) {
+        return notFinite(outputTimes.time(nextRow), badColumn);
+      }
+      nextRow++;
+      if (!control.proceed(settings.tStart(), 0, 0, 0)) {
+        return new Outcome.Stopped();
+      }
+      while (result == StepResult.ADVANCED) {
+        result = integrator.step();
+        if (result == StepResult.FAILED) {
+          return integratorFailed();
+        }
+        if (result == StepResult.STOPPED) {
+          return new Outcome.Stopped();
+        }
+        badColumn = writeRowsOfStep();
+        if (badColumn != RowWriter.ALL_FINITE) {
+          return notFinite(outputTimes.time(nextRow), badColumn);
+        }
+        if (!goOn() && result == StepResult.ADVANCED) {
+          return new Outcome.Stopped();
+        }
+      }
+      return new Outcome.Completed();
+    }
+
+    private int writeRowsOfStep() throws IOException {
+      timeReached = Math.min(integrator.time(), settings.tEnd());
+      for (; nextRow < outputTimes.count(); nextRow++) {
+        double t = outputTimes.time(nextRow);
+        if (t > timeReached) {
+          break;
+        }
+        integrator.interpolate(t, y, yDot);
+        int badColumn = rows.write(t, y);
+        if (badColumn != RowWriter.ALL_FINITE) {
+          return badColumn;
+        }
+      }
+      return RowWriter.ALL_FINITE;
+    }
+
+    private boolean goOn() {
+      return control.proceed(
+          timeReached, integrator.stepSize(), integrator.order(), integrator.statistics().steps());
+    }
+
+    private Outcome integratorFailed() {
+      return new Outcome.Failed(
+          FailureText.of(integrator.failure(), model.description(), equations.singularJoint()));
+    }
+
+    private Outcome notFinite(double t, int column) {
+      return new Outcome.Failed(FailureText.notFiniteColumn(t, rows.columnName(column)));
+    }
+
+    private RunReport report(Outcome outcome) {
+      IntegrationStatistics done = integrator.statistics();
+      EnergyMonitor energy = rows.energyMonitor();
+      return new RunReport(
+          outcome,
+          model.description().name(),
+          model.description().formulation(),
+          settings,
+          done.steps(),
+          done.rejectedSteps(),
+          done.evaluations(),
+          rows.rows(),
+          timeReached,
+          (System.nanoTime() - startedAt) * 1e-9,
+          energy.drift(),
+          energy.scale(),
+          SolverVersion.CURRENT);
+    }
+  }
+
+  private static void requireUsable(RunSettings settings) {
+    require(Double.isFinite(settings.tStart()), "start time", settings.tStart(), "finite");
+    require(
+        Double.isFinite(settings.tEnd()) && settings.tEnd() >= settings.tStart(),
+        "end time",
+        settings.tEnd(),
+        "finite and not before the start at " + settings.tStart() + " s");
+    require(
+        settings.tStep() > 0 && Double.isFinite(settings.tStep()),
+        "output step",
+        settings.tStep(),
+        "positive and finite");
+  }
+
+  private static void require(boolean met, String what, double value, String expected) {
+    if (!met) {
+      throw new IllegalArgumentException(
+          "S-062 the " + what + " is " + value + " s; it must be " + expected);
+    }
   }
 }

@@ -1,0 +1,86 @@
+package org.mechservice.solver.simulation;
+
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.integration.IntegrationFailure;
+
+/** Says in the words of mechanics why a run could not go on. */
+final class FailureText {
+  private FailureText() {}
+
+  /**
+   * Explains a failure of the integrator.
+   *
+   * @param singularJoint joint at which the inertia was singular in the last evaluation, or {@link
+   *     ExplicitModel#REGULAR}
+   */
+  static Failure of(IntegrationFailure failure, ModelDescription model, int singularJoint) {
+    return switch (failure.cause()) {
+      case NOT_FINITE ->
+          singularJoint == ExplicitModel.REGULAR
+              ? failure(
+                  "N-001",
+                  "The accelerations are not finite.",
+                  failure,
+                  state(model, failure.worstComponent()),
+                  "Check masses, inertias and forces for values that are zero, huge or opposite.")
+              : singularInertia(failure, model, singularJoint);
+      case STEP_TOO_SMALL ->
+          failure(
+              "N-003",
+              "The error test fails at the smallest step the arithmetic can hold.",
+              failure,
+              state(model, failure.worstComponent()),
+              "The motion is singular or very stiff there; loosen the tolerances, or check the"
+                  + " values that act on this joint.");
+      case TOLERANCE_TOO_TIGHT ->
+          failure(
+              "N-004",
+              "The tolerances ask for more digits than double precision has.",
+              failure,
+              state(model, failure.worstComponent()),
+              "Loosen the relative or the absolute tolerance.");
+      case TOO_MANY_STEPS ->
+          failure(
+              "N-005",
+              "The number of steps allowed is used up.",
+              failure,
+              state(model, failure.worstComponent()),
+              "Loosen the tolerances or shorten the interval.");
+    };
+  }
+
+  /** Explains a row that holds a number that is not finite, although the state was accepted. */
+  static Failure notFiniteColumn(double t, String column) {
+    return new Failure(
+        "N-001",
+        "An output is not finite.",
+        t,
+        0,
+        0,
+        "column " + column,
+        "Check masses, inertias and positions for values that are huge.");
+  }
+
+  private static Failure singularInertia(
+      IntegrationFailure failure, ModelDescription model, int joint) {
+    return failure(
+        "N-002",
+        "The inertia is singular: nothing beyond this joint resists its motion.",
+        failure,
+        "joint \"" + model.joints().get(joint).name() + "\"",
+        "Give a body beyond it mass or inertia, or remove the joint; two turning axes that coincide"
+            + " do this too.");
+  }
+
+  private static Failure failure(
+      String code, String cause, IntegrationFailure failure, String part, String advice) {
+    return new Failure(
+        code, cause, failure.time(), failure.stepSize(), failure.order(), part, advice);
+  }
+
+  private static String state(ModelDescription model, int component) {
+    return component < 0 ? "" : "state \"" + model.states().get(component).name() + "\"";
+  }
+}

@@ -1,0 +1,94 @@
+package org.mechservice.solver.simulation;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import org.mechservice.solver.api.BodyPoses;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.Energies;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.Variable;
+
+/** Which columns a row has, and where each group begins. */
+final class RowLayout {
+  private static final String[] POSE_COLUMNS = {
+    ".x", ".y", ".z", ".e0", ".e1", ".e2", ".e3", ".vx", ".vy", ".vz", ".wx", ".wy", ".wz"
+  };
+  private static final String[] POSE_UNITS = {
+    "m", "m", "m", "1", "1", "1", "1", "m/s", "m/s", "m/s", "rad/s", "rad/s", "rad/s"
+  };
+
+  /** Offset of a group that is not put out. */
+  static final int ABSENT = -1;
+
+  private final List<Variable> columns = new ArrayList<>();
+  private int accelerations = ABSENT;
+  private int bodies = ABSENT;
+  private int energy = ABSENT;
+
+  /**
+   * @throws IllegalArgumentException if the model was built without a group that is asked for
+   */
+  RowLayout(ExplicitModel model, Set<ColumnGroup> groups) {
+    columns.add(new Variable("t", "s"));
+    columns.addAll(model.description().states());
+    if (groups.contains(ColumnGroup.ACCELERATIONS)) {
+      accelerations = columns.size();
+      columns.addAll(model.description().accelerations());
+    }
+    if (groups.contains(ColumnGroup.BODIES)) {
+      bodies = columns.size();
+      addPoses(model);
+    }
+    if (groups.contains(ColumnGroup.ENERGY)) {
+      energy = columns.size();
+      requireEnergies(model);
+      columns.add(new Variable("energy.kinetic", "J"));
+      columns.add(new Variable("energy.potential", "J"));
+      columns.add(new Variable("energy.work", "J"));
+    }
+  }
+
+  private void addPoses(ExplicitModel model) {
+    if (!(model instanceof BodyPoses posed)) {
+      throw builtWithout(model, ColumnGroup.BODIES);
+    }
+    for (String body : posed.bodies()) {
+      for (int i = 0; i < BodyPoses.NUMBERS_PER_BODY; i++) {
+        columns.add(new Variable(body + POSE_COLUMNS[i], POSE_UNITS[i]));
+      }
+    }
+  }
+
+  private static void requireEnergies(ExplicitModel model) {
+    if (!(model instanceof Energies)) {
+      throw builtWithout(model, ColumnGroup.ENERGY);
+    }
+  }
+
+  private static IllegalArgumentException builtWithout(ExplicitModel model, ColumnGroup group) {
+    return new IllegalArgumentException(
+        "S-060 model \""
+            + model.description().name()
+            + "\" was built without the column group \""
+            + group.label()
+            + "\"; build it with: mech build MODEL.xml -o FILE.jar --columns "
+            + group.label());
+  }
+
+  List<Variable> columns() {
+    return List.copyOf(columns);
+  }
+
+  int accelerations() {
+    return accelerations;
+  }
+
+  int bodies() {
+    return bodies;
+  }
+
+  int energy() {
+    return energy;
+  }
+}

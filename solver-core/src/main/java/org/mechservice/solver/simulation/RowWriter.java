@@ -1,0 +1,95 @@
+package org.mechservice.solver.simulation;
+
+import java.io.IOException;
+import org.mechservice.solver.api.BodyPoses;
+import org.mechservice.solver.api.Energies;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunRequest;
+
+/** Completes states to rows and hands them to the sink. */
+final class RowWriter {
+  /** Returned by {@link #write} when every number of the row is finite. */
+  static final int ALL_FINITE = -1;
+
+  private final ExplicitModel model;
+  private final RowLayout layout;
+  private final ResultSink sink;
+  private final EnergyMonitor energyMonitor = new EnergyMonitor();
+  private final double[] row;
+  private final double[] yDot;
+  private final double[] poses;
+  private final int positionCount;
+  private long rows;
+
+  /**
+   * @throws IllegalArgumentException if the model was built without a column group that is asked
+   *     for
+   * @throws IOException if the sink cannot take results
+   */
+  RowWriter(ExplicitModel model, RunRequest request, ResultSink sink) throws IOException {
+    this.model = model;
+    this.sink = sink;
+    layout = new RowLayout(model, request.columns());
+    row = new double[layout.columns().size()];
+    yDot = new double[model.description().stateCount()];
+    positionCount = model.description().positionCount();
+    poses =
+        layout.bodies() != RowLayout.ABSENT && model instanceof BodyPoses posed
+            ? new double[posed.bodies().size() * BodyPoses.NUMBERS_PER_BODY]
+            : new double[0];
+    sink.begin(layout.columns());
+  }
+
+  /**
+   * Puts out the row of one state.
+   *
+   * @param t time, s
+   * @param y state; not modified
+   * @return {@link #ALL_FINITE}, or the column of the first number that is not finite; the row is
+   *     then not put out
+   * @throws IOException if the sink cannot keep the row
+   */
+  int write(double t, double[] y) throws IOException {
+    row[0] = t;
+    System.arraycopy(y, 0, row, 1, y.length);
+    if (layout.accelerations() != RowLayout.ABSENT) {
+      model.derivative(t, y, yDot);
+      System.arraycopy(
+          yDot, positionCount, row, layout.accelerations(), yDot.length - positionCount);
+    }
+    if (layout.bodies() != RowLayout.ABSENT) {
+      ((BodyPoses) model).poses(t, y, poses);
+      System.arraycopy(poses, 0, row, layout.bodies(), poses.length);
+    }
+    if (model instanceof Energies energies) {
+      energyMonitor.observe(energies, t, y);
+      if (layout.energy() != RowLayout.ABSENT) {
+        row[layout.energy()] = energyMonitor.kinetic();
+        row[layout.energy() + 1] = energyMonitor.potential();
+      }
+    }
+    for (int i = 0; i < row.length; i++) {
+      if (!Double.isFinite(row[i])) {
+        return i;
+      }
+    }
+    sink.row(row);
+    rows++;
+    return ALL_FINITE;
+  }
+
+  /** Returns the name of a column. */
+  String columnName(int column) {
+    return layout.columns().get(column).name();
+  }
+
+  /** Returns how many rows were put out. */
+  long rows() {
+    return rows;
+  }
+
+  EnergyMonitor energyMonitor() {
+    return energyMonitor;
+  }
+}

@@ -1,0 +1,116 @@
+package org.mechservice.solver.standalone;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.mechservice.solver.api.BodyPoses;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.Energies;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.integration.IntegratorFactory;
+import org.mechservice.solver.simulation.Simulation;
+
+/** What {@code java -jar model.jar} does: one run of one model. */
+public final class Standalone {
+  private static final int DONE = 0;
+  private static final int SIMULATION_FAILED = 1;
+  private static final int BAD_USAGE = 2;
+
+  private final Model model;
+  private final Simulation simulation;
+  private final PrintStream out;
+  private final PrintStream err;
+
+  Standalone(Model model, IntegratorFactory integrators, PrintStream out, PrintStream err) {
+    this.model = model;
+    this.simulation = new Simulation(integrators);
+    this.out = out;
+    this.err = err;
+  }
+
+  /**
+   * Runs a model as its command line says, printing to the standard streams.
+   *
+   * @param model the model
+   * @param integrators makes the integrator the JAR was built with
+   * @param args command line; {@code --help} lists the options
+   * @return exit status: 0 done, 1 the simulation failed (rows up to the failure are kept), 2 bad
+   *     usage
+   */
+  public static int run(Model model, IntegratorFactory integrators, String[] args) {
+    return new Standalone(model, integrators, System.out, System.err).run(args);
+  }
+
+  int run(String[] args) {
+    try {
+      StandaloneOptions options =
+          StandaloneOptions.parse(args, model.description().defaults(), availableColumns());
+      if (options.help()) {
+        out.print(model.description().name() + "\n" + StandaloneOptions.HELP);
+        return DONE;
+      }
+      return options.out().isEmpty() ? runWithoutFile(options) : runIntoFile(options);
+    } catch (UsageException | IllegalArgumentException | IOException e) {
+      err.println(e.getMessage());
+      return BAD_USAGE;
+    }
+  }
+
+  private int runWithoutFile(StandaloneOptions options) throws IOException {
+    ResultSink nowhere =
+        new ResultSink() {
+          @Override
+          public void begin(List<Variable> columns) {}
+
+          @Override
+          public void row(double[] values) {}
+        };
+    RunReport report = simulation.run(model, options.request(), nowhere, new RunControl());
+    return tell(options, report, new LinkedHashMap<>(report.asMap()));
+  }
+
+  private int runIntoFile(StandaloneOptions options) throws IOException {
+    try (ResultFile file = new ResultFile(Path.of(options.out()))) {
+      RunReport report = simulation.run(model, options.request(), file, new RunControl());
+      Map<String, Object> facts = new LinkedHashMap<>(report.asMap());
+      facts.put("resultsSha256", file.keep());
+      return tell(options, report, facts);
+    }
+  }
+
+  private int tell(StandaloneOptions options, RunReport report, Map<String, Object> facts) {
+    if (options.json()) {
+      out.println(JsonText.write(facts));
+    } else if (!options.quiet()) {
+      out.print(ReportText.format(facts));
+    }
+    if (report.outcome() instanceof Outcome.Failed failed) {
+      String kept =
+          options.out().isEmpty() ? "" : " Rows up to there are in " + options.out() + ".";
+      err.println(failed.failure().message() + kept);
+      return SIMULATION_FAILED;
+    }
+    return DONE;
+  }
+
+  private Set<ColumnGroup> availableColumns() {
+    Set<ColumnGroup> available = EnumSet.of(ColumnGroup.JOINTS, ColumnGroup.ACCELERATIONS);
+    if (model instanceof BodyPoses) {
+      available.add(ColumnGroup.BODIES);
+    }
+    if (model instanceof Energies) {
+      available.add(ColumnGroup.ENERGY);
+    }
+    return available;
+  }
+}

@@ -1,0 +1,155 @@
+package org.mechservice.solver.standalone;
+
+import java.util.EnumSet;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
+
+/**
+ * The command line of a model's own JAR.
+ *
+ * @param request the run asked for
+ * @param out CSV file to write; empty: none
+ * @param quiet print nothing but errors
+ * @param json print the report as JSON
+ * @param help print the options and do nothing
+ */
+record StandaloneOptions(
+    RunRequest request, String out, boolean quiet, boolean json, boolean help) {
+
+  static final String HELP =
+      """
+      Options:
+        --t-end T      end of the run, s
+        --t-step H     distance of the output rows, s
+        --rtol R       relative tolerance
+        --atol A       absolute tolerance, SI
+        --out FILE     write the rows as CSV, and their units beside it
+        --columns C    column groups besides joints, separated by commas, or all
+        --quiet        print nothing but errors
+        --json         print the report as JSON
+        --help         print this
+      Exit status: 0 done, 1 the simulation failed, 2 bad usage.
+      """;
+
+  /**
+   * Reads a command line.
+   *
+   * @param args the words of the command line
+   * @param defaults settings the model was built with
+   * @param available column groups the model was built with
+   * @throws UsageException if an option is unknown, lacks its value, or has one that cannot be used
+   */
+  static StandaloneOptions parse(String[] args, RunSettings defaults, Set<ColumnGroup> available)
+      throws UsageException {
+    Parser parser = new Parser(args, available);
+    while (parser.next < args.length) {
+      parser.take(args[parser.next++]);
+    }
+    RunSettings settings =
+        new RunSettings(
+            defaults.tStart(),
+            parser.tEnd.orElse(defaults.tEnd()),
+            parser.tStep.orElse(defaults.tStep()),
+            defaults.integrator(),
+            parser.rtol.orElse(defaults.relativeTolerance()),
+            parser.atol.orElse(defaults.absoluteTolerance()),
+            defaults.maxStep(),
+            defaults.initialStep(),
+            defaults.maxOrder());
+    return new StandaloneOptions(
+        new RunRequest(settings, parser.columns),
+        parser.out,
+        parser.quiet,
+        parser.json,
+        parser.help);
+  }
+
+  private static final class Parser {
+    private final String[] args;
+    private final Set<ColumnGroup> available;
+    private int next;
+    private OptionalDouble tEnd = OptionalDouble.empty();
+    private OptionalDouble tStep = OptionalDouble.empty();
+    private OptionalDouble rtol = OptionalDouble.empty();
+    private OptionalDouble atol = OptionalDouble.empty();
+    private Set<ColumnGroup> columns = EnumSet.of(ColumnGroup.JOINTS);
+    private String out = "";
+    private boolean quiet;
+    private boolean json;
+    private boolean help;
+
+    Parser(String[] args, Set<ColumnGroup> available) {
+      this.args = args;
+      this.available = available;
+    }
+
+    void take(String word) throws UsageException {
+      int equals = word.indexOf('=');
+      String option = equals < 0 ? word : word.substring(0, equals);
+      String inline = equals < 0 ? "" : word.substring(equals + 1);
+      switch (option) {
+        case "--t-end" -> tEnd = OptionalDouble.of(number(option, inline));
+        case "--t-step" -> tStep = OptionalDouble.of(number(option, inline));
+        case "--rtol" -> rtol = OptionalDouble.of(number(option, inline));
+        case "--atol" -> atol = OptionalDouble.of(number(option, inline));
+        case "--out" -> out = value(option, inline);
+        case "--columns" -> columns = groups(value(option, inline));
+        case "--quiet" -> quiet = true;
+        case "--json" -> json = true;
+        case "--help" -> help = true;
+        default -> throw new UsageException("S-065 unknown option " + word + "\n" + HELP);
+      }
+    }
+
+    private String value(String option, String inline) throws UsageException {
+      if (!inline.isEmpty()) {
+        return inline;
+      }
+      if (next == args.length) {
+        throw new UsageException("S-065 " + option + " lacks its value");
+      }
+      return args[next++];
+    }
+
+    private double number(String option, String inline) throws UsageException {
+      String text = value(option, inline);
+      try {
+        double number = Double.parseDouble(text);
+        if (Double.isFinite(number)) {
+          return number;
+        }
+      } catch (NumberFormatException e) {
+        // Said below, as for numbers that are not finite.
+      }
+      throw new UsageException("S-065 " + option + " takes a finite number, not \"" + text + "\"");
+    }
+
+    private Set<ColumnGroup> groups(String list) throws UsageException {
+      if (list.equals("all")) {
+        return available;
+      }
+      Set<ColumnGroup> groups = EnumSet.of(ColumnGroup.JOINTS);
+      for (String name : list.split(",", -1)) {
+        groups.add(group(name.strip()));
+      }
+      return groups;
+    }
+
+    private static ColumnGroup group(String name) throws UsageException {
+      for (ColumnGroup group : ColumnGroup.values()) {
+        if (group.label().equals(name.toLowerCase(Locale.ROOT))) {
+          return group;
+        }
+      }
+      throw new UsageException(
+          "S-065 --columns: \""
+              + name
+              + "\" is no column group; there are joints, accelerations,"
+              + " bodies, energy");
+    }
+  }
+}
