@@ -1,0 +1,90 @@
+package org.mechservice.solver.mechanism;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * Seeded open chains of R and P joints with branches, oblique axes, displaced points and turned
+ * zero positions.
+ */
+public final class RandomTrees {
+  private RandomTrees() {}
+
+  /** Returns the tree of a seed. */
+  public static Mechanism tree(long seed, int bodyCount) {
+    Random random = new Random(seed);
+    List<Body> bodies = new ArrayList<>();
+    List<Joint> joints = new ArrayList<>();
+    for (int i = 0; i < bodyCount; i++) {
+      bodies.add(body(random, i));
+      joints.add(joint(random, i));
+    }
+    Root root = new Root("ground", vector(random), rotation(random));
+    return new Mechanism("random" + seed, root, vector(random).times(10), bodies, joints);
+  }
+
+  /**
+   * A body of a few kilograms and decimetres; its inertia is that of three point masses, so it is
+   * one a body can have.
+   */
+  private static Body body(Random random, int index) {
+    double xx = 0;
+    double yy = 0;
+    double zz = 0;
+    double xy = 0;
+    double xz = 0;
+    double yz = 0;
+    for (int k = 0; k < 3; k++) {
+      Vector3 p = vector(random).times(0.3);
+      xx += p.y() * p.y() + p.z() * p.z();
+      yy += p.x() * p.x() + p.z() * p.z();
+      zz += p.x() * p.x() + p.y() * p.y();
+      xy -= p.x() * p.y();
+      xz -= p.x() * p.z();
+      yz -= p.y() * p.z();
+    }
+    return new Body(
+        "b" + index,
+        0.5 + 3 * random.nextDouble(),
+        vector(random).times(0.3),
+        new InertiaTensor(xx, yy, zz, xy, xz, yz),
+        Origin.NONE);
+  }
+
+  private static Joint joint(Random random, int index) {
+    int parent = index == 0 ? Mechanism.ROOT : random.nextInt(-1, index);
+    Attachment attachment =
+        new Attachment(
+            parent, vector(random).times(0.5), index, vector(random).times(0.2), rotation(random));
+    Vector3 axis = axis(random);
+    double q = 2 * random.nextDouble() - 1;
+    double v = 2 * random.nextDouble() - 1;
+    return random.nextInt(4) == 0
+        ? new Prismatic("j" + index, attachment, axis, q, v, Origin.NONE)
+        : new Revolute("j" + index, attachment, axis, q, v, Origin.NONE);
+  }
+
+  private static Vector3 axis(Random random) {
+    return switch (random.nextInt(5)) {
+      case 0 -> new Vector3(1, 0, 0);
+      case 1 -> new Vector3(0, -1, 0);
+      case 2 -> new Vector3(0, 0, 1);
+      default -> vector(random).normalized();
+    };
+  }
+
+  private static Rotation rotation(Random random) {
+    return random.nextInt(3) == 0
+        ? Rotation.IDENTITY
+        : Rotation.about(vector(random).normalized(), 6 * random.nextDouble() - 3);
+  }
+
+  private static Vector3 vector(Random random) {
+    return new Vector3(
+        2 * random.nextDouble() - 1, 2 * random.nextDouble() - 1, 2 * random.nextDouble() - 1);
+  }
+}
