@@ -43,7 +43,8 @@ public record IntegrationFailure(
    * @param time where it started
    * @param stepSize signed
    * @param order order used
-   * @param error estimated local error over the tolerance; accepted if at most 1
+   * @param error estimated local error over the tolerance; accepted if at most 1; NaN if a value
+   *     was not finite
    */
   public record StepRecord(double time, double stepSize, int order, double error) {}
 }

@@ -16,7 +16,8 @@ package org.mechservice.solver.integration;
  */
 public interface Integrator {
   /**
-   * Begins a problem; evaluates f once and chooses the first step.
+   * Begins a problem; evaluates f once and chooses the first step. Whatever was begun before is
+   * forgotten.
    *
    * @param system the right-hand side
    * @param t0 start
@@ -24,7 +25,8 @@ public interface Integrator {
    * @param tEnd end, on either side of the start or equal to it
    * @return {@link StepResult#ADVANCED}, {@link StepResult#REACHED_END} if {@code tEnd == t0}, or
    *     {@link StepResult#FAILED} if f is not finite at the start
-   * @throws IllegalArgumentException if a tolerance is out of range, or start or end is not finite
+   * @throws IllegalArgumentException if start, end or initial state is not finite, or if the length
+   *     of the initial state or the number of absolute tolerances does not fit the system
    */
   StepResult start(OdeSystem system, double t0, double[] y0, double tEnd);
 
@@ -33,7 +35,11 @@ public interface Integrator {
    *
    * @return {@link StepResult#ADVANCED} while the end is not reached, {@link
    *     StepResult#REACHED_END} when the end lies inside or at the end of this step, else {@link
-   *     StepResult#FAILED} or {@link StepResult#STOPPED}, with the state unchanged
+   *     StepResult#FAILED} or {@link StepResult#STOPPED}, with the state unchanged. After {@code
+   *     STOPPED} the next call takes the step up again, with the same results as if it had not been
+   *     stopped.
+   * @throws IllegalStateException if there is nothing to integrate: before the start, at the end,
+   *     or after a failure
    */
   StepResult step();
 
@@ -46,18 +52,20 @@ public interface Integrator {
   /** Returns the start of the last accepted step. */
   double previousTime();
 
-  /** Returns the size of the last accepted step, signed. */
+  /** Returns the size of the last accepted step, signed; 0 before the first. */
   double stepSize();
 
-  /** Returns the order used in the last accepted step. */
+  /** Returns the order used in the last accepted step; 0 before the first. */
   int order();
 
   /**
-   * Evaluates state and derivative inside the last accepted step, to the order of the method.
+   * Evaluates state and derivative inside the last accepted step, to the order of the method. The
+   * integration is not affected.
    *
-   * @param t between {@link #previousTime()} and {@link #time()}
+   * @param t between {@link #previousTime()} and {@link #time()}, both included
    * @param y state at {@code t}; overwritten
    * @param yDot derivative of the interpolating polynomial at {@code t}; overwritten
+   * @throws IllegalArgumentException if {@code t} lies outside the last step
    */
   void interpolate(double t, double[] y, double[] yDot);
 

@@ -6,14 +6,15 @@ import java.util.function.BooleanSupplier;
 /**
  * How accurately and within which bounds to integrate.
  *
- * @param relativeTolerance local error allowed relative to the state
- * @param absoluteTolerance local error allowed where the state is small, per component; length 1:
- *     for all components
- * @param maxStep largest step; infinite: the method's own bound
- * @param initialStep first step tried; 0: the method's own choice
- * @param maxOrder highest order used; 0: the method's own highest
- * @param maxSteps accepted and rejected steps allowed
- * @param stop asked at every evaluation; true ends the step at once
+ * @param relativeTolerance local error allowed relative to the state, at least {@link
+ *     #SMALLEST_RELATIVE_TOLERANCE} and below 1
+ * @param absoluteTolerance local error allowed where the state is small, per component, positive;
+ *     length 1: for all components
+ * @param maxStep largest step, positive; infinite: the method's own bound
+ * @param initialStep first step tried, positive; 0: the method's own choice
+ * @param maxOrder highest order used, 1 to 13; 0: the method's own highest
+ * @param maxSteps accepted and rejected steps allowed, positive
+ * @param stop asked before every evaluation but that of the start; true ends the step at once
  */
 public record IntegratorSettings(
     double relativeTolerance,
@@ -38,5 +39,91 @@ public record IntegratorSettings(
         0,
         Long.MAX_VALUE,
         () -> false);
+  }
+
+  /** Smallest relative tolerance: about 100 units of round-off, as in the MATLAB ODE Suite. */
+  public static final double SMALLEST_RELATIVE_TOLERANCE = 2.3e-14;
+
+  /** Highest order an Adams method knows; the predictor's is one less. */
+  private static final int HIGHEST_ORDER = 13;
+
+  /**
+   * Checks what does not depend on the problem.
+   *
+   * @throws IllegalArgumentException naming the setting, its value and what it must be
+   */
+  void requireUsable() {
+    require(
+        relativeTolerance >= SMALLEST_RELATIVE_TOLERANCE && relativeTolerance < 1,
+        "relative tolerance",
+        relativeTolerance,
+        "at least " + SMALLEST_RELATIVE_TOLERANCE + ", the limit of the arithmetic, and below 1");
+    require(
+        !absoluteTolerance.isEmpty(), "number of absolute tolerances", 0, "1 or one per component");
+    for (double tolerance : absoluteTolerance) {
+      require(
+          tolerance >= Double.MIN_NORMAL && Double.isFinite(tolerance),
+          "absolute tolerance",
+          tolerance,
+          "positive (at least " + Double.MIN_NORMAL + ") and finite");
+    }
+    require(maxStep > 0, "largest step", maxStep, "positive");
+    require(
+        initialStep >= 0 && Double.isFinite(initialStep),
+        "first step",
+        initialStep,
+        "positive and finite, or 0 for the method's own choice");
+    require(
+        maxOrder >= 0 && maxOrder <= HIGHEST_ORDER,
+        "highest order",
+        maxOrder,
+        "from 1 to " + HIGHEST_ORDER + ", or 0 for the method's own");
+    require(maxSteps > 0, "number of steps allowed", maxSteps, "positive");
+  }
+
+  /**
+   * Checks what a problem brings.
+   *
+   * @throws IllegalArgumentException naming what is wrong, its value and what it must be
+   */
+  static void requireUsable(double t0, double tEnd, double[] y0, int dimension) {
+    require(Double.isFinite(t0), "start", t0, "finite");
+    require(Double.isFinite(tEnd), "end", tEnd, "finite");
+    require(Double.isFinite(tEnd - t0), "interval", tEnd - t0, "finite");
+    require(y0.length == dimension, "length of the initial state", y0.length, "" + dimension);
+    for (int i = 0; i < y0.length; i++) {
+      require(Double.isFinite(y0[i]), "initial state's component " + i, y0[i], "finite");
+    }
+  }
+
+  /**
+   * Returns the absolute tolerance of each component.
+   *
+   * @throws IllegalArgumentException if their number is neither 1 nor the number of components
+   */
+  double[] absoluteTolerances(int dimension) {
+    int given = absoluteTolerance.size();
+    require(
+        given == 1 || given == dimension,
+        "number of absolute tolerances",
+        given,
+        "1 or one per component, " + dimension);
+    double[] tolerances = new double[dimension];
+    for (int i = 0; i < dimension; i++) {
+      tolerances[i] = absoluteTolerance.get(given == 1 ? 0 : i);
+    }
+    return tolerances;
+  }
+
+  /** Returns the highest order to use by a method that knows the given one. */
+  int highestOrder(int ofMethod) {
+    return maxOrder == 0 ? ofMethod : Math.min(maxOrder, ofMethod);
+  }
+
+  private static void require(boolean met, String what, Object value, String expected) {
+    if (!met) {
+      throw new IllegalArgumentException(
+          "the " + what + " is " + value + "; it must be " + expected);
+    }
   }
 }

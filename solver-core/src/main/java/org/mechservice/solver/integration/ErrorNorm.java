@@ -1,0 +1,42 @@
+package org.mechservice.solver.integration;
+
+/** Measures vectors in units of the error allowed: a local error of norm 1 just passes. */
+sealed interface ErrorNorm permits MaximumNorm, EuclideanNorm {
+  /**
+   * Begins a problem.
+   *
+   * @param relativeTolerance error allowed relative to a component
+   * @param absoluteTolerance error allowed in a small component, per component; kept, not modified
+   */
+  void begin(double relativeTolerance, double[] absoluteTolerance);
+
+  /**
+   * Sets the error allowed in each component.
+   *
+   * @param y state the step starts from; not modified
+   */
+  void weigh(double[] y);
+
+  /** Returns the norm of a vector; NaN or infinite if a component is. */
+  double of(double[] x);
+
+  /** Returns the norm of the sum of two vectors. */
+  double ofSum(double[] x1, double[] x2);
+
+  /** Returns the reciprocal of the error allowed in a component. */
+  double weight(int component);
+
+  /** Returns the component that contributes most to the norm of a vector; −1 if there is none. */
+  default int largest(double[] x) {
+    int largest = -1;
+    double most = -1;
+    for (int l = 0; l < x.length; l++) {
+      double part = Math.abs(x[l]) * weight(l);
+      if (part > most) {
+        most = part;
+        largest = l;
+      }
+    }
+    return largest;
+  }
+}

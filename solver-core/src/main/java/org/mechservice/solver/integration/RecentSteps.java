@@ -1,0 +1,40 @@
+package org.mechservice.solver.integration;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** The last steps tried, kept for the report of a failure. */
+final class RecentSteps {
+  private static final int KEPT = 10;
+
+  private final double[] time = new double[KEPT];
+  private final double[] stepSize = new double[KEPT];
+  private final int[] order = new int[KEPT];
+  private final double[] error = new double[KEPT];
+  private long recorded;
+
+  void clear() {
+    recorded = 0;
+  }
+
+  /** Takes note of a step; for the arguments see {@link IntegrationFailure.StepRecord}. */
+  void record(double time, double stepSize, int order, double error) {
+    int slot = (int) (recorded % KEPT);
+    this.time[slot] = time;
+    this.stepSize[slot] = stepSize;
+    this.order[slot] = order;
+    this.error[slot] = error;
+    recorded++;
+  }
+
+  /** Returns the steps kept, oldest first. */
+  List<IntegrationFailure.StepRecord> list() {
+    List<IntegrationFailure.StepRecord> steps = new ArrayList<>(KEPT);
+    for (long i = Math.max(0, recorded - KEPT); i < recorded; i++) {
+      int slot = (int) (i % KEPT);
+      steps.add(
+          new IntegrationFailure.StepRecord(time[slot], stepSize[slot], order[slot], error[slot]));
+    }
+    return List.copyOf(steps);
+  }
+}

@@ -1,0 +1,97 @@
+/**
+ * Integration of initial value problems y' = f(t, y), y(t<sub>0</sub>) = y<sub>0</sub>, with step
+ * size and order chosen by the integrator. The package knows no mechanics and can be used on its
+ * own; after {@code start} nothing in it allocates memory.
+ *
+ * <h2>In ten lines</h2>
+ *
+ * The height of a ball thrown upwards at 20 m/s, every half second:
+ *
+ * <pre>{@code
+ * OdeSystem ball = new Ballistics();                      // y = [height, velocity]
+ * Integrator integrator = new Ode113(new IntegratorSettings(1e-6, 1e-9));
+ * double[] y = new double[2];
+ * double[] yDot = new double[2];
+ * StepResult result = integrator.start(ball, 0, new double[] {0, 20}, 4);
+ * for (double t = 0.5; t <= 4; t += 0.5) {
+ *   while (result == StepResult.ADVANCED && integrator.time() < t) result = integrator.step();
+ *   if (result == StepResult.FAILED) throw new ArithmeticException("" + integrator.failure());
+ *   integrator.interpolate(t, y, yDot);
+ *   heights.add(y[0]);
+ * }
+ * }</pre>
+ *
+ * with the right-hand side written into the array that is handed in:
+ *
+ * <pre>{@code
+ * final class Ballistics implements OdeSystem {
+ *   public int dimension() { return 2; }
+ *   public void derivative(double t, double[] y, double[] yDot) {
+ *     yDot[0] = y[1];
+ *     yDot[1] = -9.81 - 0.01 * y[1] * Math.abs(y[1]);
+ *   }
+ * }
+ * }</pre>
+ *
+ * <h2>Methods</h2>
+ *
+ * <table>
+ * <caption>Which method for which problem</caption>
+ * <tr><th>class</th><th>formulas</th><th>order</th><th>f per step</th><th>local error held to</th>
+ * <th>at the end</th><th>when</th></tr>
+ * <tr><td>{@link org.mechservice.solver.integration.Ode113}</td><td>Adams predictor-corrector</td>
+ * <td>1-13</td><td>2</td><td>max(rtol |y_i|, atol_i), every component</td><td>ends there exactly</td>
+ * <td>not stiff; the first choice</td></tr>
+ * <tr><td>{@link org.mechservice.solver.integration.De}</td><td>the same</td><td>1-13</td><td>2</td>
+ * <td>rtol |y_i| + atol_i, root of the sum of squares</td><td>steps past, interpolates</td><td>to
+ * compare with results of the classical program</td></tr>
+ * </table>
+ *
+ * <p>Adams methods need few evaluations when f is smooth and digits are many, and do worst when f
+ * jumps. They are not made for stiff problems, in which some parts of the solution die out much
+ * faster than the interesting ones move: there the step stays as small as the fastest part demands
+ * although nothing moves that fast, and {@link
+ * org.mechservice.solver.integration.IntegrationStatistics#stiffnessSuspected} says so.
+ *
+ * <h2>Mathematics</h2>
+ *
+ * The solution obeys y(t<sub>n</sub> + h) = y<sub>n</sub> + ∫ f dt over the step. A predictor of
+ * order k replaces f by the polynomial through its last k values and gives p; f at p adds one more
+ * value; the corrector integrates the polynomial through all k + 1 and gives the new y, at which f
+ * is evaluated again for the steps to come. The polynomials are held as divided differences, scaled
+ * so that for equal steps they become plain differences; the coefficients follow from the last k
+ * step sizes and need no work while the step stays the same. The difference of two correctors of
+ * neighbouring order estimates the error of one step, and the same quantities for the orders k − 1,
+ * k − 2 and k + 1 tell which order would allow the longest step. The start needs no other method:
+ * it is order 1 with a small step, both growing at once.
+ *
+ * <p>The same polynomial gives the solution everywhere inside the last step, as accurately as at
+ * its ends and without a further evaluation.
+ *
+ * <h2>What the tolerance means</h2>
+ *
+ * The error of each step is held below the tolerance, not the error at the end: what errors become
+ * on their way is up to the problem. On the usual test problems the end has one to three digits
+ * fewer than asked for; on stable ones none. To judge a result, integrate again with a tenth of the
+ * tolerance. Give each component an absolute tolerance at which it is negligible.
+ *
+ * <h2>What can go wrong</h2>
+ *
+ * An integrator never hands out a state that is not finite. When it cannot go on it returns {@link
+ * org.mechservice.solver.integration.StepResult#FAILED}, keeps the last accepted step, and {@link
+ * org.mechservice.solver.integration.IntegrationFailure} names cause, place, component and the last
+ * steps. f says that it is not defined somewhere by a value that is not finite; the step is then
+ * tried shorter. A jump of f costs some rejected steps but is found; a pulse shorter than the steps
+ * around it can be missed: bound the step by {@link
+ * org.mechservice.solver.integration.IntegratorSettings#maxStep}. Wrong use is an exception.
+ *
+ * <p>Results are the same to the bit on every machine if those of f are.
+ *
+ * <h2>Sources</h2>
+ *
+ * L. F. Shampine and M. K. Gordon, <i>Computer Solution of Ordinary Differential Equations</i>,
+ * 1975; E. Hairer, S. P. Nørsett and G. Wanner, <i>Solving Ordinary Differential Equations I</i>,
+ * III.5 and III.7; L. F. Shampine and M. W. Reichelt, <i>The MATLAB ODE Suite</i>, SIAM J. Sci.
+ * Comput. 18 (1997) 1.
+ */
+package org.mechservice.solver.integration;
