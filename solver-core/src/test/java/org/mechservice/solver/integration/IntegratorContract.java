@@ -132,6 +132,19 @@ abstract class IntegratorContract {
     return new IntegratorSettings(1e-10, tolerances, UNBOUNDED, 0, 0, Long.MAX_VALUE, () -> false);
   }
 
+  @Test
+  void roundOffDoesNotAccumulateAtTightTolerances() {
+    // 100 000 steps of 1e-3, each adding 1e-4 to a million: added plainly, every sum is wrong by up
+    // to half an ulp in the same direction, some 1e-6 in the end. Carried along, it stays at an
+    // ulp.
+    Ode steady = new Ode(1, (t, y, yDot) -> yDot[0] = 0.1);
+    IntegratorSettings settings =
+        new IntegratorSettings(5e-14, List.of(5e-14), 1e-3, 0, 0, Long.MAX_VALUE, () -> false);
+    Run run = Run.of(create(settings), steady, 0, new double[] {1e6}, 100);
+    assertThat(run.statistics().steps()).isGreaterThanOrEqualTo(100_000);
+    assertThat(run.atEnd()[0]).isCloseTo(1e6 + 10, within(4 * Math.ulp(1e6)));
+  }
+
   // Dense output
 
   @ParameterizedTest
