@@ -21,6 +21,8 @@ import java.util.OptionalDouble;
  *     constant by nature or not known
  * @param energyScale the larger of largest kinetic energy and largest change of potential energy,
  *     J; what the drift is judged by
+ * @param stiffnessSuspected whether the integrator took a long run of steps that only its
+ *     stability, not its accuracy, kept small
  * @param solverVersion version of the solver that ran
  */
 public record RunReport(
@@ -36,6 +38,7 @@ public record RunReport(
     double wallTime,
     OptionalDouble energyDrift,
     OptionalDouble energyScale,
+    boolean stiffnessSuspected,
     String solverVersion) {
 
   /**
@@ -67,6 +70,9 @@ public record RunReport(
     }
     energyDrift.ifPresent(drift -> map.put("energyDrift", drift));
     energyScale.ifPresent(scale -> map.put("energyScale", scale));
+    if (stiffnessSuspected) {
+      map.put("stiffness", "suspected");
+    }
     map.put("solverVersion", solverVersion);
     return map;
   }

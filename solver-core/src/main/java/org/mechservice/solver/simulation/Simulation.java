@@ -54,6 +54,7 @@ public final class Simulation implements Solver {
     private final long startedAt = System.nanoTime();
     private double timeReached;
     private long nextRow;
+    private long steps;
 
     Run(ExplicitModel model, RunRequest request, ResultSink sink, RunControl control)
         throws IOException {
@@ -61,7 +62,7 @@ public final class Simulation implements Solver {
       this.settings = request.settings();
       this.control = control;
       requireUsable(settings);
-      integrator = integrators.create(integratorSettings());
+      integrator = createIntegrator();
       equations = new ModelEquations(model);
       outputTimes = new OutputTimes(settings);
       rows = new RowWriter(model, request, sink);
@@ -70,15 +71,20 @@ public final class Simulation implements Solver {
       timeReached = settings.tStart();
     }
 
-    private IntegratorSettings integratorSettings() {
-      return new IntegratorSettings(
-          settings.relativeTolerance(),
-          List.of(settings.absoluteTolerance()),
-          settings.maxStep(),
-          settings.initialStep(),
-          settings.maxOrder(),
-          Long.MAX_VALUE,
-          control::stopRequested);
+    private Integrator createIntegrator() {
+      try {
+        return integrators.create(
+            new IntegratorSettings(
+                settings.relativeTolerance(),
+                List.of(settings.absoluteTolerance()),
+                settings.maxStep(),
+                settings.initialStep(),
+                settings.maxOrder(),
+                Long.MAX_VALUE,
+                control::stopRequested));
+      } catch (IllegalArgumentException e) {
+        throw new IllegalArgumentException("S-066 " + e.getMessage(), e);
+      }
     }
 
     RunReport toEnd() throws IOException {
@@ -107,6 +113,7 @@ public final class Simulation implements Solver {
         if (result == StepResult.STOPPED) {
           return new Outcome.Stopped();
         }
+        steps++;
         badColumn = writeRowsOfStep();
         if (badColumn != RowWriter.ALL_FINITE) {
           return notFinite(outputTimes.time(nextRow), badColumn);
@@ -135,8 +142,7 @@ public final class Simulation implements Solver {
     }
 
     private boolean goOn() {
-      return control.proceed(
-          timeReached, integrator.stepSize(), integrator.order(), integrator.statistics().steps());
+      return control.proceed(timeReached, integrator.stepSize(), integrator.order(), steps);
     }
 
     private Outcome integratorFailed() {
@@ -164,6 +170,7 @@ public final class Simulation implements Solver {
           (System.nanoTime() - startedAt) * 1e-9,
           energy.drift(),
           energy.scale(),
+          done.stiffnessSuspected(),
           SolverVersion.CURRENT);
     }
   }

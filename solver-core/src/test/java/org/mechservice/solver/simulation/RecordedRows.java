@@ -1,0 +1,22 @@
+package org.mechservice.solver.simulation;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.Variable;
+
+/** Keeps the rows of a run. */
+final class RecordedRows implements ResultSink {
+  final List<Variable> columns = new ArrayList<>();
+  final List<double[]> rows = new ArrayList<>();
+
+  @Override
+  public void begin(List<Variable> columns) {
+    this.columns.addAll(columns);
+  }
+
+  @Override
+  public void row(double[] values) {
+    rows.add(values.clone());
+  }
+}
