@@ -1,5 +1,10 @@
 package org.mechservice.mechml;
 
+import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.document.DocumentReader;
+import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.resolve.ModelResolver;
+
 /** Reads MechML files. */
 public final class MechmlReader {
   private MechmlReader() {}
@@ -15,6 +20,8 @@ public final class MechmlReader {
    *     version can hold
    */
   public static MechmlModel read(String fileName, byte[] content) throws MechmlException {
-    throw new MechmlException(java.util.List.of());
+    Diagnostics diagnostics = new Diagnostics(fileName);
+    Element document = DocumentReader.read(content, diagnostics);
+    return ModelResolver.resolve(document, diagnostics);
   }
 }

@@ -1,0 +1,92 @@
+package org.mechservice.mechml.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.mechservice.mechml.Diagnostic;
+import org.mechservice.mechml.MechmlException;
+import org.mechservice.mechml.Severity;
+
+/** Collects what there is to say about one file; says the same thing at the same place once. */
+public final class Diagnostics {
+  /** As many messages as somebody reads; a file with more has one cause for most of them. */
+  public static final int MOST = 100;
+
+  private final String file;
+  private final Set<Diagnostic> found = new LinkedHashSet<>();
+  private boolean errors;
+
+  /**
+   * Begins an empty collection.
+   *
+   * @param file name of the file for messages
+   */
+  public Diagnostics(String file) {
+    this.file = file;
+  }
+
+  /** Returns the name of the file. */
+  public String file() {
+    return file;
+  }
+
+  /** Adds what makes the model unusable. */
+  public void error(MessageCode code, Place place, String message) {
+    errors = true;
+    add(Severity.ERROR, code, place, message);
+  }
+
+  /** Adds what is probably not meant. */
+  public void warning(MessageCode code, Place place, String message) {
+    add(Severity.WARNING, code, place, message);
+  }
+
+  private void add(Severity severity, MessageCode code, Place place, String message) {
+    if (!isFull()) {
+      found.add(
+          new Diagnostic(
+              severity, code.code(), message, file, place.line(), place.column(), place.path()));
+    }
+  }
+
+  /** Returns whether no further message is kept. */
+  public boolean isFull() {
+    return found.size() >= MOST;
+  }
+
+  /** Returns whether there is an error. */
+  public boolean hasErrors() {
+    return errors;
+  }
+
+  /** Returns everything found, in file order. */
+  public List<Diagnostic> inFileOrder() {
+    List<Diagnostic> ordered = new ArrayList<>(found);
+    ordered.sort(Comparator.comparingInt(Diagnostic::line).thenComparingInt(Diagnostic::column));
+    if (isFull()) {
+      ordered.add(
+          new Diagnostic(
+              Severity.INFO,
+              MessageCode.MORE_MESSAGES.code(),
+              "only the first " + MOST + " messages are listed",
+              file,
+              0,
+              0,
+              ""));
+    }
+    return ordered;
+  }
+
+  /**
+   * Ends the reading if something was wrong.
+   *
+   * @throws MechmlException with everything found if there is an error
+   */
+  public void throwIfErrors() throws MechmlException {
+    if (errors) {
+      throw new MechmlException(inFileOrder());
+    }
+  }
+}

@@ -1,0 +1,80 @@
+package org.mechservice.mechml.document;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Quoted;
+import org.xml.sax.InputSource;
+import org.xml.sax.SAXException;
+import org.xml.sax.ext.EntityResolver2;
+
+/** Answers the XML parser's only question for a file with the DTD that comes with this library. */
+final class BundledDtd implements EntityResolver2 {
+  private static final String FILE = "mechml.dtd";
+  private static final byte[] TEXT = load();
+
+  private final ParserPlace here;
+  private boolean served;
+
+  BundledDtd(ParserPlace here) {
+    this.here = here;
+  }
+
+  private static byte[] load() {
+    try (InputStream stream =
+        BundledDtd.class.getResourceAsStream("/org/mechservice/mechml/" + FILE)) {
+      if (stream == null) {
+        throw new IllegalStateException(FILE + " is missing from the library");
+      }
+      return stream.readAllBytes();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Returns whether the DTD has been asked for. */
+  boolean isServed() {
+    return served;
+  }
+
+  /** {@inheritDoc} A file without DOCTYPE is checked all the same. */
+  @Override
+  public InputSource getExternalSubset(String name, @Nullable String baseUri) {
+    return serve();
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @throws SAXException for everything but the DTD of MechML
+   */
+  @Override
+  public InputSource resolveEntity(
+      @Nullable String name, @Nullable String publicId, @Nullable String baseUri, String systemId)
+      throws SAXException {
+    if (!"[dtd]".equals(name) || !systemId.toLowerCase(Locale.ROOT).endsWith(FILE)) {
+      throw new Refusal(
+          MessageCode.FOREIGN_FILE,
+          here.place(),
+          "the file refers to %s; only \"MechML.dtd\" may be named, and nothing is fetched"
+              .formatted(Quoted.of(systemId)));
+    }
+    return serve();
+  }
+
+  @Override
+  public InputSource resolveEntity(@Nullable String publicId, String systemId) throws SAXException {
+    return resolveEntity(null, publicId, null, systemId);
+  }
+
+  private InputSource serve() {
+    served = true;
+    InputSource source = new InputSource(new ByteArrayInputStream(TEXT));
+    source.setSystemId(FILE);
+    return source;
+  }
+}

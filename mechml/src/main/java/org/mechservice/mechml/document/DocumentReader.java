@@ -1,0 +1,120 @@
+package org.mechservice.mechml.document;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.util.Locale;
+import java.util.Optional;
+import org.apache.xerces.parsers.DTDConfiguration;
+import org.apache.xerces.parsers.SAXParser;
+import org.apache.xerces.util.SecurityManager;
+import org.mechservice.mechml.MechmlException;
+import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Place;
+import org.mechservice.mechml.diagnosis.Quoted;
+import org.xml.sax.InputSource;
+import org.xml.sax.SAXException;
+
+/** Reads a model file as a tree of elements that keeps to the grammar. */
+public final class DocumentReader {
+  private static final String VALIDATION = "http://xml.org/sax/features/validation";
+  private static final String NAMESPACES = "http://xml.org/sax/features/namespaces";
+  private static final String SECURITY = "http://apache.org/xml/properties/security-manager";
+  private static final String LEXICAL = "http://xml.org/sax/properties/lexical-handler";
+  private static final String DECLARATIONS = "http://xml.org/sax/properties/declaration-handler";
+  private static final String ROOT = "MechML";
+
+  private final Diagnostics diagnostics;
+  private final ParserPlace here = new ParserPlace();
+  private final BundledDtd dtd = new BundledDtd(here);
+  private final GrammarReader grammarReader = new GrammarReader(dtd, here);
+  private final ElementBuilder builder;
+  private final ParserErrors errors;
+
+  private DocumentReader(Diagnostics diagnostics) {
+    this.diagnostics = diagnostics;
+    this.builder = new ElementBuilder(diagnostics, here);
+    this.errors = new ParserErrors(builder);
+  }
+
+  /**
+   * Reads a file.
+   *
+   * @param content the file's bytes; not modified
+   * @param diagnostics takes what is wrong
+   * @return the element MechML; everything in it keeps to the grammar
+   * @throws MechmlException if the file is too large, not well-formed or not valid
+   */
+  public static Element read(byte[] content, Diagnostics diagnostics) throws MechmlException {
+    return new DocumentReader(diagnostics).read(content);
+  }
+
+  private Element read(byte[] content) throws MechmlException {
+    Optional<Element> root = Optional.empty();
+    try {
+      root = parse(content);
+    } catch (Refusal refusal) {
+      diagnostics.error(refusal.code(), refusal.place(), refusal.text());
+    } catch (SAXException | RuntimeException e) {
+      // The parser has, rarely, exceptions of its own for bytes it cannot make sense of.
+      diagnostics.error(MessageCode.NOT_WELL_FORMED, here.place(), "this cannot be read as XML");
+    } catch (IOException e) {
+      diagnostics.error(
+          MessageCode.UNREADABLE_TEXT,
+          FirstBadByte.place(content).orElse(here.place()),
+          "the file is not written in the encoding it claims, UTF-8 if it claims none; save it as"
+              + " UTF-8");
+    }
+    root.ifPresent(this::explainInvalidity);
+    diagnostics.throwIfErrors();
+    return root.orElseThrow();
+  }
+
+  private Optional<Element> parse(byte[] content) throws SAXException, IOException {
+    if (content.length > Limits.BYTES) {
+      throw new Refusal(
+          MessageCode.TOO_LARGE,
+          Place.FILE,
+          "the file has %d bytes; %d are allowed".formatted(content.length, Limits.BYTES));
+    }
+    parser().parse(new InputSource(new ByteArrayInputStream(content)));
+    return builder.root();
+  }
+
+  /** The classes are named, so that no setting of the machine can put others in their place. */
+  private SAXParser parser() throws SAXException {
+    DTDConfiguration configuration = new DTDConfiguration();
+    configuration.setErrorHandler(errors);
+    SAXParser parser = new SAXParser(configuration);
+    parser.setLocale(Locale.ENGLISH);
+    parser.setFeature(VALIDATION, true);
+    parser.setFeature(NAMESPACES, false);
+    SecurityManager limits = new SecurityManager();
+    limits.setEntityExpansionLimit(Limits.ENTITY_REFERENCES);
+    parser.setProperty(SECURITY, limits);
+    parser.setProperty(LEXICAL, builder);
+    parser.setProperty(DECLARATIONS, grammarReader);
+    parser.setContentHandler(builder);
+    parser.setEntityResolver(dtd);
+    return parser;
+  }
+
+  private void explainInvalidity(Element root) {
+    if (!root.name().equals(ROOT)) {
+      diagnostics.error(
+          MessageCode.UNKNOWN_ELEMENT,
+          root.place(),
+          "the outermost element is <%s>; that of a model file is <%s>"
+              .formatted(Quoted.plain(root.name()), ROOT));
+      return;
+    }
+    if (errors.invalidity().isPresent()) {
+      new GrammarCheck(grammarReader.grammar(), diagnostics).check(root);
+    }
+    if (!diagnostics.hasErrors()) {
+      errors
+          .invalidity()
+          .ifPresent(i -> diagnostics.error(MessageCode.INVALID_DOCUMENT, i.place(), i.text()));
+    }
+  }
+}

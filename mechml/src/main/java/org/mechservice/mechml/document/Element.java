@@ -1,0 +1,72 @@
+package org.mechservice.mechml.document;
+
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.mechml.diagnosis.Place;
+import org.mechservice.mechml.diagnosis.Quoted;
+
+/**
+ * An element of a model file.
+ *
+ * @param name name of the element, such as {@code joint}
+ * @param attributes in file order
+ * @param children in file order
+ * @param place where its tag begins
+ * @param owner the nearest named element around it as {@link #label()} gives it, such as {@code
+ *     body "bar1"}; empty if there is none
+ */
+public record Element(
+    String name, List<Attribute> attributes, List<Element> children, Place place, String owner) {
+  public Element {
+    attributes = List.copyOf(attributes);
+    children = List.copyOf(children);
+  }
+
+  /** Returns the text of an attribute if the file gives it. */
+  public Optional<String> attribute(String attributeName) {
+    return attributes.stream()
+        .filter(a -> a.name().equals(attributeName))
+        .map(Attribute::value)
+        .findFirst();
+  }
+
+  /**
+   * Returns the text of an attribute that the grammar requires.
+   *
+   * @throws IllegalStateException if it is missing
+   */
+  public String required(String attributeName) {
+    return attribute(attributeName)
+        .orElseThrow(() -> new IllegalStateException(name + " lacks " + attributeName));
+  }
+
+  /** Returns the children of a name, in file order. */
+  public List<Element> children(String childName) {
+    return children.stream().filter(c -> c.name().equals(childName)).toList();
+  }
+
+  /** Returns the first child of a name. */
+  public Optional<Element> child(String childName) {
+    return children.stream().filter(c -> c.name().equals(childName)).findFirst();
+  }
+
+  /**
+   * Returns the first child of a name that the grammar requires.
+   *
+   * @throws IllegalStateException if it is missing
+   */
+  public Element requiredChild(String childName) {
+    return child(childName)
+        .orElseThrow(() -> new IllegalStateException(name + " lacks " + childName));
+  }
+
+  /** Returns how messages call it: {@code body "bar1": point "p2"}. */
+  public String label() {
+    return role() + attribute("name").map(n -> " " + Quoted.of(n)).orElse("");
+  }
+
+  /** Returns how messages call it when its name is another's: {@code joint "j2": body2}. */
+  public String role() {
+    return owner.isEmpty() ? name : owner + ": " + name;
+  }
+}

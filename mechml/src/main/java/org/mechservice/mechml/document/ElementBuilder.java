@@ -1,0 +1,188 @@
+package org.mechservice.mechml.document;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Place;
+import org.mechservice.mechml.diagnosis.Quoted;
+import org.xml.sax.Attributes;
+import org.xml.sax.Locator;
+import org.xml.sax.SAXException;
+import org.xml.sax.ext.DefaultHandler2;
+
+/**
+ * Builds the tree of elements from the parser's events.
+ *
+ * <p>The parser tells where an event ends; a tag begins where the event before it ended.
+ */
+final class ElementBuilder extends DefaultHandler2 {
+  /** Elements whose name stands for the whole file, so messages do not repeat it. */
+  private static final Set<String> NOT_OWNERS = Set.of("MechML", "MBSmodel", "body1", "body2");
+
+  /**
+   * An element whose end has not been read.
+   *
+   * @param head the element without its children
+   * @param children those read so far
+   */
+  private record Open(Element head, List<Element> children) {
+    Element close() {
+      return new Element(head.name(), head.attributes(), children, head.place(), head.owner());
+    }
+  }
+
+  private final Diagnostics diagnostics;
+  private final ParserPlace here;
+  private final Deque<Open> open = new ArrayDeque<>();
+  private Optional<Element> root = Optional.empty();
+  private int elements;
+  private int line = 1;
+  private int column = 1;
+
+  /**
+   * Begins without elements.
+   *
+   * @param diagnostics takes text found between tags
+   * @param here always tells the parser's present place
+   */
+  ElementBuilder(Diagnostics diagnostics, ParserPlace here) {
+    this.diagnostics = diagnostics;
+    this.here = here;
+  }
+
+  /** Returns the outermost element once its end has been read. */
+  Optional<Element> root() {
+    return root;
+  }
+
+  /** Returns the innermost element whose end has not been read, without its children. */
+  Optional<Element> innermost() {
+    return Optional.ofNullable(open.peek()).map(Open::head);
+  }
+
+  @Override
+  public void setDocumentLocator(Locator locator) {
+    here.follow(locator);
+  }
+
+  @Override
+  public void startElement(String uri, String localName, String name, Attributes attributes)
+      throws SAXException {
+    if (open.isEmpty()) {
+      // White space before the outermost element is no event.
+      line = here.line();
+      column = Math.max(1, here.column() - name.length() - 2);
+    }
+    List<Attribute> copy = copy(attributes);
+    Element head = new Element(name, copy, List.of(), place(name, attributes), owner());
+    checkLimits(head);
+    open.push(new Open(head, new ArrayList<>()));
+    passed();
+  }
+
+  private Place place(String name, Attributes attributes) {
+    String parentPath = innermost().map(e -> e.place().path() + "/").orElse("");
+    String ownName = attributes.getValue("name");
+    String step = ownName == null ? name : name + "[" + ownName + "]";
+    return new Place(line, column, parentPath + Quoted.plain(step));
+  }
+
+  private String owner() {
+    return innermost()
+        .map(
+            e ->
+                e.attribute("name").isEmpty() || NOT_OWNERS.contains(e.name())
+                    ? e.owner()
+                    : e.label())
+        .orElse("");
+  }
+
+  private static List<Attribute> copy(Attributes attributes) {
+    List<Attribute> copy = new ArrayList<>(attributes.getLength());
+    for (int i = 0; i < attributes.getLength(); i++) {
+      copy.add(new Attribute(attributes.getQName(i), attributes.getValue(i)));
+    }
+    return copy;
+  }
+
+  private void checkLimits(Element element) throws Refusal {
+    elements++;
+    if (elements > Limits.ELEMENTS) {
+      throw tooLarge(element, "the file has more than " + Limits.ELEMENTS + " elements");
+    }
+    if (open.size() >= Limits.DEPTH) {
+      throw tooLarge(element, "elements are nested more than " + Limits.DEPTH + " deep");
+    }
+    for (Attribute attribute : element.attributes()) {
+      if (attribute.value().length() > Limits.ATTRIBUTE_LENGTH) {
+        throw tooLarge(
+            element,
+            "attribute %s has more than %d characters"
+                .formatted(Quoted.of(attribute.name()), Limits.ATTRIBUTE_LENGTH));
+      }
+    }
+  }
+
+  private static Refusal tooLarge(Element element, String message) {
+    return new Refusal(MessageCode.TOO_LARGE, element.place(), message);
+  }
+
+  @Override
+  public void endElement(String uri, String localName, String name) {
+    Element element = open.pop().close();
+    Open parent = open.peek();
+    if (parent == null) {
+      root = Optional.of(element);
+    } else {
+      parent.children().add(element);
+    }
+    passed();
+  }
+
+  @Override
+  public void characters(char[] text, int start, int length) {
+    String content = new String(text, start, length).strip();
+    if (!content.isEmpty() && !diagnostics.isFull()) {
+      innermost().ifPresent(element -> reportText(element, content));
+    }
+    passed();
+  }
+
+  private void reportText(Element element, String content) {
+    diagnostics.error(
+        MessageCode.STRAY_TEXT,
+        new Place(line, column, element.place().path()),
+        "%s: text %s stands between tags; values stand in attributes"
+            .formatted(element.label(), Quoted.of(content)));
+  }
+
+  @Override
+  public void ignorableWhitespace(char[] text, int start, int length) {
+    passed();
+  }
+
+  @Override
+  public void processingInstruction(String target, String text) {
+    passed();
+  }
+
+  @Override
+  public void comment(char[] text, int start, int length) {
+    passed();
+  }
+
+  @Override
+  public void endEntity(String name) {
+    passed();
+  }
+
+  private void passed() {
+    line = here.line();
+    column = here.column();
+  }
+}

@@ -1,0 +1,85 @@
+package org.mechservice.mechml.document;
+
+import java.util.List;
+import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Quoted;
+import org.xml.sax.SAXException;
+import org.xml.sax.ext.DefaultHandler2;
+
+/**
+ * Takes the grammar from the declarations of the bundled DTD, and refuses what a model file may not
+ * declare itself: anything but short entities.
+ */
+final class GrammarReader extends DefaultHandler2 {
+  private final Grammar grammar = new Grammar();
+  private final BundledDtd dtd;
+  private final ParserPlace here;
+
+  /**
+   * Begins with an empty grammar.
+   *
+   * @param dtd says whether declarations are its own or the file's
+   * @param here place of the declaration being read
+   */
+  GrammarReader(BundledDtd dtd, ParserPlace here) {
+    this.dtd = dtd;
+    this.here = here;
+  }
+
+  Grammar grammar() {
+    return grammar;
+  }
+
+  @Override
+  public void elementDecl(String name, String model) throws SAXException {
+    refuseUnlessBundled("element " + Quoted.of(name));
+    grammar.addElement(name, ContentModelParser.parse(model));
+  }
+
+  @Override
+  public void attributeDecl(
+      String element, String attribute, String type, String mode, String defaultValue)
+      throws SAXException {
+    refuseUnlessBundled("attribute " + Quoted.of(attribute));
+    List<String> choices =
+        type.startsWith("(")
+            ? List.of(type.substring(1, type.length() - 1).split("\\|", -1))
+            : List.of();
+    boolean required = "#REQUIRED".equals(mode);
+    grammar.addAttribute(element, attribute, new Grammar.AttributeRule(required, choices));
+  }
+
+  @Override
+  public void internalEntityDecl(String name, String value) throws SAXException {
+    if (name.startsWith("%")) {
+      refuseUnlessBundled("parameter entity " + Quoted.of(name.substring(1)));
+    }
+    if (value.length() > Limits.ENTITY_LENGTH) {
+      throw new Refusal(
+          MessageCode.TOO_LARGE,
+          here.place(),
+          "entity %s has %d characters; %d are allowed"
+              .formatted(Quoted.of(name), value.length(), Limits.ENTITY_LENGTH));
+    }
+  }
+
+  @Override
+  public void externalEntityDecl(String name, String publicId, String systemId)
+      throws SAXException {
+    throw new Refusal(
+        MessageCode.FOREIGN_FILE,
+        here.place(),
+        "entity %s lies in another file, %s; a model file stands alone, nothing is fetched"
+            .formatted(Quoted.of(name), Quoted.of(systemId)));
+  }
+
+  private void refuseUnlessBundled(String what) throws Refusal {
+    if (!dtd.isServed()) {
+      throw new Refusal(
+          MessageCode.OWN_DECLARATION,
+          here.place(),
+          "the DOCTYPE declares %s of its own; the language is that of mechml.dtd, only entities may be added"
+              .formatted(what));
+    }
+  }
+}

@@ -1,0 +1,104 @@
+package org.mechservice.mechml.document;
+
+import java.util.Optional;
+import org.apache.xerces.xni.XNIException;
+import org.apache.xerces.xni.parser.XMLErrorHandler;
+import org.apache.xerces.xni.parser.XMLParseException;
+import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Place;
+
+/**
+ * Takes the XML parser's complaints: the first about well-formedness ends the reading, the first
+ * about validity is kept in case the grammar check cannot explain it.
+ */
+final class ParserErrors implements XMLErrorHandler {
+  /**
+   * A complaint about validity.
+   *
+   * @param place where the parser stood
+   * @param text the parser's sentence
+   */
+  record Invalidity(Place place, String text) {}
+
+  private final ElementBuilder builder;
+  private Optional<Invalidity> invalidity = Optional.empty();
+
+  /**
+   * Begins without complaints.
+   *
+   * @param builder knows which element is open
+   */
+  ParserErrors(ElementBuilder builder) {
+    this.builder = builder;
+  }
+
+  /** Returns the first complaint about validity. */
+  Optional<Invalidity> invalidity() {
+    return invalidity;
+  }
+
+  /** {@inheritDoc} The parser's warnings are about grammars, which are ours. */
+  @Override
+  public void warning(String domain, String key, XMLParseException exception) {}
+
+  @Override
+  public void error(String domain, String key, XMLParseException exception) {
+    if (invalidity.isEmpty()) {
+      invalidity = Optional.of(new Invalidity(place(exception), invalid(key, exception)));
+    }
+  }
+
+  @Override
+  public void fatalError(String domain, String key, XMLParseException exception) {
+    MessageCode code =
+        switch (key) {
+          case "EntityExpansionLimitExceeded" -> MessageCode.TOO_LARGE;
+          case "EncodingDeclInvalid", "EncodingNotSupported", "EncodingByteOrderUnsupported" ->
+              MessageCode.UNREADABLE_TEXT;
+          default -> MessageCode.NOT_WELL_FORMED;
+        };
+    throw new XNIException(new Refusal(code, place(exception), notWellFormed(key, exception)));
+  }
+
+  private static Place place(XMLParseException exception) {
+    return new Place(
+        Math.max(0, exception.getLineNumber()), Math.max(0, exception.getColumnNumber()), "");
+  }
+
+  private String invalid(String key, XMLParseException exception) {
+    if (key.startsWith("MSG_CONTENT_IN")) {
+      return innermost(" has something between its tags; it must be empty, as in <name .../>");
+    }
+    return sentence(exception);
+  }
+
+  private String notWellFormed(String key, XMLParseException exception) {
+    return switch (key) {
+      case "ETagRequired" -> innermost(" is still open here; its end tag must come first");
+      case "MarkupEntityMismatch" -> innermost(" is still open where the file ends");
+      case "PrematureEOF" -> "the file ends before a model begins";
+      case "MarkupNotRecognizedInContent" ->
+          "\"<\" must begin a tag; as a sign of its own it is written &lt;";
+      case "ContentIllegalInProlog", "MarkupNotRecognizedInProlog" ->
+          "this is not XML; a model file begins with <?xml version=\"1.0\"?> or <MechML>";
+      case "ContentIllegalInTrailingMisc", "MarkupNotRecognizedInMisc" ->
+          "something follows the end of the model; a file holds one <MechML> element";
+      case "ReservedPITarget" -> "<?xml ...?> may stand only at the very beginning of the file";
+      case "EntityExpansionLimitExceeded" ->
+          "more than " + Limits.ENTITY_REFERENCES + " references to entities";
+      default -> sentence(exception);
+    };
+  }
+
+  private String innermost(String predicate) {
+    return builder
+        .innermost()
+        .map(e -> "<%s> of line %d%s".formatted(e.name(), e.place().line(), predicate))
+        .orElse("the outermost element" + predicate);
+  }
+
+  private static String sentence(XMLParseException exception) {
+    String text = String.valueOf(exception.getMessage()).strip();
+    return text.endsWith(".") ? text.substring(0, text.length() - 1) : text;
+  }
+}

@@ -1,0 +1,99 @@
+package org.mechservice.mechml.expression;
+
+import java.util.List;
+import org.mechservice.mechml.diagnosis.MessageCode;
+
+/** The value of an expression in a scope; every intermediate value must be finite. */
+public final class Evaluation {
+  private final Scope scope;
+
+  private Evaluation(Scope scope) {
+    this.scope = scope;
+  }
+
+  /**
+   * Returns the value of an expression.
+   *
+   * @return a finite number
+   * @throws ExpressionException if a name stands for nothing or a part has no finite value
+   */
+  public static double of(Expression expression, Scope scope) throws ExpressionException {
+    return new Evaluation(scope).value(expression);
+  }
+
+  private double value(Expression expression) throws ExpressionException {
+    if (expression instanceof Expression.Literal literal) {
+      return literal.value();
+    }
+    if (expression instanceof Expression.Reference reference) {
+      return finite(scope.value(reference), reference.offset(), reference.text());
+    }
+    if (expression instanceof Expression.Sum sum) {
+      return sum(sum);
+    }
+    if (expression instanceof Expression.Product product) {
+      return product(product);
+    }
+    if (expression instanceof Expression.Negation negation) {
+      return 0 - value(negation.operand());
+    }
+    if (expression instanceof Expression.Power power) {
+      return power(power);
+    }
+    return call((Expression.Call) expression);
+  }
+
+  private double sum(Expression.Sum sum) throws ExpressionException {
+    double total = value(sum.parts().get(0).operand());
+    for (Expression.Part part : rest(sum.parts())) {
+      double operand = value(part.operand());
+      total = finite(part.inverse() ? total - operand : total + operand, part.offset(), "the sum");
+    }
+    return total;
+  }
+
+  private double product(Expression.Product product) throws ExpressionException {
+    double total = value(product.parts().get(0).operand());
+    for (Expression.Part part : rest(product.parts())) {
+      double operand = value(part.operand());
+      if (part.inverse() && operand == 0) {
+        throw new ExpressionException(
+            MessageCode.EXPRESSION_VALUE, part.offset(), "division by zero");
+      }
+      double next = part.inverse() ? total / operand : total * operand;
+      total = finite(next, part.offset(), "the product");
+    }
+    return total;
+  }
+
+  private static List<Expression.Part> rest(List<Expression.Part> parts) {
+    return parts.subList(1, parts.size());
+  }
+
+  private double power(Expression.Power power) throws ExpressionException {
+    double base = value(power.base());
+    double exponent = value(power.exponent());
+    return finite(
+        StrictMath.pow(base, exponent), power.offset(), "%s ^ %s".formatted(base, exponent));
+  }
+
+  private double call(Expression.Call call) throws ExpressionException {
+    double[] arguments = new double[call.arguments().size()];
+    StringBuilder shown = new StringBuilder(call.function().symbol()).append('(');
+    for (int i = 0; i < arguments.length; i++) {
+      arguments[i] = value(call.arguments().get(i));
+      shown.append(i == 0 ? "" : ", ").append(arguments[i]);
+    }
+    return finite(call.function().at(arguments), call.offset(), shown.append(')').toString());
+  }
+
+  private static double finite(double value, int offset, String what) throws ExpressionException {
+    if (Double.isFinite(value)) {
+      return value;
+    }
+    throw new ExpressionException(
+        MessageCode.EXPRESSION_VALUE,
+        offset,
+        what + (Double.isNaN(value) ? " is not a real number" : " is not finite"));
+  }
+}

@@ -1,0 +1,34 @@
+package org.mechservice.mechml.expression;
+
+import org.mechservice.mechml.diagnosis.MessageCode;
+
+/** An expression cannot be read or has no value. */
+public final class ExpressionException extends Exception {
+  private static final long serialVersionUID = 1L;
+
+  private final MessageCode code;
+  private final int offset;
+
+  /**
+   * Says what is wrong where.
+   *
+   * @param code entry of the catalogue
+   * @param offset character in the text, from 0
+   * @param message what is wrong, without the position
+   */
+  public ExpressionException(MessageCode code, int offset, String message) {
+    super(message);
+    this.code = code;
+    this.offset = offset;
+  }
+
+  /** Returns the entry of the catalogue. */
+  public MessageCode code() {
+    return code;
+  }
+
+  /** Returns the character in the text, from 0. */
+  public int offset() {
+    return offset;
+  }
+}

@@ -1,0 +1,21 @@
+package org.mechservice.mechml.expression;
+
+/**
+ * A word of an expression.
+ *
+ * @param kind what sort of word
+ * @param text as written; a quoted name without its quotes
+ * @param offset of its first character, from 0
+ */
+record Token(Kind kind, String text, int offset) {
+  enum Kind {
+    NUMBER,
+    NAME,
+    SYMBOL,
+    END
+  }
+
+  boolean is(String symbol) {
+    return kind == Kind.SYMBOL && text.equals(symbol);
+  }
+}

@@ -1,0 +1,66 @@
+package org.mechservice.mechml.expression;
+
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Quoted;
+
+/** Cuts the text of an expression into words. */
+final class Tokenizer {
+  /** Possessive quantifiers: a long row of digits is passed over once. */
+  private static final Pattern NUMBER =
+      Pattern.compile("(?:[0-9]++\\.?+[0-9]*+|\\.[0-9]++)(?:[eE][+-]?+[0-9]++)?+");
+
+  private static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z0-9_]*+");
+  private static final Pattern QUOTED_NAME = Pattern.compile("'([^']++)'");
+  private static final String SYMBOLS = "+-*/^(),.";
+
+  private final String text;
+  private int position;
+
+  Tokenizer(String text) {
+    this.text = text;
+  }
+
+  Token next() throws ExpressionException {
+    skipWhiteSpace();
+    if (position == text.length()) {
+      return new Token(Token.Kind.END, "", position);
+    }
+    Matcher number = at(NUMBER);
+    if (number.lookingAt()) {
+      return take(Token.Kind.NUMBER, number.group(), number.end());
+    }
+    Matcher name = at(NAME);
+    if (name.lookingAt()) {
+      return take(Token.Kind.NAME, name.group(), name.end());
+    }
+    Matcher quoted = at(QUOTED_NAME);
+    if (quoted.lookingAt()) {
+      return take(Token.Kind.NAME, String.valueOf(quoted.group(1)), quoted.end());
+    }
+    if (SYMBOLS.indexOf(text.charAt(position)) >= 0) {
+      return take(Token.Kind.SYMBOL, text.substring(position, position + 1), position + 1);
+    }
+    throw new ExpressionException(
+        MessageCode.EXPRESSION_SYNTAX,
+        position,
+        Quoted.of(Character.toString(text.codePointAt(position))) + " has no meaning here");
+  }
+
+  private void skipWhiteSpace() {
+    while (position < text.length() && Character.isWhitespace(text.charAt(position))) {
+      position++;
+    }
+  }
+
+  private Matcher at(Pattern pattern) {
+    return pattern.matcher(text).region(position, text.length());
+  }
+
+  private Token take(Token.Kind kind, String word, int end) {
+    Token token = new Token(kind, word, position);
+    position = end;
+    return token;
+  }
+}

@@ -1,0 +1,99 @@
+package org.mechservice.mechml.resolve;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.document.LaterLanguage;
+import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.Origin;
+
+/** Reads {@code Joints} and {@code relCoorVals}; the joint's type chooses who reads it. */
+final class JointsReader {
+  private final Map<String, JointReader> readers;
+  private final NameTable<BodyParts> bodies;
+  private final BodyIndex index;
+  private final Diagnostics diagnostics;
+
+  JointsReader(
+      ValueReader values, NameTable<BodyParts> bodies, BodyIndex index, Diagnostics diagnostics) {
+    AxisReader axes = new AxisReader(diagnostics);
+    StartReader starts = new StartReader(values);
+    this.readers =
+        Map.of("R", new RevoluteReader(axes, starts), "P", new PrismaticReader(axes, starts));
+    this.bodies = bodies;
+    this.index = index;
+    this.diagnostics = diagnostics;
+  }
+
+  /** Returns the joints whose two bodies exist, in file order. */
+  List<JointLink> read(List<Element> joints, List<Element> jointVals) {
+    NameTable<Element> names = new NameTable<>("joint", "does not exist", diagnostics);
+    joints.forEach(joint -> names.add(joint, Optional.of(joint)));
+    Map<String, Element> starts = starts(jointVals, names);
+    List<JointLink> links = new ArrayList<>();
+    for (Element joint : joints) {
+      link(joint, Optional.ofNullable(starts.get(joint.required("name")))).ifPresent(links::add);
+    }
+    return links;
+  }
+
+  private Map<String, Element> starts(List<Element> jointVals, NameTable<Element> joints) {
+    Map<String, Element> starts = new HashMap<>();
+    for (Element jointVal : jointVals) {
+      String name = jointVal.required("name");
+      Element first = starts.putIfAbsent(name, jointVal);
+      if (first != null) {
+        diagnostics.error(
+            MessageCode.DUPLICATE_NAME,
+            jointVal.place(),
+            "%s: line %d gives the start of this joint already"
+                .formatted(jointVal.label(), first.place().line()));
+      } else {
+        joints.find(jointVal, name);
+      }
+    }
+    return starts;
+  }
+
+  private Optional<JointLink> link(Element element, Optional<Element> start) {
+    Optional<JointEnd> end1 = end(element.requiredChild("body1"));
+    Optional<JointEnd> end2 = end(element.requiredChild("body2"));
+    if (end1.isEmpty() || end2.isEmpty()) {
+      return Optional.empty();
+    }
+    JointInput input =
+        new JointInput(
+            element,
+            end1.get(),
+            end2.get(),
+            index.of(end1.get().body()),
+            index.of(end2.get().body()),
+            start,
+            new Origin(diagnostics.file(), element.place().line()));
+    return Optional.of(new JointLink(element, input.body1(), input.body2(), joint(input)));
+  }
+
+  private Optional<JointEnd> end(Element element) {
+    return bodies.find(element, element.required("name")).map(body -> new JointEnd(element, body));
+  }
+
+  private Optional<Joint> joint(JointInput input) {
+    String type = input.element().required("type");
+    JointReader reader = readers.get(type);
+    if (reader == null) {
+      diagnostics.error(
+          MessageCode.NOT_IN_THIS_VERSION,
+          input.element().place(),
+          "%s: type %s is not available; %s"
+              .formatted(input.element().label(), Quoted.of(type), LaterLanguage.PRESENT));
+      return Optional.empty();
+    }
+    return reader.read(input);
+  }
+}

@@ -1,0 +1,85 @@
+package org.mechservice.mechml.resolve;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Nearest;
+import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.mechml.document.Element;
+
+/**
+ * The things of one kind by name. A thing that could not be read keeps its name, so that references
+ * to it raise no second complaint.
+ *
+ * @param <T> what the names stand for
+ */
+final class NameTable<T> {
+  /**
+   * What a name stands for.
+   *
+   * @param element where it was given
+   * @param value the thing; empty if it could not be read
+   */
+  private record Entry<T>(Element element, Optional<T> value) {}
+
+  private final String kind;
+  private final String absence;
+  private final Diagnostics diagnostics;
+  private final Map<String, Entry<T>> entries = new LinkedHashMap<>();
+
+  /**
+   * Begins empty.
+   *
+   * @param kind what the things are called, such as {@code body}
+   * @param absence how messages end that miss one, such as {@code does not exist}
+   * @param diagnostics takes what is wrong
+   */
+  NameTable(String kind, String absence, Diagnostics diagnostics) {
+    this.kind = kind;
+    this.absence = absence;
+    this.diagnostics = diagnostics;
+  }
+
+  /** Adds what an element's name stands for; reports a name that is unusable or taken. */
+  void add(Element element, Optional<T> value) {
+    String name = element.required("name");
+    NameRule.check(element, diagnostics);
+    Entry<T> first = entries.putIfAbsent(name, new Entry<>(element, value));
+    if (first != null) {
+      diagnostics.error(
+          MessageCode.DUPLICATE_NAME,
+          element.place(),
+          "%s: line %d has a %s of this name already"
+              .formatted(element.label(), first.element().place().line(), kind));
+    }
+  }
+
+  /**
+   * Returns what a name stands for; reports a name that nothing has.
+   *
+   * @param user the element that names it, for the message
+   */
+  Optional<T> find(Element user, String name) {
+    Entry<T> entry = entries.get(name);
+    if (entry != null) {
+      return entry.value();
+    }
+    if (!diagnostics.isFull()) {
+      diagnostics.error(
+          MessageCode.UNKNOWN_NAME,
+          user.place(),
+          "%s names %s %s, which %s%s"
+              .formatted(
+                  user.role(), kind, Quoted.of(name), absence, Nearest.suggestion(name, names())));
+    }
+    return Optional.empty();
+  }
+
+  /** Returns the names in file order. */
+  Set<String> names() {
+    return entries.keySet();
+  }
+}

@@ -1,0 +1,51 @@
+package org.mechservice.mechml.resolve;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.unit.Dimension;
+
+/** Reads {@code timeSet}. */
+final class TimeSetReader {
+  /** More output rows are taken for a slip of tstep: at 8 bytes a number, they fill a disk. */
+  private static final double MOST_ROWS = 1e9;
+
+  private final ValueReader values;
+  private final Diagnostics diagnostics;
+
+  TimeSetReader(ValueReader values, Diagnostics diagnostics) {
+    this.values = values;
+    this.diagnostics = diagnostics;
+  }
+
+  /** Returns the time set; empty if something was wrong and has been reported. */
+  Optional<TimeSet> read(Element element) {
+    OptionalDouble start = values.quantity(element, "tini", Dimension.TIME);
+    OptionalDouble end = values.quantity(element, "tend", Dimension.TIME);
+    OptionalDouble step = values.quantity(element, "tstep", Dimension.TIME);
+    if (start.isEmpty() || end.isEmpty() || step.isEmpty()) {
+      return Optional.empty();
+    }
+    TimeSet time = new TimeSet(start.getAsDouble(), end.getAsDouble(), step.getAsDouble());
+    Optional<String> defect = defect(time);
+    defect.ifPresent(
+        d -> diagnostics.error(MessageCode.TIME_SET, element.place(), element.label() + ": " + d));
+    return defect.isPresent() ? Optional.empty() : Optional.of(time);
+  }
+
+  private static Optional<String> defect(TimeSet time) {
+    if (time.end() < time.start()) {
+      return Optional.of("tend, %s s, lies before tini, %s s".formatted(time.end(), time.start()));
+    }
+    if (time.step() <= 0) {
+      return Optional.of("tstep is %s s; it must be positive".formatted(time.step()));
+    }
+    if ((time.end() - time.start()) / time.step() > MOST_ROWS) {
+      return Optional.of(
+          "tstep, %s s, would put out more than %.0e rows".formatted(time.step(), MOST_ROWS));
+    }
+    return Optional.empty();
+  }
+}

@@ -1,0 +1,52 @@
+package org.mechservice.mechml.resolve;
+
+import java.util.Optional;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+
+/** The rotation that brings directions of one body onto directions of another. */
+final class ZeroRotation {
+  /** Sine of the angle below which two directions count as parallel. */
+  private static final double PARALLEL = 1e-6;
+
+  private ZeroRotation() {}
+
+  /**
+   * Returns the least rotation with R · from = to; empty if the directions are opposite.
+   *
+   * @param from unit vector
+   * @param to unit vector
+   */
+  static Optional<Rotation> least(Vector3 from, Vector3 to) {
+    try {
+      return Optional.of(Rotation.least(from, to));
+    } catch (ArithmeticException opposite) {
+      return Optional.empty();
+    }
+  }
+
+  /**
+   * Returns the rotation with R · from = to that brings also the second direction onto the second
+   * one, as far as they are normal to the first; empty if a second direction is parallel to the
+   * first. All are unit vectors.
+   */
+  static Optional<Rotation> aligned(Vector3 from, Vector3 from2, Vector3 to, Vector3 to2) {
+    if (areParallel(from, from2) || areParallel(to, to2)) {
+      return Optional.empty();
+    }
+    if (from.equals(to) && from2.equals(to2)) {
+      return Optional.of(Rotation.IDENTITY);
+    }
+    return Optional.of(frame(to, to2).times(frame(from, from2).transposed()));
+  }
+
+  /** Returns whether two unit vectors have the same or opposite directions. */
+  static boolean areParallel(Vector3 a, Vector3 b) {
+    return a.cross(b).norm() < PARALLEL;
+  }
+
+  private static Rotation frame(Vector3 first, Vector3 second) {
+    Vector3 normal = first.cross(second).normalized();
+    return Rotation.ofColumns(first, normal.cross(first), normal);
+  }
+}
