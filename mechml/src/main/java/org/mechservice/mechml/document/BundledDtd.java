@@ -7,6 +7,7 @@ import java.io.UncheckedIOException;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.xml.sax.InputSource;
 import org.xml.sax.SAXException;
@@ -60,8 +61,9 @@ final class BundledDtd implements EntityResolver2 {
       throw new Refusal(
           MessageCode.FOREIGN_FILE,
           here.place(),
-          "the file refers to %s; only \"MechML.dtd\" may be named, and nothing is fetched"
-              .formatted(Quoted.of(systemId)));
+          Phrase.of(
+              "the file refers to %s; only \"MechML.dtd\" may be named, and nothing is fetched",
+              Quoted.of(systemId)));
     }
     return serve();
   }

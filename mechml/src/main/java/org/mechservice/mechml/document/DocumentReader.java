@@ -10,6 +10,7 @@ import org.apache.xerces.util.SecurityManager;
 import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Place;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.xml.sax.InputSource;
@@ -61,7 +62,7 @@ public final class DocumentReader {
     } catch (IOException e) {
       diagnostics.error(
           MessageCode.UNREADABLE_TEXT,
-          FirstBadByte.place(content).orElse(here.place()),
+          here.place(),
           "the file is not written in the encoding it claims, UTF-8 if it claims none; save it as"
               + " UTF-8");
     }
@@ -75,7 +76,7 @@ public final class DocumentReader {
       throw new Refusal(
           MessageCode.TOO_LARGE,
           Place.FILE,
-          "the file has %d bytes; %d are allowed".formatted(content.length, Limits.BYTES));
+          Phrase.of("the file has %d bytes; %d are allowed", content.length, Limits.BYTES));
     }
     parser().parse(new InputSource(new ByteArrayInputStream(content)));
     return builder.root();
@@ -104,8 +105,9 @@ public final class DocumentReader {
       diagnostics.error(
           MessageCode.UNKNOWN_ELEMENT,
           root.place(),
-          "the outermost element is <%s>; that of a model file is <%s>"
-              .formatted(Quoted.plain(root.name()), ROOT));
+          Phrase.of(
+              "the outermost element is <%s>; that of a model file is <%s>",
+              Quoted.plain(root.name()), ROOT));
       return;
     }
     if (errors.invalidity().isPresent()) {

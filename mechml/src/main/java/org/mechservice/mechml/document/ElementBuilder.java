@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Place;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.xml.sax.Attributes;
@@ -122,8 +123,9 @@ final class ElementBuilder extends DefaultHandler2 {
       if (attribute.value().length() > Limits.ATTRIBUTE_LENGTH) {
         throw tooLarge(
             element,
-            "attribute %s has more than %d characters"
-                .formatted(Quoted.of(attribute.name()), Limits.ATTRIBUTE_LENGTH));
+            Phrase.of(
+                "attribute %s has more than %d characters",
+                Quoted.of(attribute.name()), Limits.ATTRIBUTE_LENGTH));
       }
     }
   }
@@ -157,8 +159,9 @@ final class ElementBuilder extends DefaultHandler2 {
     diagnostics.error(
         MessageCode.STRAY_TEXT,
         new Place(line, column, element.place().path()),
-        "%s: text %s stands between tags; values stand in attributes"
-            .formatted(element.label(), Quoted.of(content)));
+        Phrase.of(
+            "%s: text %s stands between tags; values stand in attributes",
+            element.label(), Quoted.of(content)));
   }
 
   @Override

@@ -1,12 +1,15 @@
 package org.mechservice.mechml.document;
 
 import java.util.Collection;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Nearest;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 
 /** Says in words where a file departs from the grammar. */
@@ -37,6 +40,7 @@ final class GrammarCheck {
 
   private void checkAttributes(Element element) {
     Map<String, Grammar.AttributeRule> rules = grammar.attributes(element.name());
+    Set<String> misspelt = new HashSet<>();
     for (Attribute attribute : element.attributes()) {
       if (diagnostics.isFull()) {
         return;
@@ -44,17 +48,18 @@ final class GrammarCheck {
       Grammar.AttributeRule rule = rules.get(attribute.name());
       if (rule == null) {
         unknownAttribute(element, attribute.name(), rules.keySet());
+        Nearest.of(attribute.name(), rules.keySet()).ifPresent(misspelt::add);
       } else if (!rule.choices().isEmpty() && !rule.choices().contains(attribute.value())) {
         notInList(element, attribute, rule);
       }
     }
     rules.forEach(
         (name, rule) -> {
-          if (rule.required() && element.attribute(name).isEmpty()) {
+          if (rule.required() && element.attribute(name).isEmpty() && !misspelt.contains(name)) {
             error(
                 MessageCode.MISSING_ATTRIBUTE,
                 element,
-                "attribute %s is missing".formatted(Quoted.of(name)));
+                Phrase.of("attribute %s is missing", Quoted.of(name)));
           }
         });
   }
@@ -64,8 +69,7 @@ final class GrammarCheck {
       error(
           MessageCode.NOT_IN_THIS_VERSION,
           element,
-          "attribute %s is not available; %s"
-              .formatted(Quoted.of(name), LaterLanguage.PRESENT));
+          Phrase.of("attribute %s is not available; %s", Quoted.of(name), LaterLanguage.PRESENT));
     } else {
       String hint =
           Nearest.of(name, known)
@@ -74,7 +78,7 @@ final class GrammarCheck {
       error(
           MessageCode.UNKNOWN_ATTRIBUTE,
           element,
-          "<%s> has no attribute %s%s".formatted(element.name(), Quoted.of(name), hint));
+          Phrase.of("<%s> has no attribute %s%s", element.name(), Quoted.of(name), hint));
     }
   }
 
@@ -82,30 +86,32 @@ final class GrammarCheck {
     error(
         MessageCode.VALUE_NOT_IN_LIST,
         element,
-        "%s is %s; it must be one of %s"
-            .formatted(
-                attribute.name(), Quoted.of(attribute.value()), String.join(", ", rule.choices())));
+        Phrase.of(
+            "%s is %s; it must be one of %s",
+            attribute.name(), Quoted.of(attribute.value()), String.join(", ", rule.choices())));
   }
 
   /** Unknown and misplaced children are passed over, so that each fault is reported once. */
   private void checkContent(Element element, ContentModel content) {
     ContentModel rest = content;
+    Set<String> given = new HashSet<>();
     for (Element child : element.children()) {
       if (diagnostics.isFull()) {
         return;
       }
+      given.add(child.name());
       if (grammar.content(child.name()).isEmpty()) {
         unknownElement(element, child, content);
+        Nearest.of(child.name(), grammar.elements()).ifPresent(given::add);
       } else if (rest.next().contains(child.name())) {
         rest = rest.after(child.name());
       } else {
-        misplaced(element, child, content, rest);
+        misplaced(element, child, content);
       }
     }
-    List<String> lacking =
-        rest.required().stream().filter(name -> element.child(name).isEmpty()).toList();
+    List<String> lacking = rest.required().stream().filter(name -> !given.contains(name)).toList();
     if (!lacking.isEmpty()) {
-      error(MessageCode.WRONG_CONTENT, element, "lacks " + tags(lacking, " and "));
+      error(MessageCode.WRONG_CONTENT, element, tags(lacking, " and ") + " is missing");
     }
   }
 
@@ -114,7 +120,7 @@ final class GrammarCheck {
       diagnostics.error(
           MessageCode.NOT_IN_THIS_VERSION,
           child.place(),
-          "<%s> is not available; %s".formatted(child.name(), LaterLanguage.PRESENT));
+          Phrase.of("<%s> is not available; %s", child.name(), LaterLanguage.PRESENT));
       return;
     }
     String hint =
@@ -124,31 +130,26 @@ final class GrammarCheck {
     diagnostics.error(
         MessageCode.UNKNOWN_ELEMENT,
         child.place(),
-        "<%s> is not an element of MechML%s".formatted(Quoted.plain(child.name()), hint));
+        Phrase.of("<%s> is not an element of MechML%s", Quoted.plain(child.name()), hint));
   }
 
-  private void misplaced(Element parent, Element child, ContentModel content, ContentModel rest) {
-    boolean elsewhere = content.names().contains(child.name());
-    String message;
-    if (!elsewhere) {
-      message =
-          "<%s> does not belong into <%s>; %s"
-              .formatted(child.name(), parent.name(), inside(parent, content));
-    } else if (rest.next().isEmpty()) {
-      message = "<%s> is one too many in <%s>".formatted(child.name(), parent.name());
-    } else {
-      message =
-          "<%s> is out of order or one too many in <%s>; here may stand %s"
-              .formatted(child.name(), parent.name(), tags(rest.next(), " or "));
-    }
-    diagnostics.error(MessageCode.WRONG_CONTENT, child.place(), prefix(parent) + message);
+  private void misplaced(Element parent, Element child, ContentModel content) {
+    String fault =
+        content.names().contains(child.name())
+            ? "is out of order or one too many; "
+            : "does not belong here; ";
+    diagnostics.error(
+        MessageCode.WRONG_CONTENT,
+        child.place(),
+        Phrase.of("%s: <%s> %s%s", parent.label(), child.name(), fault, inside(parent, content)));
   }
 
   private static String inside(Element parent, ContentModel content) {
     Collection<String> allowed = content.names();
+    String order = allowed.size() > 1 ? ", in this order, " : " ";
     return allowed.isEmpty()
-        ? "<" + parent.name() + "> is empty"
-        : "<%s> holds %s".formatted(parent.name(), tags(allowed, ", "));
+        ? Phrase.of("<%s> is empty", parent.name())
+        : Phrase.of("<%s> holds%s%s", parent.name(), order, tags(allowed, ", "));
   }
 
   private static String tags(Collection<String> names, String separator) {
@@ -157,9 +158,5 @@ final class GrammarCheck {
 
   private void error(MessageCode code, Element element, String message) {
     diagnostics.error(code, element.place(), element.label() + ": " + message);
-  }
-
-  private static String prefix(Element parent) {
-    return parent.attribute("name").isPresent() ? parent.label() + ": " : "";
   }
 }

@@ -2,6 +2,7 @@ package org.mechservice.mechml.document;
 
 import java.util.List;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.xml.sax.SAXException;
 import org.xml.sax.ext.DefaultHandler2;
@@ -58,8 +59,9 @@ final class GrammarReader extends DefaultHandler2 {
       throw new Refusal(
           MessageCode.TOO_LARGE,
           here.place(),
-          "entity %s has %d characters; %d are allowed"
-              .formatted(Quoted.of(name), value.length(), Limits.ENTITY_LENGTH));
+          Phrase.of(
+              "entity %s has %d characters; %d are allowed",
+              Quoted.of(name), value.length(), Limits.ENTITY_LENGTH));
     }
   }
 
@@ -69,8 +71,9 @@ final class GrammarReader extends DefaultHandler2 {
     throw new Refusal(
         MessageCode.FOREIGN_FILE,
         here.place(),
-        "entity %s lies in another file, %s; a model file stands alone, nothing is fetched"
-            .formatted(Quoted.of(name), Quoted.of(systemId)));
+        Phrase.of(
+            "entity %s lies in another file, %s; a model file stands alone, nothing is fetched",
+            Quoted.of(name), Quoted.of(systemId)));
   }
 
   private void refuseUnlessBundled(String what) throws Refusal {
@@ -78,8 +81,9 @@ final class GrammarReader extends DefaultHandler2 {
       throw new Refusal(
           MessageCode.OWN_DECLARATION,
           here.place(),
-          "the DOCTYPE declares %s of its own; the language is that of mechml.dtd, only entities may be added"
-              .formatted(what));
+          Phrase.of(
+              "the DOCTYPE declares %s of its own; the language is that of mechml.dtd, only entities may be added",
+              what));
     }
   }
 }

@@ -5,6 +5,7 @@ import org.apache.xerces.xni.XNIException;
 import org.apache.xerces.xni.parser.XMLErrorHandler;
 import org.apache.xerces.xni.parser.XMLParseException;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Place;
 
 /**
@@ -53,7 +54,14 @@ final class ParserErrors implements XMLErrorHandler {
     MessageCode code =
         switch (key) {
           case "EntityExpansionLimitExceeded" -> MessageCode.TOO_LARGE;
-          case "EncodingDeclInvalid", "EncodingNotSupported", "EncodingByteOrderUnsupported" ->
+          case "EncodingDeclInvalid",
+              "EncodingNotSupported",
+              "EncodingByteOrderUnsupported",
+              "InvalidByte",
+              "ExpectedByte",
+              "InvalidHighSurrogate",
+              "InvalidASCII",
+              "CharConversionFailure" ->
               MessageCode.UNREADABLE_TEXT;
           default -> MessageCode.NOT_WELL_FORMED;
         };
@@ -66,39 +74,23 @@ final class ParserErrors implements XMLErrorHandler {
   }
 
   private String invalid(String key, XMLParseException exception) {
-    if (key.startsWith("MSG_CONTENT_IN")) {
-      return innermost(" has something between its tags; it must be empty, as in <name .../>");
-    }
-    return sentence(exception);
+    return key.startsWith("MSG_CONTENT_IN")
+        ? innermost(" has something between its tags, if only a blank; it must be empty")
+        : ParserSentences.of(key, String.valueOf(exception.getMessage()));
   }
 
   private String notWellFormed(String key, XMLParseException exception) {
     return switch (key) {
       case "ETagRequired" -> innermost(" is still open here; its end tag must come first");
       case "MarkupEntityMismatch" -> innermost(" is still open where the file ends");
-      case "PrematureEOF" -> "the file ends before a model begins";
-      case "MarkupNotRecognizedInContent" ->
-          "\"<\" must begin a tag; as a sign of its own it is written &lt;";
-      case "ContentIllegalInProlog", "MarkupNotRecognizedInProlog" ->
-          "this is not XML; a model file begins with <?xml version=\"1.0\"?> or <MechML>";
-      case "ContentIllegalInTrailingMisc", "MarkupNotRecognizedInMisc" ->
-          "something follows the end of the model; a file holds one <MechML> element";
-      case "ReservedPITarget" -> "<?xml ...?> may stand only at the very beginning of the file";
-      case "EntityExpansionLimitExceeded" ->
-          "more than " + Limits.ENTITY_REFERENCES + " references to entities";
-      default -> sentence(exception);
+      default -> ParserSentences.of(key, String.valueOf(exception.getMessage()));
     };
   }
 
   private String innermost(String predicate) {
     return builder
         .innermost()
-        .map(e -> "<%s> of line %d%s".formatted(e.name(), e.place().line(), predicate))
+        .map(e -> Phrase.of("<%s> of line %d%s", e.name(), e.place().line(), predicate))
         .orElse("the outermost element" + predicate);
-  }
-
-  private static String sentence(XMLParseException exception) {
-    String text = String.valueOf(exception.getMessage()).strip();
-    return text.endsWith(".") ? text.substring(0, text.length() - 1) : text;
   }
 }

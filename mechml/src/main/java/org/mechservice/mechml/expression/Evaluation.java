@@ -2,6 +2,7 @@ package org.mechservice.mechml.expression;
 
 import java.util.List;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 
 /** The value of an expression in a scope; every intermediate value must be finite. */
 public final class Evaluation {
@@ -74,7 +75,7 @@ public final class Evaluation {
     double base = value(power.base());
     double exponent = value(power.exponent());
     return finite(
-        StrictMath.pow(base, exponent), power.offset(), "%s ^ %s".formatted(base, exponent));
+        StrictMath.pow(base, exponent), power.offset(), Phrase.of("%s ^ %s", base, exponent));
   }
 
   private double call(Expression.Call call) throws ExpressionException {

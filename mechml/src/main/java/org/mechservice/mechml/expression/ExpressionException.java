@@ -31,4 +31,9 @@ public final class ExpressionException extends Exception {
   public int offset() {
     return offset;
   }
+
+  /** Returns what is wrong, without the position. */
+  public String reason() {
+    return String.valueOf(getMessage());
+  }
 }

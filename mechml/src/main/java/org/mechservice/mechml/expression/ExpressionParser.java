@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Nearest;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 
 /** Reads an expression by recursive descent; one method per rule of the grammar. */
@@ -144,9 +145,9 @@ public final class ExpressionParser {
       throw new ExpressionException(
           MessageCode.EXPRESSION_SYNTAX,
           name.offset(),
-          "%s takes %d argument%s, not %d"
-              .formatted(
-                  symbol, function.arity(), function.arity() == 1 ? "" : "s", arguments.size()));
+          Phrase.of(
+              "%s takes %d argument%s, not %d",
+              symbol, function.arity(), function.arity() == 1 ? "" : "s", arguments.size()));
     }
     return new Expression.Call(function, arguments, name.offset());
   }

@@ -3,6 +3,7 @@ package org.mechservice.mechml.resolve;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
@@ -41,8 +42,9 @@ final class AxisReader {
       diagnostics.error(
           MessageCode.MISSING_VECTOR,
           end.element().place(),
-          "%s names no vector; a joint of type %s needs one in both bodies"
-              .formatted(end.element().role(), input.element().required("type")));
+          Phrase.of(
+              "%s names no vector; a joint of type %s needs one in both bodies",
+              end.element().role(), input.element().required("type")));
     }
     return end.direction("vector");
   }

@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.unit.Dimension;
@@ -28,7 +29,7 @@ final class BodyReader {
 
   /** Reads a body with its points, vectors, mass and inertia. */
   BodyParts read(Element element) {
-    String absence = "body %s does not have".formatted(Quoted.of(element.required("name")));
+    String absence = Phrase.of("body %s does not have", Quoted.of(element.required("name")));
     NameTable<Vector3> points = new NameTable<>("point", absence, diagnostics);
     for (Element point : element.children("point")) {
       points.add(point, values.vector(point, "x", "y", "z", Dimension.LENGTH));
@@ -67,8 +68,9 @@ final class BodyReader {
       diagnostics.error(
           MessageCode.NEGATIVE_MASS,
           element.place(),
-          "%s is negative: %s; a body without mass has 0"
-              .formatted(element.label(), Quoted.of(element.required("value"))));
+          Phrase.of(
+              "%s is negative: %s; a body without mass has 0",
+              element.label(), Quoted.of(element.required("value"))));
       return OptionalDouble.empty();
     }
     return mass;

@@ -3,6 +3,7 @@ package org.mechservice.mechml.resolve;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.unit.Dimension;
 import org.mechservice.solver.spatial.Vector3;
@@ -24,7 +25,7 @@ final class DirectionReader {
       diagnostics.error(
           MessageCode.ZERO_VECTOR,
           element.place(),
-          "%s has length %s and so no direction".formatted(element.label(), vector.get().norm()));
+          Phrase.of("%s has length %s and so no direction", element.label(), vector.get().norm()));
       return Optional.empty();
     }
     return vector.map(Vector3::normalized);

@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.unit.Dimension;
 import org.mechservice.solver.spatial.InertiaTensor;
@@ -51,8 +52,9 @@ final class InertiaReader {
 
   private boolean isPossible(Element element, double[] moments) {
     String shown =
-        "%s: the principal moments, in kg*m^2, are %.6g, %.6g and %.6g"
-            .formatted(element.label(), moments[0], moments[1], moments[2]);
+        Phrase.of(
+            "%s: the principal moments, in kg*m^2, are %.6g, %.6g and %.6g",
+            element.label(), moments[0], moments[1], moments[2]);
     double rounding = ROUNDING * Math.max(Math.abs(moments[0]), Math.abs(moments[2]));
     if (moments[0] < -rounding) {
       diagnostics.error(

@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 import java.util.function.DoublePredicate;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
-import org.mechservice.mechml.diagnosis.Nearest;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 
@@ -33,8 +33,7 @@ final class IntegratorReader {
       diagnostics.error(
           MessageCode.UNKNOWN_INTEGRATOR,
           element.place(),
-          "there is no integrator %s; this version has DE and ode113%s"
-              .formatted(Quoted.of(name), Nearest.suggestion(name, KNOWN)));
+          Phrase.of("there is no integrator %s; this version has DE and ode113", Quoted.of(name)));
     }
     OptionalDouble relative =
         checked(element, "relTol", 0, x -> x > 0 && x < 1, "must lie between 0 and 1");
@@ -74,7 +73,7 @@ final class IntegratorReader {
       diagnostics.error(
           MessageCode.INTEGRATOR_SETTING,
           element.place(),
-          "%s: %s is %s; it %s".formatted(element.label(), attribute, value.getAsDouble(), rule));
+          Phrase.of("%s: %s is %s; it %s", element.label(), attribute, value.getAsDouble(), rule));
       return OptionalDouble.empty();
     }
     return value;

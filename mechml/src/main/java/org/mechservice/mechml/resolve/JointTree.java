@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.document.LaterLanguage;
@@ -32,18 +33,19 @@ final class JointTree {
         diagnostics.error(
             MessageCode.JOINT_WITH_ITSELF,
             link.element().place(),
-            "%s: body1 and body2 are the same body, %s"
-                .formatted(link.element().label(), name(link.body1())));
+            Phrase.of(
+                "%s: body1 and body2 are the same body, %s",
+                link.element().label(), name(link.body1())));
       } else if (groups.areJoined(link.body1(), link.body2())) {
         diagnostics.error(
             MessageCode.LOOP,
             link.element().place(),
-            "%s closes a loop: %s and %s are connected already; %s"
-                .formatted(
-                    link.element().label(),
-                    name(link.body1()),
-                    name(link.body2()),
-                    LaterLanguage.PRESENT));
+            Phrase.of(
+                "%s closes a loop: %s and %s are connected already; %s",
+                link.element().label(),
+                name(link.body1()),
+                name(link.body2()),
+                LaterLanguage.PRESENT));
       }
       groups.join(link.body1(), link.body2());
     }
@@ -60,15 +62,12 @@ final class JointTree {
       }
     }
     for (List<Element> group : loose.values()) {
-      int others = group.size() - 1;
       diagnostics.error(
           MessageCode.NOT_CONNECTED,
           group.get(0).place(),
-          "%s: no chain of joints connects it with the root, %s%s"
-              .formatted(
-                  group.get(0).label(),
-                  name(Mechanism.ROOT),
-                  others == 0 ? "" : "; nor the bodies joined to it, %d".formatted(others)));
+          Phrase.of(
+              "%s: no chain of joints leads from it to the root, %s%s",
+              group.get(0).label(), name(Mechanism.ROOT), alsoLoose(group.size() - 1)));
     }
   }
 
@@ -104,6 +103,12 @@ final class JointTree {
       linksOf.get(links.get(j).body2() - Mechanism.ROOT).add(j);
     }
     return linksOf;
+  }
+
+  private static String alsoLoose(int others) {
+    return others == 0
+        ? ""
+        : Phrase.of(" (nor from %d other%s joined to it)", others, others == 1 ? "" : "s");
   }
 
   private String name(int body) {

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.document.LaterLanguage;
@@ -52,8 +53,9 @@ final class JointsReader {
         diagnostics.error(
             MessageCode.DUPLICATE_NAME,
             jointVal.place(),
-            "%s: line %d gives the start of this joint already"
-                .formatted(jointVal.label(), first.place().line()));
+            Phrase.of(
+                "%s: line %d gives the start of this joint already",
+                jointVal.label(), first.place().line()));
       } else {
         joints.find(jointVal, name);
       }
@@ -90,8 +92,9 @@ final class JointsReader {
       diagnostics.error(
           MessageCode.NOT_IN_THIS_VERSION,
           input.element().place(),
-          "%s: type %s is not available; %s"
-              .formatted(input.element().label(), Quoted.of(type), LaterLanguage.PRESENT));
+          Phrase.of(
+              "%s: type %s is not available; %s",
+              input.element().label(), Quoted.of(type), LaterLanguage.PRESENT));
       return Optional.empty();
     }
     return reader.read(input);

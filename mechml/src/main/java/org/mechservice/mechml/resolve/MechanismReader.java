@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.document.Limits;
 import org.mechservice.mechml.unit.Dimension;
@@ -58,7 +59,7 @@ final class MechanismReader {
       diagnostics.error(
           MessageCode.TOO_LARGE,
           model.place(),
-          "the model has %d bodies; %d are allowed".formatted(elements.size(), Limits.BODIES));
+          Phrase.of("the model has %d bodies; %d are allowed", elements.size(), Limits.BODIES));
     }
     BodyReader reader = new BodyReader(values, diagnostics);
     List<BodyParts> bodies = new ArrayList<>();
@@ -100,8 +101,9 @@ final class MechanismReader {
       diagnostics.error(
           MessageCode.NOTHING_MOVES,
           model.requiredChild("Bodies").place(),
-          "%s is the only body, and it is the root: nothing moves"
-              .formatted(index.root().element().label()));
+          Phrase.of(
+              "%s is the only body, and it is the root: nothing moves",
+              index.root().element().label()));
     }
     return tree;
   }

@@ -8,6 +8,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.document.LaterLanguage;
 import org.mechservice.mechml.expression.Scope;
@@ -66,7 +67,7 @@ public final class ModelResolver {
       diagnostics.error(
           MessageCode.NOT_IN_THIS_VERSION,
           element.place(),
-          "%s is not available; %s".formatted(what(element), LaterLanguage.PRESENT));
+          Phrase.of("%s is not available; %s", what(element), LaterLanguage.PRESENT));
     }
   }
 

@@ -3,6 +3,7 @@ package org.mechservice.mechml.resolve;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 
@@ -21,7 +22,7 @@ final class NameRule {
                 diagnostics.error(
                     MessageCode.UNUSABLE_NAME,
                     element.place(),
-                    "%s: the name %s".formatted(element.role(), why)));
+                    Phrase.of("%s: the name %s", element.role(), why)));
   }
 
   private static Optional<String> unusable(String name) {

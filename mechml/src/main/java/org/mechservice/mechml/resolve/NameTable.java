@@ -7,6 +7,7 @@ import java.util.Set;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Nearest;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 
@@ -52,8 +53,9 @@ final class NameTable<T> {
       diagnostics.error(
           MessageCode.DUPLICATE_NAME,
           element.place(),
-          "%s: line %d has a %s of this name already"
-              .formatted(element.label(), first.element().place().line(), kind));
+          Phrase.of(
+              "%s: line %d has a %s of this name already",
+              element.label(), first.element().place().line(), kind));
     }
   }
 
@@ -71,9 +73,9 @@ final class NameTable<T> {
       diagnostics.error(
           MessageCode.UNKNOWN_NAME,
           user.place(),
-          "%s names %s %s, which %s%s"
-              .formatted(
-                  user.role(), kind, Quoted.of(name), absence, Nearest.suggestion(name, names())));
+          Phrase.of(
+              "%s names %s %s, which %s%s",
+              user.role(), kind, Quoted.of(name), absence, Nearest.suggestion(name, names())));
     }
     return Optional.empty();
   }

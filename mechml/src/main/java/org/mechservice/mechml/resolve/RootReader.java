@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.unit.Dimension;
 import org.mechservice.solver.mechanism.Root;
@@ -96,8 +97,9 @@ final class RootReader {
       diagnostics.error(
           MessageCode.ROOT_POSE,
           inipos.place(),
-          "%s: the two vectors enclose %.6g deg here but %.6g deg in the body"
-              .formatted(inipos.label(), Math.toDegrees(world), Math.toDegrees(own)));
+          Phrase.of(
+              "%s: the two vectors enclose %.6g deg here but %.6g deg in the body",
+              inipos.label(), Math.toDegrees(world), Math.toDegrees(own)));
       return Optional.empty();
     }
     return rotation;

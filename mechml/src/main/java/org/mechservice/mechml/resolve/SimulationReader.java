@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.solver.api.RunSettings;
@@ -54,7 +55,7 @@ final class SimulationReader {
     diagnostics.error(
         MessageCode.FORMULATION,
         element.place(),
-        "formulation %s is not available; it has auto and DTR".formatted(Quoted.of(name)));
+        Phrase.of("formulation %s is not available; it has auto and DTR", Quoted.of(name)));
     return Optional.empty();
   }
 }

@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.unit.Dimension;
 
@@ -37,14 +38,14 @@ final class TimeSetReader {
 
   private static Optional<String> defect(TimeSet time) {
     if (time.end() < time.start()) {
-      return Optional.of("tend, %s s, lies before tini, %s s".formatted(time.end(), time.start()));
+      return Optional.of(Phrase.of("tend, %s s, lies before tini, %s s", time.end(), time.start()));
     }
     if (time.step() <= 0) {
-      return Optional.of("tstep is %s s; it must be positive".formatted(time.step()));
+      return Optional.of(Phrase.of("tstep is %s s; it must be positive", time.step()));
     }
     if ((time.end() - time.start()) / time.step() > MOST_ROWS) {
       return Optional.of(
-          "tstep, %s s, would put out more than %.0e rows".formatted(time.step(), MOST_ROWS));
+          Phrase.of("tstep, %s s, would put out more than %.0e rows", time.step(), MOST_ROWS));
     }
     return Optional.empty();
   }

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.expression.Evaluation;
@@ -81,8 +82,14 @@ final class ValueReader {
       diagnostics.error(
           MessageCode.VALUE_COUNT,
           element.place(),
-          "%s: %s holds %s; %d must be given, separated by \";\""
-              .formatted(element.label(), attribute, values(items.length), itemUnits.size()));
+          Phrase.of(
+              "%s: %s holds %s; %s",
+              element.label(),
+              attribute,
+              items.length == 1 ? "1 value" : items.length + " values",
+              itemUnits.size() == 1
+                  ? "1 is needed"
+                  : itemUnits.size() + " are needed, separated by \";\""));
       return Optional.empty();
     }
     List<Double> values = new ArrayList<>();
@@ -92,10 +99,6 @@ final class ValueReader {
       offset += items[i].length() + 1;
     }
     return values.size() == items.length ? Optional.of(values) : Optional.empty();
-  }
-
-  private static String values(int count) {
-    return count == 1 ? "1 value" : count + " values";
   }
 
   /** Returns the unit of an element's values: its own if it has one, else the file's. */
@@ -112,11 +115,12 @@ final class ValueReader {
       diagnostics.error(
           MessageCode.WRONG_DIMENSION,
           element.place(),
-          "%s: the unit %s measures %s, but here stands %s"
-              .formatted(element.label(), Quoted.of(own.get()), unit.dimension(), dimension));
+          Phrase.of(
+              "%s: the unit %s measures %s, but here stands %s",
+              element.label(), Quoted.of(own.get()), unit.dimension(), dimension));
     } catch (UnitException e) {
       diagnostics.error(
-          MessageCode.UNKNOWN_UNIT, element.place(), element.label() + ": " + e.getMessage());
+          MessageCode.UNKNOWN_UNIT, element.place(), element.label() + ": " + e.reason());
     }
     return Optional.empty();
   }
@@ -133,13 +137,13 @@ final class ValueReader {
       diagnostics.error(
           e.code(),
           element.place(),
-          "%s: in %s=%s at character %d: %s"
-              .formatted(
-                  element.label(),
-                  attribute,
-                  Quoted.of(element.required(attribute)),
-                  offset + e.offset() + 1,
-                  e.getMessage()));
+          Phrase.of(
+              "%s: in %s=%s at character %d: %s",
+              element.label(),
+              attribute,
+              Quoted.of(element.required(attribute)),
+              offset + e.offset() + 1,
+              e.reason()));
       return OptionalDouble.empty();
     }
   }

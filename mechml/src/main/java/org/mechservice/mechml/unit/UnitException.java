@@ -7,4 +7,9 @@ public final class UnitException extends Exception {
   UnitException(String message) {
     super(message);
   }
+
+  /** Returns what is wrong. */
+  public String reason() {
+    return String.valueOf(getMessage());
+  }
 }

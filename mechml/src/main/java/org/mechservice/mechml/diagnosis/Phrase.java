@@ -1,0 +1,13 @@
+package org.mechservice.mechml.diagnosis;
+
+import java.util.Locale;
+
+/** Text of messages: the same on every machine, whatever its language. */
+public final class Phrase {
+  private Phrase() {}
+
+  /** Returns a format filled in, as {@link String#format} does, with a decimal point. */
+  public static String of(String format, Object... values) {
+    return String.format(Locale.ROOT, format, values);
+  }
+}

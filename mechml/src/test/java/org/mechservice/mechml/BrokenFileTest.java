@@ -1,0 +1,62 @@
+package org.mechservice.mechml;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.mechservice.mechml.diagnosis.MessageCode;
+
+/** What is said about broken files, word for word: broken/NAME.xml gives broken/NAME.txt. */
+class BrokenFileTest {
+  static Stream<String> names() throws IOException {
+    return Resources.text("broken")
+        .lines()
+        .filter(f -> f.endsWith(".xml"))
+        .map(f -> f.substring(0, f.length() - 4));
+  }
+
+  @ParameterizedTest
+  @MethodSource("names")
+  void messagesAreThoseOfTheGoldenFile(String name) throws IOException {
+    String messages = diagnostics(name).stream().map(d -> d + "\n").collect(Collectors.joining());
+    assertThat(messages).isEqualTo(Resources.text("broken/" + name + ".txt"));
+  }
+
+  @Test
+  void everyMessageOfTheCatalogueHasABrokenFile() throws IOException {
+    Set<String> shown =
+        names()
+            .flatMap(name -> diagnostics(name).stream())
+            .map(Diagnostic::code)
+            .collect(Collectors.toSet());
+    assertThat(shown)
+        .containsExactlyInAnyOrderElementsOf(
+            Arrays.stream(MessageCode.values()).map(MessageCode::code).toList());
+  }
+
+  @Test
+  void everyErrorOfAReadableFileNamesItsElement() throws IOException {
+    assertThat(names().flatMap(name -> diagnostics(name).stream()))
+        .filteredOn(d -> d.code().compareTo("M-013") >= 0 && !d.code().equals("M-019"))
+        .allMatch(d -> d.line() > 0 && d.column() > 0 && d.path().startsWith("MechML/"));
+  }
+
+  private static List<Diagnostic> diagnostics(String name) {
+    try {
+      return MechmlReader.read(name + ".xml", Resources.bytes("broken/" + name + ".xml"))
+          .warnings();
+    } catch (MechmlException e) {
+      return e.diagnostics();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}
