@@ -3,6 +3,7 @@ package org.mechservice.mechml.document;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.mechservice.mechml.diagnosis.Quoted;
 
 /**
  * What the XML parser's complaints mean to somebody who writes models. The parser's own sentence
@@ -40,6 +41,7 @@ final class ParserSentences {
               "LessthanInAttValue",
               "the sign \"<\" in attribute {1} is written &lt;, if no quote is missing before it"),
           Map.entry("ElementUnterminated", "the tag <{1} lacks its end, \">\" or \"/>\""),
+          Map.entry("VersionNotSupported", "only XML 1.0 is read; write <?xml version=\"1.0\"?>"),
           Map.entry("EntityExpansionLimitExceeded", "too many references to entities, over {1}"),
           Map.entry("EncodingDeclInvalid", "there is no encoding {1}; save the file as UTF-8"),
           Map.entry("EncodingNotSupported", "encoding {1} is not known; save the file as UTF-8"),
@@ -63,17 +65,27 @@ final class ParserSentences {
    */
   static String of(String key, String sentence) {
     String rewritten = REWRITTEN.get(key);
-    if (rewritten == null) {
-      String text = sentence.strip();
-      return text.endsWith(".") ? text.substring(0, text.length() - 1) : text;
-    }
+    return rewritten == null ? tidied(sentence) : filled(rewritten, sentence);
+  }
+
+  private static String filled(String rewritten, String sentence) {
+    String filled = rewritten;
     Matcher quoted = QUOTED.matcher(sentence);
     for (int i = 1; quoted.find(); i++) {
-      rewritten =
-          rewritten
-              .replace("<{" + i + "}", "<" + quoted.group(1))
-              .replace("{" + i + "}", quoted.group());
+      String name = String.valueOf(quoted.group(1));
+      filled =
+          filled
+              .replace("<{" + i + "}", "<" + Quoted.plain(name))
+              .replace("{" + i + "}", Quoted.of(name));
     }
-    return rewritten;
+    return filled;
+  }
+
+  private static String tidied(String sentence) {
+    String text =
+        QUOTED
+            .matcher(sentence.strip())
+            .replaceAll(q -> Matcher.quoteReplacement(Quoted.of(String.valueOf(q.group(1)))));
+    return text.endsWith(".") ? text.substring(0, text.length() - 1) : text;
   }
 }
