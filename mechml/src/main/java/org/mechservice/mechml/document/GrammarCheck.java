@@ -111,7 +111,10 @@ final class GrammarCheck {
     }
     List<String> lacking = rest.required().stream().filter(name -> !given.contains(name)).toList();
     if (!lacking.isEmpty()) {
-      error(MessageCode.WRONG_CONTENT, element, tags(lacking, " and ") + " is missing");
+      error(
+          MessageCode.WRONG_CONTENT,
+          element,
+          tags(lacking, " and ") + (lacking.size() == 1 ? " is missing" : " are missing"));
     }
   }
 

@@ -23,6 +23,9 @@ public final class Limits {
   /** Characters of an entity's text. */
   static final int ENTITY_LENGTH = 1000;
 
+  /** Faults against the grammar before a file is given up: each costs the parser an exception. */
+  static final int INVALIDITIES = 10_000;
+
   /** Moving bodies of a mechanism. */
   public static final int BODIES = 10_000;
 

@@ -23,6 +23,7 @@ final class ParserErrors implements XMLErrorHandler {
 
   private final ElementBuilder builder;
   private Optional<Invalidity> invalidity = Optional.empty();
+  private int invalidities;
 
   /**
    * Begins without complaints.
@@ -44,8 +45,16 @@ final class ParserErrors implements XMLErrorHandler {
 
   @Override
   public void error(String domain, String key, XMLParseException exception) {
-    if (invalidity.isEmpty()) {
-      invalidity = Optional.of(new Invalidity(place(exception), invalid(key, exception)));
+    invalidities++;
+    Invalidity first =
+        invalidity.orElseGet(() -> new Invalidity(place(exception), invalid(key, exception)));
+    invalidity = Optional.of(first);
+    if (invalidities > Limits.INVALIDITIES) {
+      throw new XNIException(
+          new Refusal(
+              MessageCode.INVALID_DOCUMENT,
+              first.place(),
+              first.text() + "; more than " + Limits.INVALIDITIES + " such faults follow"));
     }
   }
 

@@ -14,8 +14,8 @@ import org.mechservice.mechml.document.Element;
 final class IntegratorReader {
   private static final List<String> KNOWN = List.of("DE", "ode113");
 
-  /** Highest order of the Adams formulas. */
-  private static final int HIGHEST_ORDER = 12;
+  /** Order of the Adams formulas with local extrapolation at its highest. */
+  private static final int HIGHEST_ORDER = 13;
 
   private final ValueReader values;
   private final Diagnostics diagnostics;
