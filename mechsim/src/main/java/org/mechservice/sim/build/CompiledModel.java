@@ -1,25 +1,77 @@
 package org.mechservice.sim.build;
 
+import java.lang.reflect.Constructor;
+import java.util.Collections;
 import java.util.SortedMap;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.build.javac.ModelClassLoader;
 import org.mechservice.solver.api.Model;
 
-/**
- * A generated model and its class files.
- *
- * @param source what it was generated from
- * @param generated its source
- * @param options what it was built for
- * @param classFiles class file bytes by binary class name; not to be modified
- */
-public record CompiledModel(
-    MechmlModel source,
-    GeneratedModel generated,
-    BuildOptions options,
-    SortedMap<String, byte[]> classFiles) {
+/** A generated model and its class files. Immutable; shared freely between threads. */
+public final class CompiledModel {
+  private final MechmlModel source;
+  private final GeneratedModel generated;
+  private final BuildOptions options;
+  private final SortedMap<String, byte[]> classFiles;
+  private final Constructor<? extends Model> constructor;
 
-  /** Returns a new instance of the model, for one run. */
+  /**
+   * Loads the class of a model.
+   *
+   * @param source what it was generated from
+   * @param generated its source
+   * @param options what it was built for
+   * @param classFiles class file bytes by binary class name; not modified
+   */
+  CompiledModel(
+      MechmlModel source,
+      GeneratedModel generated,
+      BuildOptions options,
+      SortedMap<String, byte[]> classFiles) {
+    this.source = source;
+    this.generated = generated;
+    this.options = options;
+    this.classFiles = Collections.unmodifiableSortedMap(classFiles);
+    this.constructor = constructor(generated.className(), classFiles);
+  }
+
+  private static Constructor<? extends Model> constructor(
+      String className, SortedMap<String, byte[]> classFiles) {
+    try {
+      Class<?> loaded = new ModelClassLoader(classFiles).loadClass(className);
+      return loaded.asSubclass(Model.class).getConstructor();
+    } catch (ReflectiveOperationException e) {
+      throw new IllegalStateException("the generated class " + className + " cannot be loaded", e);
+    }
+  }
+
+  /** Returns what it was generated from. */
+  public MechmlModel source() {
+    return source;
+  }
+
+  /** Returns its source. */
+  public GeneratedModel generated() {
+    return generated;
+  }
+
+  /** Returns what it was built for. */
+  public BuildOptions options() {
+    return options;
+  }
+
+  /** Returns class file bytes by binary class name; not to be modified. */
+  public SortedMap<String, byte[]> classFiles() {
+    return classFiles;
+  }
+
+  /** Returns a new instance of the model, for one run. The class is loaded once. */
   public Model newInstance() {
-    throw new UnsupportedOperationException();
+    try {
+      return constructor.newInstance();
+    } catch (ReflectiveOperationException e) {
+      throw new IllegalStateException(
+          "the generated class " + generated.className() + " cannot be instantiated", e);
+    }
   }
 }

@@ -1,6 +1,24 @@
 package org.mechservice.sim.build;
 
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.build.dynamics.ArticulatedBodyEquations;
+import org.mechservice.sim.build.dynamics.EnergyEquations;
+import org.mechservice.sim.build.dynamics.Links;
+import org.mechservice.sim.build.dynamics.PoseEquations;
+import org.mechservice.sim.build.emit.ModelClass;
+import org.mechservice.sim.build.javac.ModelCompiler;
+import org.mechservice.sim.scene.FormulationChoice;
+import org.mechservice.sim.scene.SceneAnalysis;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.mechanism.Mechanism;
 
 /**
  * The way from a mechanism to code: generate, compile, pack. Thread-safe; every step is a pure
@@ -12,31 +30,92 @@ public final class ModelFactory {
   /**
    * Writes the model class of a mechanism, specialised to it.
    *
-   * @throws IllegalArgumentException if the formulation does not fit the scene; the message says
-   *     why and which one does
+   * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
+   *     the formulation (S-081) or the integrator (S-082) does not fit or exist, or a name cannot
+   *     be kept (S-083); the message says why and what does
    */
   public static GeneratedModel generate(MechmlModel model, BuildOptions options) {
-    throw new UnsupportedOperationException();
+    Mechanism mechanism = model.mechanism();
+    ModelNames.requireUsable(mechanism);
+    StandaloneMain.requireIntegrator(options.settings().integrator());
+    SceneAnalysis scene = SceneAnalysis.of(mechanism);
+    FormulationChoice choice = FormulationChoice.of(options.formulation(), scene);
+    Links links = Links.of(mechanism);
+    Program derivative = ArticulatedBodyEquations.derive(links);
+    List<Omission> leftOut = LeftOut.of(scene, links, options, derivative);
+    ModelClass written =
+        new ModelClass(
+            mechanism,
+            description(mechanism, choice, options),
+            derivative,
+            EnergyEquations.derive(links),
+            options.columns().contains(ColumnGroup.BODIES)
+                ? Optional.of(PoseEquations.derive(links))
+                : Optional.empty(),
+            notes(choice, derivative, leftOut));
+    return new GeneratedModel(
+        ModelClass.PACKAGE + "." + written.simpleName(),
+        written.source(),
+        choice.formulation(),
+        choice.reason(),
+        derivative.operationCount(),
+        leftOut,
+        mechanism.name());
   }
 
-  /** Compiles a generated model in memory. */
+  private static ModelDescription description(
+      Mechanism mechanism, FormulationChoice choice, BuildOptions options) {
+    return new ModelDescription(
+        mechanism.name(), choice.formulation(), ModelClass.joints(mechanism), options.settings());
+  }
+
+  private static List<String> notes(
+      FormulationChoice choice, Program derivative, List<Omission> leftOut) {
+    List<String> notes = new ArrayList<>();
+    notes.add("Formulation " + choice.formulation() + " (" + choice.reason() + ").");
+    notes.add(
+        derivative.operationCount()
+            + " additions, multiplications and divisions give the derivative of the state.");
+    StringBuilder list = new StringBuilder("Left out:");
+    String separator = " ";
+    for (Omission omission : leftOut) {
+      list.append(separator)
+          .append(omission.what())
+          .append(" (")
+          .append(omission.why())
+          .append(')');
+      separator = "; ";
+    }
+    notes.add(list.append('.').toString());
+    return notes;
+  }
+
+  /**
+   * Compiles a generated model in memory.
+   *
+   * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
+   *     this JVM has no compiler (S-084) or the class is too large (S-085)
+   */
   public static CompiledModel compile(
       MechmlModel model, BuildOptions options, GeneratedModel generated) {
-    throw new UnsupportedOperationException();
+    SortedMap<String, byte[]> classFiles =
+        ModelCompiler.compile(
+            generated.className(), generated.source(), Collections.emptySortedMap());
+    return new CompiledModel(model, generated, options, new TreeMap<>(classFiles));
   }
 
   /** Packs the model's own classes, description and manifest; it runs with {@link #runtimeJar}. */
   public static PackedJar modelJar(CompiledModel model, String mechmlSha256) {
-    throw new UnsupportedOperationException();
+    return ModelJars.model(model, mechmlSha256);
   }
 
   /** Packs the model with just the solver classes it reaches; starts with {@code java -jar}. */
   public static PackedJar standaloneJar(CompiledModel model, String mechmlSha256) {
-    throw new UnsupportedOperationException();
+    return ModelJars.standalone(model, mechmlSha256);
   }
 
   /** Returns the solver, packed once per process. */
   public static PackedJar runtimeJar() {
-    throw new UnsupportedOperationException();
+    return RuntimeJar.packed();
   }
 }

@@ -1,0 +1,98 @@
+package org.mechservice.sim.build;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.sim.build.dynamics.Link;
+import org.mechservice.sim.build.dynamics.Links;
+import org.mechservice.sim.scene.SceneAnalysis;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+
+/** Says what a generated class does not contain, and why its scene does not need it. */
+final class LeftOut {
+  private final List<Omission> omissions = new ArrayList<>();
+
+  private LeftOut() {}
+
+  /**
+   * Lists the omissions of a model.
+   *
+   * @param scene what it was generated from
+   * @param links the same in computing frames
+   * @param options what it was built for
+   * @param derivative its equations
+   */
+  static List<Omission> of(
+      SceneAnalysis scene, Links links, BuildOptions options, Program derivative) {
+    LeftOut leftOut = new LeftOut();
+    leftOut.language(scene.mechanism());
+    leftOut.scene(scene);
+    leftOut.frames(links);
+    leftOut.equations(derivative);
+    leftOut.outputs(options);
+    return List.copyOf(leftOut.omissions);
+  }
+
+  private void add(String what, String why) {
+    omissions.add(new Omission(what, why));
+  }
+
+  private void language(Mechanism mechanism) {
+    add("loop closures and constraints", "the joints form a tree");
+    add("quaternions", "no joint is spherical or free");
+    boolean turns = mechanism.joints().stream().anyMatch(joint -> joint.type() == JointType.R);
+    boolean slides = mechanism.joints().stream().anyMatch(joint -> joint.type() == JointType.P);
+    if (!turns) {
+      add("sines and cosines", "no joint turns");
+    }
+    if (!slides) {
+      add("sliding joints", "every joint turns");
+    }
+    add("force elements", "the scene has no forces but gravity");
+    add("events", "the scene has none");
+    add("outputs of its own", "the scene has none");
+  }
+
+  private void scene(SceneAnalysis scene) {
+    Mechanism mechanism = scene.mechanism();
+    if (mechanism.gravity().equals(Vector3.ZERO)) {
+      add("gravity", "it is zero");
+    }
+    if (mechanism.root().orientation().equals(Rotation.IDENTITY)) {
+      add("orientation of the root", "its axes are the world's");
+    }
+    if (!scene.massless().isEmpty()) {
+      add(
+          "inertia of bodies " + String.join(", ", scene.massless()),
+          "they have neither mass nor inertia");
+    }
+  }
+
+  private void frames(Links links) {
+    long turned = links.links().stream().filter(Link::hasConstantTurn).count();
+    long spared = links.links().size() - turned;
+    if (spared > 0) {
+      add(
+          "constant rotations at " + spared + " of " + links.links().size() + " joints",
+          "computing frames were chosen whose axes only change places there");
+    }
+  }
+
+  private void equations(Program derivative) {
+    boolean guarded =
+        derivative.sections().stream().anyMatch(section -> !section.guards().isEmpty());
+    if (!guarded) {
+      add("test for singular joints", "every body has inertia along its own joint");
+    }
+  }
+
+  private void outputs(BuildOptions options) {
+    if (!options.columns().contains(ColumnGroup.BODIES)) {
+      add("poses of the bodies", "the column group \"bodies\" was not asked for");
+    }
+  }
+}

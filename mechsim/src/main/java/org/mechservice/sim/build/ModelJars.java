@@ -1,0 +1,108 @@
+package org.mechservice.sim.build;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.stream.Collectors;
+import org.mechservice.sim.build.jar.ModelDescriptionXml;
+import org.mechservice.sim.build.jar.ReachableClasses;
+import org.mechservice.sim.build.jar.ReproducibleJar;
+import org.mechservice.sim.build.jar.Sha256;
+import org.mechservice.sim.build.javac.SolverClasses;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.simulation.SolverVersion;
+
+/** Packs models. */
+final class ModelJars {
+  private ModelJars() {}
+
+  /** Packs a model without a solver. */
+  static PackedJar model(CompiledModel model, String mechmlSha256) {
+    Map<String, String> manifest = manifest(model, mechmlSha256);
+    ReproducibleJar jar = new ReproducibleJar(manifest).addClasses(model.classFiles());
+    return packed(model, mechmlSha256, jar, "", model.generated().className(), manifest);
+  }
+
+  /** Packs a model with its main class and the solver classes that it reaches. */
+  static PackedJar standalone(CompiledModel model, String mechmlSha256) {
+    SortedMap<String, byte[]> own = StandaloneMain.compile(model);
+    String mainClass = StandaloneMain.className(model.generated());
+    Map<String, String> manifest = new LinkedHashMap<>();
+    manifest.put("Main-Class", mainClass);
+    manifest.putAll(manifest(model, mechmlSha256));
+    ReproducibleJar jar = new ReproducibleJar(manifest).addClasses(own);
+    ReachableClasses.from(own, SolverClasses.files()).forEach(jar::add);
+    return packed(model, mechmlSha256, jar, "-standalone", mainClass, manifest);
+  }
+
+  private static PackedJar packed(
+      CompiledModel model,
+      String mechmlSha256,
+      ReproducibleJar jar,
+      String suffix,
+      String mainClass,
+      Map<String, String> manifest) {
+    String className = model.generated().className();
+    String xml = descriptionXml(model, mechmlSha256);
+    jar.add("META-INF/modelDescription.xml", xml.getBytes(StandardCharsets.UTF_8));
+    byte[] bytes = jar.bytes();
+    long modelBytes =
+        model.classFiles().values().stream().mapToLong(ReproducibleJar::deflatedSize).sum();
+    return new PackedJar(
+        className.substring(className.lastIndexOf('.') + 1) + suffix + ".jar",
+        bytes,
+        Sha256.of(bytes),
+        mainClass,
+        modelBytes,
+        manifest);
+  }
+
+  private static Map<String, String> manifest(CompiledModel model, String mechmlSha256) {
+    GeneratedModel generated = model.generated();
+    Map<String, String> manifest = new LinkedHashMap<>();
+    manifest.put("Implementation-Title", generated.modelName());
+    manifest.put("Implementation-Version", SolverVersion.CURRENT);
+    manifest.put("Mech-Model", generated.className());
+    manifest.put("Mech-Api-Version", Integer.toString(Model.API_VERSION));
+    manifest.put("Mech-Formulation", generated.formulation());
+    manifest.put("Mech-Formulation-Reason", generated.formulationReason());
+    manifest.put("Mech-Integrator", model.options().settings().integrator());
+    manifest.put("Mech-Columns", columns(model));
+    manifest.put("Mech-Model-SHA-256", mechmlSha256);
+    manifest.put(
+        "Mech-Left-Out",
+        generated.leftOut().stream()
+            .map(omission -> omission.what() + " (" + omission.why() + ")")
+            .collect(Collectors.joining("; ")));
+    return manifest;
+  }
+
+  /** Returns the column groups the model can put out: all but the poses come by themselves. */
+  private static String columns(CompiledModel model) {
+    List<String> groups = new ArrayList<>();
+    for (ColumnGroup group : ColumnGroup.values()) {
+      if (group != ColumnGroup.BODIES || model.options().columns().contains(group)) {
+        groups.add(group.label());
+      }
+    }
+    return String.join(",", groups);
+  }
+
+  private static String descriptionXml(CompiledModel model, String mechmlSha256) {
+    Model instance = model.newInstance();
+    ModelDescription description = instance.description();
+    double[] start = new double[description.stateCount()];
+    instance.initialState(start);
+    Map<String, String> leftOut = new LinkedHashMap<>();
+    model.generated().leftOut().forEach(omission -> leftOut.put(omission.what(), omission.why()));
+    List<Variable> energies =
+        List.of(new Variable("energy.kinetic", "J"), new Variable("energy.potential", "J"));
+    return ModelDescriptionXml.of(description, start, energies, leftOut, mechmlSha256);
+  }
+}

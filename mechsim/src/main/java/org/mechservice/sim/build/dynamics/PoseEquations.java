@@ -1,0 +1,159 @@
+package org.mechservice.sim.build.dynamics;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarMatrix;
+import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.api.BodyPoses;
+import org.mechservice.solver.spatial.Rotation;
+
+/**
+ * Where the bodies of an open chain are and how they move, in world axes: the body frames of the
+ * model file, not the frames the dynamics are computed in.
+ *
+ * <p>Euler parameters are products of those of the joints (half angles), so no position has to be
+ * told apart from others; their common sign is left open.
+ */
+public final class PoseEquations {
+  /**
+   * Pose and velocity of a computing frame in the world.
+   *
+   * @param position of its origin from the world origin, m
+   * @param rotation from its axes to world axes
+   * @param attitude the same as Euler parameters
+   * @param velocity of its origin, world axes, m/s
+   * @param omega angular velocity, world axes, rad/s
+   */
+  private record Pose(
+      ScalarVector position,
+      ScalarMatrix rotation,
+      EulerParameters attitude,
+      ScalarVector velocity,
+      ScalarVector omega) {}
+
+  private final Program program = new Program();
+  private final Expressions expressions = program.expressions();
+  private final JointAngles angles = new JointAngles(program);
+  private final Links mechanism;
+
+  private PoseEquations(Links mechanism) {
+    this.mechanism = mechanism;
+  }
+
+  /**
+   * Derives the program from the state [q; v] to the numbers of {@link BodyPoses}, bodies in file
+   * order, except that e0 may be negative.
+   */
+  public static Program derive(Links mechanism) {
+    return new PoseEquations(mechanism).derive();
+  }
+
+  private Program derive() {
+    List<Pose> poses = new ArrayList<>();
+    for (Link link : mechanism.links()) {
+      program.section(
+          "Pose: " + link.title() + ".\np = p_p + R_p r, R = R_p R_q, e = e_p e_q",
+          link.bodyLabel());
+      Pose parent = link.parent() == Links.ROOT ? root() : poses.get(link.parent());
+      Pose pose = named(link, link.turns() ? turned(link, parent) : shifted(link, parent));
+      poses.add(pose);
+      putOut(link, pose);
+    }
+    return program;
+  }
+
+  private Pose root() {
+    ScalarVector none = ScalarVector.zero(expressions);
+    Rotation orientation = mechanism.mechanism().root().orientation();
+    return new Pose(
+        ScalarVector.of(expressions, mechanism.mechanism().root().position()),
+        matrix(orientation),
+        EulerParameters.of(expressions, orientation),
+        none,
+        none);
+  }
+
+  private ScalarMatrix matrix(Rotation rotation) {
+    double[][] elements = Axes.elements(rotation);
+    return ScalarMatrix.of((i, j) -> expressions.constant(elements[i][j]));
+  }
+
+  /** The child's frame at q = 0: the parent's, taken to the joint. */
+  private Pose atJoint(Link link, Pose parent) {
+    ScalarVector way = parent.rotation().times(ScalarVector.of(expressions, link.offset()));
+    Rotation axes = link.axes().rotation();
+    return new Pose(
+        parent.position().plus(way),
+        parent.rotation().times(matrix(axes)),
+        parent.attitude().times(EulerParameters.of(expressions, axes)),
+        parent.velocity().plus(parent.omega().cross(way)),
+        parent.omega());
+  }
+
+  private Pose turned(Link link, Pose parent) {
+    Pose joint = atJoint(link, parent);
+    Scalar cosine = angles.cosine(link);
+    Scalar sine = angles.sine(link);
+    ScalarVector x = joint.rotation().column(0);
+    ScalarVector y = joint.rotation().column(1);
+    ScalarVector z = joint.rotation().column(2);
+    ScalarVector turnedX = x.times(cosine).plus(y.times(sine));
+    ScalarVector turnedY = y.times(cosine).plus(x.times(sine.negated()));
+    List<ScalarVector> columns = List.of(turnedX, turnedY, z);
+    Scalar half = angles.position(link).times(0.5);
+    EulerParameters turn =
+        EulerParameters.aboutZ(
+            program.named("cos_half_" + link.jointLabel(), expressions.cosine(half)),
+            program.named("sin_half_" + link.jointLabel(), expressions.sine(half)));
+    return new Pose(
+        joint.position(),
+        ScalarMatrix.of((i, j) -> columns.get(j).at(i)),
+        joint.attitude().times(turn),
+        joint.velocity(),
+        joint.omega().plus(z.times(angles.velocity(link))));
+  }
+
+  private Pose shifted(Link link, Pose parent) {
+    Pose joint = atJoint(link, parent);
+    ScalarVector z = joint.rotation().column(2);
+    ScalarVector way = z.times(angles.position(link));
+    return new Pose(
+        joint.position().plus(way),
+        joint.rotation(),
+        joint.attitude(),
+        joint.velocity().plus(joint.omega().cross(way)).plus(z.times(angles.velocity(link))),
+        joint.omega());
+  }
+
+  private Pose named(Link link, Pose pose) {
+    String label = link.bodyLabel();
+    program.named("p_" + label, pose.position());
+    program.named("R_" + label, pose.rotation());
+    program.named("v_" + label, pose.velocity());
+    program.named("omega_" + label, pose.omega());
+    for (int i = 0; i < 4; i++) {
+      program.named("e" + i + "_" + label, pose.attitude().at(i));
+    }
+    return pose;
+  }
+
+  /** From the computing frame to the body's own. */
+  private void putOut(Link link, Pose pose) {
+    ScalarVector arm = pose.rotation().times(ScalarVector.of(expressions, link.bodyOrigin()));
+    EulerParameters attitude =
+        pose.attitude().times(EulerParameters.of(expressions, link.fromBody()));
+    ScalarVector velocity = pose.velocity().plus(pose.omega().cross(arm));
+    List<Scalar> numbers = new ArrayList<>(pose.position().plus(arm).components());
+    for (int i = 0; i < 4; i++) {
+      numbers.add(attitude.at(i));
+    }
+    numbers.addAll(velocity.components());
+    numbers.addAll(pose.omega().components());
+    for (int i = 0; i < numbers.size(); i++) {
+      program.output(BodyPoses.NUMBERS_PER_BODY * link.body() + i, numbers.get(i));
+    }
+  }
+}

@@ -1,0 +1,60 @@
+package org.mechservice.sim.build.emit;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
+
+/**
+ * Names of local variables: what a value is called in mechanics, or else the subject of its section
+ * with a number.
+ */
+final class LocalNames {
+  /** Names that the methods use for something else. */
+  private static final Set<String> TAKEN = Set.of("t", "y", "yDot", "energy", "poses", "w", "i");
+
+  private final Map<Scalar, String> names = new HashMap<>();
+  private final Map<String, Integer> numberOf = new HashMap<>();
+  private final Set<String> given = new HashSet<>(TAKEN);
+
+  LocalNames(Program program, Usage usage) {
+    List<Scalar> givenNodes = usage.given();
+    givenNodes.forEach(node -> give(node, program.nameOf(node).orElse("in_" + node.id())));
+    for (int section = 0; section < program.sections().size(); section++) {
+      String subject = program.sections().get(section).subject();
+      for (Scalar node : usage.placedIn(section)) {
+        program.nameOf(node).ifPresent(name -> give(node, name));
+      }
+      for (Scalar node : usage.placedIn(section)) {
+        if (program.nameOf(node).isEmpty()) {
+          numbered(node, subject);
+        }
+      }
+    }
+  }
+
+  private void numbered(Scalar node, String subject) {
+    String stem = Character.isLetter(subject.charAt(0)) ? subject : "b" + subject;
+    String name;
+    do {
+      name = stem + "_" + numberOf.merge(stem, 1, Integer::sum);
+    } while (!given.add(name));
+    names.put(node, name);
+  }
+
+  private void give(Scalar node, String name) {
+    String distinct = name;
+    for (int i = 2; !given.add(distinct); i++) {
+      distinct = name + "_" + i;
+    }
+    names.put(node, distinct);
+  }
+
+  /** Returns the name of a value that is placed or given. */
+  String of(Scalar node) {
+    return names.getOrDefault(node, "");
+  }
+}

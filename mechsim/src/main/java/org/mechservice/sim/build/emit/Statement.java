@@ -1,0 +1,27 @@
+package org.mechservice.sim.build.emit;
+
+import org.mechservice.sim.symbolic.Scalar;
+
+/** One step of a planned method. */
+sealed interface Statement {
+  /** Says what follows; lines are separated by line feeds. */
+  record Comment(String text) implements Statement {}
+
+  /** Takes a value from the state or the workspace into a local variable. */
+  record Load(String local, Place from) implements Statement {}
+
+  /** Computes a value into a local variable. */
+  record Define(String local, Scalar value) implements Statement {}
+
+  /** Puts a value that later methods need into the workspace; {@code name} says what it is. */
+  record Store(int slot, Scalar value, String name) implements Statement {}
+
+  /** Puts a value out. */
+  record PutOut(int index, Scalar value) implements Statement {}
+
+  /** Puts {@code count} inputs from {@code input} on out from {@code index} on. */
+  record CopyInputs(int input, int index, int count) implements Statement {}
+
+  /** Ends the program where a pivot is not above its bound. */
+  record Check(Scalar pivot, Scalar bound, int result, String meaning) implements Statement {}
+}

@@ -1,0 +1,20 @@
+package org.mechservice.sim.scene;
+
+import org.mechservice.solver.mechanism.Origin;
+
+/**
+ * Something about a scene that its author may not have meant.
+ *
+ * @param code entry of the error catalogue
+ * @param text what was found and what to do
+ * @param origin where it was written down
+ */
+public record Finding(String code, String text, Origin origin) {
+
+  /** Returns place, code and text as one line. */
+  @Override
+  public String toString() {
+    String place = origin.toString();
+    return (place.isEmpty() ? "" : place + ": ") + code + " " + text;
+  }
+}

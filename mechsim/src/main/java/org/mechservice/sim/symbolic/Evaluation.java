@@ -1,0 +1,56 @@
+package org.mechservice.sim.symbolic;
+
+import org.mechservice.solver.spatial.SinCos;
+
+/** Evaluates programs in doubles, node by node: what printed code must reproduce bit for bit. */
+final class Evaluation {
+  private final double[] inputs;
+  private final double[] pair = new double[2];
+
+  /** Takes the inputs by index; not modified. */
+  Evaluation(double[] inputs) {
+    this.inputs = inputs;
+  }
+
+  /** Returns the value of every node the program contains, by node number. */
+  double[] valuesOf(Program program) {
+    int[] uses = program.uses();
+    double[] values = new double[uses.length];
+    for (int id = 0; id < uses.length; id++) {
+      if (uses[id] > 0) {
+        values[id] = valueOf(program.expressions().node(id), values);
+      }
+    }
+    return values;
+  }
+
+  private double valueOf(Scalar node, double[] values) {
+    return switch (node.operation()) {
+      case CONSTANT -> node.value();
+      case INPUT -> inputs[node.index()];
+      case NEGATE, SQUARE_ROOT, SINE, COSINE -> unary(node, values[node.first().id()]);
+      default -> binary(node, values[node.first().id()], values[node.second().id()]);
+    };
+  }
+
+  private double unary(Scalar node, double operand) {
+    return switch (node.operation()) {
+      case NEGATE -> -operand;
+      case SQUARE_ROOT -> Math.sqrt(operand);
+      default -> {
+        SinCos.sinCos(operand, pair, 0);
+        yield pair[node.operation() == Operation.SINE ? 0 : 1];
+      }
+    };
+  }
+
+  private static double binary(Scalar node, double first, double second) {
+    return switch (node.operation()) {
+      case ADD -> first + second;
+      case SUBTRACT -> first - second;
+      case MULTIPLY -> first * second;
+      case DIVIDE -> first / second;
+      default -> throw new AssertionError(node.operation());
+    };
+  }
+}

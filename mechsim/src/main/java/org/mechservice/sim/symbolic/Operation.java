@@ -1,0 +1,30 @@
+package org.mechservice.sim.symbolic;
+
+/** What a node of an expression graph does with its operands. */
+public enum Operation {
+  /** A number. */
+  CONSTANT(0),
+  /** A number given when the program runs. */
+  INPUT(0),
+  ADD(1),
+  SUBTRACT(1),
+  MULTIPLY(1),
+  DIVIDE(1),
+  /** Change of sign; free on any processor, so not counted. */
+  NEGATE(0),
+  SQUARE_ROOT(1),
+  /** Sine; always computed together with the cosine of the same angle. */
+  SINE(0),
+  COSINE(0);
+
+  private final int flops;
+
+  Operation(int flops) {
+    this.flops = flops;
+  }
+
+  /** Returns how many floating-point operations it counts as. */
+  int flops() {
+    return flops;
+  }
+}

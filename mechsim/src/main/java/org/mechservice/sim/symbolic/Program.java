@@ -1,0 +1,166 @@
+package org.mechservice.sim.symbolic;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * A straight-line program: inputs to outputs without branches, told in sections, with the names its
+ * values have in mechanics.
+ *
+ * <p>Whoever derives the equations opens a section, computes with {@link Scalar}s, names what has a
+ * meaning and says what is put out. What no output needs is not part of the program.
+ */
+public final class Program {
+  /**
+   * A stretch of the program.
+   *
+   * @param title what it computes, with the equation; several lines are separated by line feeds
+   * @param subject short name of what it is about, part of the names of its nameless values
+   * @param firstNode first node that arose in it
+   * @param outputs what it puts out, in order
+   * @param guards what it checks, in order
+   */
+  public record Section(
+      String title, String subject, int firstNode, List<Output> outputs, List<Guard> guards) {}
+
+  /**
+   * A value put out.
+   *
+   * @param index where
+   * @param value what
+   */
+  public record Output(int index, Scalar value) {}
+
+  /**
+   * Ends the program with {@code result} where {@code pivot ≤ bound}.
+   *
+   * @param pivot what must be clearly positive
+   * @param bound below or at which it is not
+   * @param result what the program then returns
+   * @param meaning what it then means, for people
+   */
+  public record Guard(Scalar pivot, Scalar bound, int result, String meaning) {}
+
+  private final Expressions expressions = new Expressions();
+  private final List<Section> sections = new ArrayList<>();
+  private final Map<Scalar, String> names = new HashMap<>();
+
+  /** Returns the graph its values live in. */
+  public Expressions expressions() {
+    return expressions;
+  }
+
+  /** Opens a section. */
+  public void section(String title, String subject) {
+    sections.add(
+        new Section(title, subject, expressions.size(), new ArrayList<>(), new ArrayList<>()));
+  }
+
+  /**
+   * Names a value, unless it has a name already, and returns it. Constants need none; of a change
+   * of sign the value behind it is named.
+   */
+  public Scalar named(String name, Scalar value) {
+    if (value.operation() == Operation.NEGATE) {
+      named("minus_" + name, value.first());
+    } else if (!value.isConstant()) {
+      names.putIfAbsent(value, name);
+    }
+    return value;
+  }
+
+  /** Names the components of a vector {@code name_x}, {@code name_y}, {@code name_z}. */
+  public ScalarVector named(String name, ScalarVector value) {
+    for (int i = 0; i < 3; i++) {
+      named(name + "_" + "xyz".charAt(i), value.at(i));
+    }
+    return value;
+  }
+
+  /** Names the elements of a matrix {@code name_xx}, {@code name_xy} and so on. */
+  public ScalarMatrix named(String name, ScalarMatrix value) {
+    for (int i = 0; i < 3; i++) {
+      for (int j = 0; j < 3; j++) {
+        named(name + "_" + "xyz".charAt(i) + "xyz".charAt(j), value.at(i, j));
+      }
+    }
+    return value;
+  }
+
+  /** Puts a value out in the current section. */
+  public void output(int index, Scalar value) {
+    current().outputs().add(new Output(index, value));
+  }
+
+  /** Checks a value in the current section. */
+  public void guard(Guard guard) {
+    current().guards().add(guard);
+  }
+
+  private Section current() {
+    return sections.get(sections.size() - 1);
+  }
+
+  /** Returns the sections in order. */
+  public List<Section> sections() {
+    return List.copyOf(sections);
+  }
+
+  /** Returns the name of a value, if it has one. */
+  public Optional<String> nameOf(Scalar value) {
+    return Optional.ofNullable(names.get(value));
+  }
+
+  /** Returns how often each node is used, by node number; 0: the program does not contain it. */
+  public int[] uses() {
+    int[] uses = new int[expressions.size()];
+    for (Section section : sections) {
+      section.outputs().forEach(output -> uses[output.value().id()]++);
+      for (Guard guard : section.guards()) {
+        uses[guard.pivot().id()]++;
+        uses[guard.bound().id()]++;
+      }
+    }
+    for (int id = uses.length - 1; id >= 0; id--) {
+      if (uses[id] > 0) {
+        expressions.node(id).operands().forEach(operand -> uses[operand.id()]++);
+      }
+    }
+    return uses;
+  }
+
+  /** Returns the additions, multiplications, divisions and square roots of one run. */
+  public int operationCount() {
+    int[] uses = uses();
+    int count = 0;
+    for (int id = 0; id < uses.length; id++) {
+      count += uses[id] > 0 ? expressions.node(id).operation().flops() : 0;
+    }
+    return count;
+  }
+
+  /**
+   * Runs the program in doubles.
+   *
+   * @param inputs by index; not modified
+   * @param outputs by index; overwritten where the program puts something out
+   * @return the result of the first guard that fails; −1 if none does
+   */
+  public int evaluate(double[] inputs, double[] outputs) {
+    double[] values = new Evaluation(inputs).valuesOf(this);
+    for (Section section : sections) {
+      for (Output output : section.outputs()) {
+        outputs[output.index()] = values[output.value().id()];
+      }
+      for (Guard guard : section.guards()) {
+        if (values[guard.pivot().id()] <= values[guard.bound().id()]) {
+          return guard.result();
+        }
+      }
+    }
+    return -1;
+  }
+}

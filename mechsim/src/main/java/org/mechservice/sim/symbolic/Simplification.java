@@ -1,0 +1,179 @@
+package org.mechservice.sim.symbolic;
+
+import static org.mechservice.sim.symbolic.Operation.ADD;
+import static org.mechservice.sim.symbolic.Operation.COSINE;
+import static org.mechservice.sim.symbolic.Operation.DIVIDE;
+import static org.mechservice.sim.symbolic.Operation.MULTIPLY;
+import static org.mechservice.sim.symbolic.Operation.NEGATE;
+import static org.mechservice.sim.symbolic.Operation.SINE;
+import static org.mechservice.sim.symbolic.Operation.SQUARE_ROOT;
+import static org.mechservice.sim.symbolic.Operation.SUBTRACT;
+
+/**
+ * What an operation becomes before it becomes a node: constants are folded, 0 and 1 disappear, x −
+ * x and a − (a − b) cancel, signs move outwards until a sum or difference takes them up.
+ *
+ * <p>Values are taken as finite: 0 · x is 0.
+ */
+final class Simplification {
+  private Simplification() {}
+
+  static Scalar sum(Scalar a, Scalar b) {
+    Expressions expressions = a.expressions();
+    if (a.isConstant() && b.isConstant()) {
+      return expressions.constant(a.value() + b.value());
+    }
+    if (a.isZero()) {
+      return b;
+    }
+    if (b.isZero()) {
+      return a;
+    }
+    if (isNegative(b)) {
+      return difference(a, negation(b));
+    }
+    if (isNegative(a)) {
+      return difference(b, negation(a));
+    }
+    if (a.is(SUBTRACT) && a.second() == b) {
+      return a.first();
+    }
+    if (b.is(SUBTRACT) && b.second() == a) {
+      return b.first();
+    }
+    return commutative(ADD, a, b);
+  }
+
+  static Scalar difference(Scalar a, Scalar b) {
+    Expressions expressions = a.expressions();
+    if (a == b) {
+      return expressions.zero();
+    }
+    if (a.isConstant() && b.isConstant()) {
+      return expressions.constant(a.value() - b.value());
+    }
+    if (b.isZero()) {
+      return a;
+    }
+    if (a.isZero()) {
+      return negation(b);
+    }
+    if (isNegative(b)) {
+      return sum(a, negation(b));
+    }
+    if (isNegative(a)) {
+      return negation(sum(negation(a), b));
+    }
+    return cancelled(expressions, a, b);
+  }
+
+  /** Takes out what occurs on both sides of a − b. */
+  private static Scalar cancelled(Expressions expressions, Scalar a, Scalar b) {
+    if (b.is(SUBTRACT) && b.first() == a) {
+      return b.second();
+    }
+    if (a.is(SUBTRACT) && a.first() == b) {
+      return negation(a.second());
+    }
+    if (a.is(ADD) && a.operands().contains(b)) {
+      return a.first() == b ? a.second() : a.first();
+    }
+    if (b.is(ADD) && b.operands().contains(a)) {
+      return negation(b.first() == a ? b.second() : b.first());
+    }
+    if (expressions.knows(SUBTRACT, b, a)) {
+      return negation(expressions.binary(SUBTRACT, b, a));
+    }
+    return expressions.binary(SUBTRACT, a, b);
+  }
+
+  static Scalar product(Scalar a, Scalar b) {
+    Expressions expressions = a.expressions();
+    if (a.isConstant() && b.isConstant()) {
+      return expressions.constant(a.value() * b.value());
+    }
+    if (a.isZero() || b.isZero()) {
+      return expressions.zero();
+    }
+    if (isNegative(a) || isNegative(b)) {
+      boolean odd = isNegative(a) != isNegative(b);
+      Scalar magnitude = product(isNegative(a) ? negation(a) : a, isNegative(b) ? negation(b) : b);
+      return odd ? negation(magnitude) : magnitude;
+    }
+    if (a.isConstant(1)) {
+      return b;
+    }
+    if (b.isConstant(1)) {
+      return a;
+    }
+    if (b.isConstant()) {
+      return product(b, a);
+    }
+    if (a.isConstant() && b.is(MULTIPLY) && b.first().isConstant()) {
+      return product(expressions.constant(a.value() * b.first().value()), b.second());
+    }
+    return commutative(MULTIPLY, a, b);
+  }
+
+  static Scalar quotient(Scalar a, Scalar b) {
+    Expressions expressions = a.expressions();
+    if (b.isZero()) {
+      throw new ArithmeticException("division by the constant zero");
+    }
+    if (a == b) {
+      return expressions.one();
+    }
+    if (a.isConstant() && b.isConstant()) {
+      return expressions.constant(a.value() / b.value());
+    }
+    if (a.isZero() || b.isConstant(1)) {
+      return a;
+    }
+    if (isNegative(a)) {
+      return negation(quotient(negation(a), b));
+    }
+    if (isNegative(b)) {
+      return negation(quotient(a, negation(b)));
+    }
+    return expressions.binary(DIVIDE, a, b);
+  }
+
+  static Scalar negation(Scalar a) {
+    if (a.isConstant()) {
+      return a.expressions().constant(-a.value());
+    }
+    return a.is(NEGATE) ? a.first() : a.expressions().unary(NEGATE, a);
+  }
+
+  static Scalar squareRoot(Scalar a) {
+    return a.isConstant()
+        ? a.expressions().constant(Math.sqrt(a.value()))
+        : a.expressions().unary(SQUARE_ROOT, a);
+  }
+
+  static Scalar sine(Scalar angle) {
+    if (angle.isConstant()) {
+      return angle.expressions().constant(StrictMath.sin(angle.value()));
+    }
+    return angle.is(NEGATE)
+        ? negation(sine(angle.first()))
+        : angle.expressions().unary(SINE, angle);
+  }
+
+  static Scalar cosine(Scalar angle) {
+    if (angle.isConstant()) {
+      return angle.expressions().constant(StrictMath.cos(angle.value()));
+    }
+    return angle.is(NEGATE) ? cosine(angle.first()) : angle.expressions().unary(COSINE, angle);
+  }
+
+  private static boolean isNegative(Scalar a) {
+    return a.is(NEGATE) || (a.isConstant() && a.value() < 0);
+  }
+
+  /** Constants stand first, otherwise the older operand: x·y and y·x are one node. */
+  private static Scalar commutative(Operation operation, Scalar a, Scalar b) {
+    boolean swap = b.isConstant() ? !a.isConstant() : !a.isConstant() && b.id() < a.id();
+    return swap ? a.expressions().binary(operation, b, a) : a.expressions().binary(operation, a, b);
+  }
+}
