@@ -1,10 +1,20 @@
 package org.mechservice.orb;
 
-/** The address to listen on is taken or not this machine's. */
+/** The address to listen on is taken or not this machine's; the message carries code S-003. */
 public final class PortInUseException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
+  /**
+   * @param address {@code host:port} that was asked for
+   * @param cause what the system said
+   */
   public PortInUseException(String address, Throwable cause) {
-    super("cannot listen on " + address + ": " + cause.getMessage(), cause);
+    super(
+        "S-003 cannot listen on "
+            + address
+            + ": "
+            + cause.getMessage()
+            + ". Stop what listens there, or choose another address or port",
+        cause);
   }
 }

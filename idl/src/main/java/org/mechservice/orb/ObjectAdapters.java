@@ -1,0 +1,95 @@
+package org.mechservice.orb;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.UUID;
+import org.mechservice.idl.LeasedHelper;
+import org.omg.BiDirPolicy.BIDIRECTIONAL_POLICY_TYPE;
+import org.omg.BiDirPolicy.BOTH;
+import org.omg.BiDirPolicy.BidirectionalPolicyValueHelper;
+import org.omg.CORBA.Any;
+import org.omg.CORBA.ORB;
+import org.omg.CORBA.Policy;
+import org.omg.CORBA.PolicyError;
+import org.omg.CORBA.UserException;
+import org.omg.PortableServer.IdAssignmentPolicyValue;
+import org.omg.PortableServer.LifespanPolicyValue;
+import org.omg.PortableServer.POA;
+import org.omg.PortableServer.Servant;
+import org.omg.PortableServer.ThreadPolicyValue;
+
+/** The object adapters of an ORB: one for objects found by name, one for those handed out. */
+final class ObjectAdapters {
+  private final ORB orb;
+  private final POA root;
+  private final POA handedOut;
+
+  /**
+   * Opens the ORB's port.
+   *
+   * @param orderedCalls whether the objects handed out are called one at a time, in the order of
+   *     arrival
+   */
+  ObjectAdapters(ORB orb, boolean orderedCalls) throws UserException {
+    this.orb = orb;
+    root = (POA) orb.resolve_initial_references("RootPOA");
+    handedOut =
+        create(
+            orderedCalls ? "Callbacks" : "Sessions",
+            LifespanPolicyValue.TRANSIENT,
+            orderedCalls
+                ? ThreadPolicyValue.SINGLE_THREAD_MODEL
+                : ThreadPolicyValue.ORB_CTRL_MODEL);
+    root.the_POAManager().activate();
+  }
+
+  private POA create(String name, LifespanPolicyValue lifespan, ThreadPolicyValue threads)
+      throws UserException {
+    List<Policy> policies = new ArrayList<>();
+    policies.add(root.create_lifespan_policy(lifespan));
+    policies.add(root.create_id_assignment_policy(IdAssignmentPolicyValue.USER_ID));
+    policies.add(root.create_thread_policy(threads));
+    policies.add(bidirectional());
+    return root.create_POA(name, root.the_POAManager(), policies.toArray(Policy[]::new));
+  }
+
+  private Policy bidirectional() throws PolicyError {
+    Any both = orb.create_any();
+    BidirectionalPolicyValueHelper.insert(both, BOTH.value);
+    return orb.create_policy(BIDIRECTIONAL_POLICY_TYPE.value, both);
+  }
+
+  /** Makes servants reachable under the names of a server; once per ORB. */
+  void publish(Map<ServiceKey, Servant> servants) throws UserException {
+    POA named =
+        create(
+            OrbProperties.SERVICE_POA,
+            LifespanPolicyValue.PERSISTENT,
+            ThreadPolicyValue.ORB_CTRL_MODEL);
+    for (var entry : servants.entrySet()) {
+      named.activate_object_with_id(
+          entry.getKey().key().getBytes(StandardCharsets.US_ASCII), entry.getValue());
+    }
+  }
+
+  /** Returns where the objects of this ORB are reached. */
+  Endpoint endpoint() throws UserException {
+    byte[] anyId = new byte[] {0};
+    org.omg.CORBA.Object reference = handedOut.create_reference_with_id(anyId, LeasedHelper.id());
+    return Endpoint.of(orb, orb.object_to_string(reference));
+  }
+
+  /** Makes a servant callable under a random, unguessable id: who has the reference may call. */
+  ActiveObject activate(Servant servant) throws UserException {
+    byte[] id = UUID.randomUUID().toString().getBytes(StandardCharsets.US_ASCII);
+    handedOut.activate_object_with_id(id, servant);
+    return new ActiveObject(handedOut.id_to_reference(id), handedOut, id);
+  }
+
+  /** Ends the object behind a reference this ORB handed out. */
+  void deactivate(org.omg.CORBA.Object reference) throws UserException {
+    new ActiveObject(reference, handedOut, handedOut.reference_to_id(reference)).close();
+  }
+}

@@ -1,0 +1,113 @@
+package org.mechservice.orb;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.util.Properties;
+import java.util.concurrent.ThreadLocalRandom;
+import org.jacorb.orb.giop.BiDirConnectionInitializer;
+
+/** The ORB's properties for each role; each line has its reason. */
+final class OrbProperties {
+  /** Adapter that holds the objects found by name. */
+  static final String SERVICE_POA = "Service";
+
+  private static final String SERVER_NAME = "MechServer";
+  private static final String CONNECT_TIMEOUT_MILLIS = "5000";
+  private static final String WRITE_TIMEOUT_MILLIS = "15000";
+  // Long enough that a lease renewed in time keeps its connection; short enough that connections
+  // that send half a message and fall silent do not fill the server.
+  private static final String IDLE_TIMEOUT_MILLIS = "300000";
+
+  private OrbProperties() {}
+
+  /** Properties of a client: it connects where it is told and serves callbacks only. */
+  static Properties client(OutboundAllowList outbound) {
+    Properties properties = common(outbound);
+    // The server finds the way back to a client by the address the client claims to listen on, so
+    // two clients must not claim the same one.
+    properties.setProperty("OAIAddr", privateLoopbackAddress());
+    // A compilation may wait its turn on a busy server.
+    properties.setProperty("jacorb.connection.client.pending_reply_timeout", "120000");
+    properties.setProperty("jacorb.poa.thread_pool_min", "1");
+    properties.setProperty("jacorb.poa.thread_pool_max", "4");
+    properties.setProperty("jacorb.poa.queue_max", "1000");
+    return properties;
+  }
+
+  /** Properties of a server. */
+  static Properties server(ListenAddress address, OutboundAllowList outbound) {
+    Properties properties = listening(address, outbound);
+    properties.setProperty("jacorb.implname", SERVER_NAME);
+    for (ServiceKey key : ServiceKey.values()) {
+      properties.setProperty(
+          "jacorb.orb.objectKeyMap." + key.key(),
+          SERVER_NAME + "/" + SERVICE_POA + "/" + key.key());
+    }
+    return properties;
+  }
+
+  /**
+   * Properties of a host. It has no name of its own: the ORB takes references with its own name for
+   * local ones, also those of another process.
+   */
+  static Properties host(ListenAddress address, OutboundAllowList outbound) {
+    return listening(address, outbound);
+  }
+
+  private static Properties listening(ListenAddress address, OutboundAllowList outbound) {
+    Properties properties = common(outbound);
+    properties.setProperty("OAIAddr", address.host());
+    properties.setProperty("OAPort", Integer.toString(address.port()));
+    properties.setProperty("jacorb.connection.client.pending_reply_timeout", "5000");
+    properties.setProperty("jacorb.connection.server.max_receptor_threads", "300");
+    properties.setProperty("jacorb.connection.server.timeout", IDLE_TIMEOUT_MILLIS);
+    properties.setProperty("jacorb.poa.thread_pool_max", "64");
+    properties.setProperty("jacorb.poa.queue_max", "1000");
+    return properties;
+  }
+
+  private static Properties common(OutboundAllowList outbound) {
+    Properties properties = new Properties();
+    properties.setProperty("org.omg.CORBA.ORBClass", org.jacorb.orb.ORB.class.getName());
+    properties.setProperty(
+        "org.omg.CORBA.ORBSingletonClass", org.jacorb.orb.ORBSingleton.class.getName());
+    properties.setProperty("jacorb.orb.print_version", "off");
+    properties.setProperty("jacorb.log.default.verbosity", "2");
+    // Otherwise it follows the JVM's default encoding.
+    properties.setProperty("jacorb.native_char_codeset", "utf8");
+    // Callbacks come over the client's own connection.
+    properties.setProperty(
+        "org.omg.PortableInterceptor.ORBInitializerClass.bidir_init",
+        BiDirConnectionInitializer.class.getName());
+    // The in-process short cut breaks callbacks between two ORBs of one JVM.
+    properties.setProperty("jacorb.iiop.enable_loopback", "off");
+    properties.setProperty("jacorb.retries", "0");
+    // A full queue makes the sender wait; it never drops a call.
+    properties.setProperty("jacorb.poa.queue_wait", "on");
+    properties.setProperty("jacorb.connection.client.connect_timeout", CONNECT_TIMEOUT_MILLIS);
+    properties.setProperty("jacorb.connection.request.write_timeout", WRITE_TIMEOUT_MILLIS);
+    properties.setProperty("jacorb.connection.reply.write_timeout", WRITE_TIMEOUT_MILLIS);
+    properties.setProperty("jacorb.buffermanager.factory", LimitedBuffers.class.getName());
+    properties.setProperty("jacorb.net.socket_factory", OutboundSocketFactory.class.getName());
+    properties.setProperty(OutboundSocketFactory.LIST_PROPERTY, outbound.id());
+    return properties;
+  }
+
+  private static String privateLoopbackAddress() {
+    ThreadLocalRandom random = ThreadLocalRandom.current();
+    String address =
+        "127."
+            + random.nextInt(1, 255)
+            + "."
+            + random.nextInt(1, 255)
+            + "."
+            + random.nextInt(1, 255);
+    try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getByName(address))) {
+      return probe.getInetAddress().getHostAddress();
+    } catch (IOException e) {
+      // Not every system has all of 127.0.0.0/8; there a free port alone tells clients apart.
+      return "127.0.0.1";
+    }
+  }
+}

@@ -1,0 +1,22 @@
+package org.mechservice.orb;
+
+/** The objects of a server that are found by name instead of by reference. */
+public enum ServiceKey {
+  /** Where clients connect. */
+  SERVER("MechServer"),
+  /** Where hosts register. */
+  REGISTRY("HostRegistry"),
+  /** What administrators ask. */
+  ADMIN("MechAdmin");
+
+  private final String key;
+
+  ServiceKey(String key) {
+    this.key = key;
+  }
+
+  /** Returns the object key, the last part of a corbaloc URL. */
+  public String key() {
+    return key;
+  }
+}

@@ -1,0 +1,249 @@
+package org.mechservice.orb;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.UnknownHostException;
+import java.util.Map;
+import java.util.Properties;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.mechservice.idl.HostRegistry;
+import org.mechservice.idl.HostRegistryHelper;
+import org.mechservice.idl.IMechClient;
+import org.mechservice.idl.IMechClientHelper;
+import org.mechservice.idl.IMechClientOperations;
+import org.mechservice.idl.IMechClientPOATie;
+import org.mechservice.idl.MechAdmin;
+import org.mechservice.idl.MechAdminHelper;
+import org.mechservice.idl.MechServer;
+import org.omg.CORBA.INITIALIZE;
+import org.omg.CORBA.ORB;
+import org.omg.CORBA.UserException;
+import org.omg.PortableServer.Servant;
+
+/**
+ * An ORB set up safely for one of three roles.
+ *
+ * <ul>
+ *   <li>A <b>client</b> connects to servers and serves callbacks over its own connections:
+ *       <pre>{@code
+ * try (ServiceOrb orb = ServiceOrb.client()) {
+ *   MechServer server = orb.connect("127.0.0.1:15000");
+ *   IMechClient callbacks = orb.export(myCallbacks);
+ *   MechSim session = server.createSession("me", "", callbacks);
+ * }
+ * }</pre>
+ *   <li>A <b>server</b> listens on one address and publishes the objects of {@link ServiceKey}.
+ *   <li>A <b>host</b> listens on one address and registers at a server.
+ * </ul>
+ *
+ * Servers and hosts connect to nobody but the addresses in {@link #outbound()}. Thread-safe; no
+ * thread is left after {@link #close()}.
+ */
+public final class ServiceOrb implements AutoCloseable {
+  private final ORB orb;
+  private final ObjectAdapters adapters;
+  private final OutboundAllowList outbound;
+  private final AtomicBoolean closed = new AtomicBoolean();
+
+  private ServiceOrb(Properties properties, boolean orderedCalls, OutboundAllowList outbound)
+      throws UserException {
+    this.outbound = outbound;
+    orb = ORB.init(new String[0], properties);
+    boolean opened = false;
+    try {
+      adapters = new ObjectAdapters(orb, orderedCalls);
+      opened = true;
+    } finally {
+      if (!opened) {
+        orb.destroy();
+      }
+    }
+  }
+
+  /** Starts an ORB for a client. Its callbacks are called one at a time, in order. */
+  public static ServiceOrb client() {
+    OutboundAllowList outbound = OutboundAllowList.ofEverything();
+    try {
+      return new ServiceOrb(OrbProperties.client(outbound), true, outbound);
+    } catch (UserException e) {
+      throw new IllegalStateException("the ORB does not start", e);
+    }
+  }
+
+  /**
+   * Starts an ORB for a server.
+   *
+   * @throws PortInUseException if the address is taken or not this machine's
+   */
+  public static ServiceOrb server(ListenAddress address) {
+    OutboundAllowList outbound = OutboundAllowList.ofNothing();
+    return listening(address, OrbProperties.server(address, outbound), outbound);
+  }
+
+  /**
+   * Starts an ORB for a host.
+   *
+   * @throws PortInUseException if the address is taken or not this machine's
+   */
+  public static ServiceOrb host(ListenAddress address) {
+    OutboundAllowList outbound = OutboundAllowList.ofNothing();
+    return listening(address, OrbProperties.host(address, outbound), outbound);
+  }
+
+  private static ServiceOrb listening(
+      ListenAddress address, Properties properties, OutboundAllowList outbound) {
+    requireFree(address);
+    try {
+      return new ServiceOrb(properties, false, outbound);
+    } catch (INITIALIZE e) {
+      throw new PortInUseException(address.toString(), e);
+    } catch (UserException e) {
+      throw new IllegalStateException("the ORB does not start", e);
+    }
+  }
+
+  // The ORB's own message says neither the address nor what is wrong with it.
+  private static void requireFree(ListenAddress address) {
+    try (ServerSocket probe =
+        new ServerSocket(address.port(), 1, InetAddress.getByName(address.host()))) {
+      probe.getLocalPort();
+    } catch (IOException e) {
+      throw new PortInUseException(address.toString(), e);
+    }
+  }
+
+  /**
+   * Connects to a server and makes sure that it is one.
+   *
+   * @param url {@code host:port}, {@code corbaloc:iiop:1.2@host:port/MechServer}, {@code IOR:...}
+   *     or the name of a file that holds an IOR; without a port, 15000 is meant
+   * @throws ServiceUnreachableException if nobody answers there within seconds (S-002) or something
+   *     that is not a MechService of this API version (S-005)
+   * @throws IllegalArgumentException with code S-006 if the URL is none
+   */
+  public MechServer connect(String url) {
+    return located(url).connect();
+  }
+
+  /**
+   * Connects to the administration of a server.
+   *
+   * @throws ServiceUnreachableException as {@link #connect}
+   */
+  public MechAdmin connectAdmin(String url) {
+    return MechAdminHelper.unchecked_narrow(located(url).object(ServiceKey.ADMIN));
+  }
+
+  /**
+   * Connects to the host registry of a server. A host's own address list is widened by the server's
+   * address.
+   *
+   * @throws ServiceUnreachableException as {@link #connect}
+   */
+  public HostRegistry connectRegistry(String url) {
+    return HostRegistryHelper.unchecked_narrow(located(url).object(ServiceKey.REGISTRY));
+  }
+
+  private ServerLocation located(String url) {
+    ServerLocation location = ServerLocation.of(orb, url);
+    try {
+      outbound.allow(location.endpoint().host(), location.endpoint().port());
+    } catch (UnknownHostException e) {
+      throw new ServiceUnreachableException(
+          "S-002 no server at " + location + ": no such host; check the name", e);
+    }
+    location.requireService();
+    return location;
+  }
+
+  /**
+   * Makes callbacks callable by the servers that get the reference.
+   *
+   * @param callbacks called one at a time; must not call the server back from within a callback
+   */
+  public IMechClient export(IMechClientOperations callbacks) {
+    return IMechClientHelper.unchecked_narrow(
+        activate(new IMechClientPOATie(callbacks)).reference());
+  }
+
+  /** Ends callbacks: calls to them fail from now on. */
+  public void withdraw(IMechClient callbacks) {
+    try {
+      adapters.deactivate(callbacks);
+    } catch (UserException e) {
+      throw new IllegalArgumentException("not exported by this ORB", e);
+    }
+  }
+
+  /**
+   * Makes a servant callable under a random, unguessable id: whoever has the reference may call it.
+   */
+  public ActiveObject activate(Servant servant) {
+    try {
+      return adapters.activate(servant);
+    } catch (UserException e) {
+      throw new IllegalStateException("the object cannot be made callable", e);
+    }
+  }
+
+  /** Publishes the named objects of a server, all at once. */
+  public void publish(Map<ServiceKey, Servant> servants) {
+    try {
+      adapters.publish(servants);
+    } catch (UserException e) {
+      throw new IllegalStateException("the objects cannot be published", e);
+    }
+  }
+
+  /** Returns the addresses this ORB may connect to. */
+  public OutboundAllowList outbound() {
+    return outbound;
+  }
+
+  /** Returns where this ORB listens. */
+  public Endpoint endpoint() {
+    try {
+      return adapters.endpoint();
+    } catch (UserException e) {
+      throw new IllegalStateException("the address cannot be read", e);
+    }
+  }
+
+  /**
+   * Returns where the object behind a reference is said to be.
+   *
+   * @throws IllegalArgumentException with code S-006 if the reference names no address
+   */
+  public Endpoint endpointOf(org.omg.CORBA.Object reference) {
+    return Endpoint.of(orb, orb.object_to_string(reference));
+  }
+
+  /** Returns a reference as text that any ORB can read, {@code IOR:...}. */
+  public String toIor(org.omg.CORBA.Object reference) {
+    return orb.object_to_string(reference);
+  }
+
+  /** Returns the reference that {@link #toIor} of any ORB wrote; nothing is asked for yet. */
+  public org.omg.CORBA.Object fromIor(String ior) {
+    return orb.string_to_object(ior);
+  }
+
+  /** Returns the URL of a published object. */
+  public String url(ServiceKey key) {
+    return ServiceUrl.corbaloc(endpoint(), key);
+  }
+
+  /**
+   * Ends the ORB: calls in progress are answered, connections and the port are closed. Idempotent;
+   * must not be called from within a servant.
+   */
+  @Override
+  public void close() {
+    if (closed.compareAndSet(false, true)) {
+      orb.shutdown(true);
+      orb.destroy();
+      outbound.forget();
+    }
+  }
+}

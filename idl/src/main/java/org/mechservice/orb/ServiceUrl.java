@@ -1,0 +1,132 @@
+package org.mechservice.orb;
+
+import java.io.IOException;
+import java.net.URI;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where a server is, as a user writes it: {@code host:port}, {@code host}, {@code
+ * corbaloc:iiop:1.2@host:port/MechServer}, {@code IOR:...}, or the name of a file that holds one of
+ * these.
+ */
+final class ServiceUrl {
+  /** The port of a server that names none. */
+  static final int DEFAULT_PORT = 15000;
+
+  private static final Pattern CORBALOC =
+      Pattern.compile(
+          "corbaloc:(?:iiop)?:(?:1\\.[012]@)?(\\[[0-9a-fA-F:]+]|[^:/@\\[\\]]+)(?::(\\d+))?(?:/.*)?");
+  private static final Pattern SHORT =
+      Pattern.compile("(\\[[0-9a-fA-F:]+]|[A-Za-z0-9._-]+)(?::(\\d{1,5}))?");
+  private static final int LONGEST_IOR_FILE = 65536;
+
+  private final String written;
+  private final String stringified;
+  private final String host;
+  private final int port;
+
+  private ServiceUrl(String written, String stringified, String host, int port) {
+    this.written = written;
+    this.stringified = stringified;
+    this.host = host;
+    this.port = port;
+  }
+
+  /**
+   * Reads a URL.
+   *
+   * @throws IllegalArgumentException with code S-006 if it is none of the known forms
+   */
+  static ServiceUrl parse(String written) {
+    String text = written.strip();
+    Matcher corbaloc = CORBALOC.matcher(text);
+    if (corbaloc.matches()) {
+      return at(written, corbaloc);
+    }
+    if (text.startsWith("IOR:")) {
+      return new ServiceUrl(written, text, "", 0);
+    }
+    String inFile = contentOfFile(text);
+    if (!inFile.isEmpty()) {
+      return parse(inFile);
+    }
+    Matcher shorthand = SHORT.matcher(text);
+    if (shorthand.matches()) {
+      return at(written, shorthand);
+    }
+    throw notAUrl(written, null);
+  }
+
+  private static ServiceUrl at(String written, Matcher address) {
+    try {
+      int port = address.group(2) == null ? DEFAULT_PORT : Integer.parseInt(address.group(2));
+      if (port < 1 || port > 65535) {
+        throw notAUrl(written, null);
+      }
+      return new ServiceUrl(written, "", address.group(1), port);
+    } catch (NumberFormatException e) {
+      throw notAUrl(written, e);
+    }
+  }
+
+  private static String contentOfFile(String text) {
+    try {
+      Path file = text.startsWith("file:") ? Path.of(URI.create(text)) : Path.of(text);
+      if (!Files.isRegularFile(file) || Files.size(file) > LONGEST_IOR_FILE) {
+        return "";
+      }
+      String content = Files.readString(file, StandardCharsets.US_ASCII).strip();
+      return content.startsWith("IOR:") || content.startsWith("corbaloc:") ? content : "";
+    } catch (InvalidPathException | IOException e) {
+      return "";
+    } catch (IllegalArgumentException e) {
+      throw notAUrl(text, e);
+    }
+  }
+
+  private static IllegalArgumentException notAUrl(String written, @Nullable Throwable cause) {
+    return new IllegalArgumentException(
+        "S-006 \""
+            + written
+            + "\" is not the address of a server; write HOST:PORT,"
+            + " corbaloc:iiop:1.2@HOST:PORT/MechServer, or the name of an IOR file",
+        cause);
+  }
+
+  /** Returns the URL of one of the server's objects at an endpoint. */
+  static String corbaloc(Endpoint endpoint, ServiceKey key) {
+    return "corbaloc:iiop:1.2@" + endpoint + "/" + key.key();
+  }
+
+  /** Returns whether this is a stringified reference, whose address only an ORB can read. */
+  boolean isReference() {
+    return !stringified.isEmpty();
+  }
+
+  /** Returns the stringified reference; empty if this is an address. */
+  String reference() {
+    return stringified;
+  }
+
+  /** Returns the host; empty if this is a stringified reference. */
+  String host() {
+    return host;
+  }
+
+  /** Returns the port; 0 if this is a stringified reference. */
+  int port() {
+    return port;
+  }
+
+  /** Returns the URL as messages show it. */
+  @Override
+  public String toString() {
+    return isReference() ? written : host + ":" + port;
+  }
+}

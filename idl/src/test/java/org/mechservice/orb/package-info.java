@@ -1,0 +1,4 @@
+@NullMarked
+package org.mechservice.orb;
+
+import org.jspecify.annotations.NullMarked;
