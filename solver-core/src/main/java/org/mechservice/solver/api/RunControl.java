@@ -35,11 +35,18 @@ public final class RunControl {
     notifyAll();
   }
 
+  // A run that may go on is no longer held, even before its thread has woken up: who asks for a
+  // step and waits until the run is held again must not be answered by the hold before the step.
+  private void letGo() {
+    held = held && mustHold();
+    notifyAll();
+  }
+
   /** Lets the run go on to its end. */
   public synchronized void resume() {
     stepsAllowed = Long.MAX_VALUE;
     holdAt = Double.POSITIVE_INFINITY;
-    notifyAll();
+    letGo();
   }
 
   /**
@@ -50,14 +57,14 @@ public final class RunControl {
   public synchronized void resumeTo(double until) {
     stepsAllowed = Long.MAX_VALUE;
     holdAt = until;
-    notifyAll();
+    letGo();
   }
 
   /** Lets the run take one accepted step, then holds it. */
   public synchronized void step() {
     holdAt = Double.POSITIVE_INFINITY;
     stepsAllowed = steps + 1;
-    notifyAll();
+    letGo();
   }
 
   /** Returns whether the run is waiting for {@link #resume}, {@link #resumeTo} or {@link #step}. */

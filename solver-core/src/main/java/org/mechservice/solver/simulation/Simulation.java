@@ -2,6 +2,8 @@ package org.mechservice.solver.simulation;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Set;
+import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Outcome;
@@ -11,6 +13,7 @@ import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.integration.IntegrationStatistics;
 import org.mechservice.solver.integration.Integrator;
 import org.mechservice.solver.integration.IntegratorFactory;
@@ -28,6 +31,16 @@ public final class Simulation implements Solver {
    */
   public Simulation(IntegratorFactory integrators) {
     this.integrators = integrators;
+  }
+
+  /**
+   * Returns the columns a run puts out, in order; the first is time.
+   *
+   * @param groups column groups wanted besides time and the joints' states
+   * @throws IllegalArgumentException if the model was built without one of the groups
+   */
+  public static List<Variable> columns(ExplicitModel model, Set<ColumnGroup> groups) {
+    return new RowLayout(model, groups).columns();
   }
 
   @Override

@@ -1,0 +1,46 @@
+package org.mechservice.solver.api;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import org.junit.jupiter.api.Test;
+
+class RunControlTest {
+  private static final long PATIENCE_MILLIS = 60_000;
+
+  @Test
+  void oneStepAskedForIsOneStepTakenWhenTheRunIsHeldAgain() throws InterruptedException {
+    RunControl control = new RunControl();
+    control.step();
+    ExecutorService solver = Executors.newSingleThreadExecutor();
+    solver.execute(() -> stepUntilStopped(control));
+    for (int steps = 1; steps <= 1000; steps++) {
+      assertThat(control.awaitHeld(PATIENCE_MILLIS)).isTrue();
+      assertThat(control.steps()).isEqualTo(steps);
+      control.step();
+    }
+    control.stop();
+    solver.shutdown();
+  }
+
+  private static void stepUntilStopped(RunControl control) {
+    for (long steps = 0; control.proceed((double) steps, 1, 1, steps); ) {
+      steps++;
+    }
+  }
+
+  @Test
+  void runHeldBeyondTheTimeItMayGoToStaysHeld() throws InterruptedException {
+    RunControl control = new RunControl();
+    control.resumeTo(5);
+    ExecutorService solver = Executors.newSingleThreadExecutor();
+    solver.execute(() -> stepUntilStopped(control));
+    assertThat(control.awaitHeld(PATIENCE_MILLIS)).isTrue();
+    control.resumeTo(3);
+    assertThat(control.held()).isTrue();
+    assertThat(control.time()).isEqualTo(5);
+    control.stop();
+    solver.shutdown();
+  }
+}
