@@ -33,7 +33,7 @@ std::string described(const ms::Diagnostic& d) {
   if (d.lineNo > 0) {
     place += ":" + std::to_string(d.lineNo) + ":" + std::to_string(d.columnNo);
   }
-  return place + ": " + d.code.in() + " " + d.text.in();
+  return (place.empty() ? place : place + ": ") + d.code.in() + " " + d.text.in();
 }
 
 bool isEnd(ms::SimState state) {
@@ -88,6 +88,26 @@ class Watcher : public POA_mechservice::IMechClient {
   int statusCount_ = 0;
   int progressCount_ = 0;
   int messageCount_ = 0;
+};
+
+// Ends a lease at the end of a scope, however the scope is left.
+class Held {
+ public:
+  explicit Held(ms::Leased_ptr leased) : leased_(ms::Leased::_duplicate(leased)) {}
+
+  ~Held() {
+    try {
+      leased_->destroy();
+    } catch (const CORBA::Exception&) {
+      // The server is gone, or ends the lease by itself in a moment.
+    }
+  }
+
+  Held(const Held&) = delete;
+  Held& operator=(const Held&) = delete;
+
+ private:
+  ms::Leased_var leased_;
 };
 
 CORBA::ORB_ptr startOrb(int& argc, char** argv) {
@@ -172,6 +192,7 @@ void writeRows(std::ofstream& out, const ms::ResultBlock& block) {
 // Pulls results until the run has ended and its last row is here; returns how many rows there were.
 long pullResults(ms::MechSim_ptr session, ms::IMechSimRemote_ptr simulation, std::ofstream& out) {
   ms::ResultCursor_var cursor = simulation->openResults(ms::StringSeq());
+  Held cursorLease(cursor);
   ms::ChannelSeq_var channels = cursor->channels();
   writeHeader(out, channels);
   long rows = 0;
@@ -188,7 +209,6 @@ long pullResults(ms::MechSim_ptr session, ms::IMechSimRemote_ptr simulation, std
       renewed = Clock::now();
     }
   }
-  cursor->destroy();
   return rows;
 }
 
@@ -208,8 +228,10 @@ int simulate(CORBA::ORB_ptr orb, int argc, char** argv) {
     return 3;
   }
   ms::MechSim_var session = server->createSession("cpp-client", "", callback);
+  Held sessionLease(session);
   session->loadModel(model, ms::ModelFileSeq());
   ms::IMechSimRemote_var simulation = session->createSimulation(options, callback);
+  Held simulationLease(simulation);
   std::ofstream out(argv[3], std::ios::binary);
   if (!out) {
     throw std::invalid_argument(std::string(argv[3]) + ": cannot be written");
@@ -229,8 +251,6 @@ int simulate(CORBA::ORB_ptr orb, int argc, char** argv) {
   CORBA::String_var report = simulation->report();
   std::cout << report << '\n' << "rows: " << rows << '\n';
   watcher->printCounts();
-  simulation->destroy();
-  session->destroy();
   return status;
 }
 
