@@ -34,7 +34,7 @@ final class Terminal {
 
   private static String[] mechCommand(String... arguments) {
     List<String> command = new ArrayList<>();
-    command.add(WorkingTree.TOP.resolve("mech").toString());
+    command.add(WorkingTree.MECH.toString());
     command.addAll(Arrays.asList(arguments));
     return command.toArray(String[]::new);
   }
