@@ -1,0 +1,43 @@
+package org.mechservice.examples;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What the pages tell a user to type works when typed. */
+class DocumentedCommandsIT {
+  private static final String TEST_COMMAND = "mvn verify";
+
+  @TempDir Path directory;
+
+  @ParameterizedTest
+  @ValueSource(strings = {"README.md", "examples/pendulum/README.md"})
+  void everyCommandOfThePageWorks(String page) throws IOException {
+    WorkingTree.mirrorIn(directory);
+    Terminal terminal = new Terminal(directory);
+    List<String> commands = Documentation.commandsOf(WorkingTree.TOP.resolve(page));
+
+    assertThat(commands).isNotEmpty();
+    for (String command : commands) {
+      // This test is part of the test command.
+      if (!command.equals(TEST_COMMAND)) {
+        terminal.shell(command).orFail();
+      }
+    }
+  }
+
+  @Test
+  void readmeAndContinuousIntegrationTestTheSameWay() throws IOException {
+    assertThat(Documentation.commandsOf(WorkingTree.TOP.resolve("README.md")))
+        .contains(TEST_COMMAND);
+    assertThat(Files.readAllLines(WorkingTree.TOP.resolve(".ci/run")))
+        .anyMatch(line -> line.strip().startsWith(TEST_COMMAND));
+  }
+}
