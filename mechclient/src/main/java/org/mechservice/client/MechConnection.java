@@ -141,7 +141,9 @@ public final class MechConnection implements AutoCloseable {
     return orb.export(new ListenerServant(listener));
   }
 
-  /** Ends the connection. Sessions left open are given up by the server when their lease is over. */
+  /**
+   * Ends the connection. Sessions left open are given up by the server when their lease is over.
+   */
   @Override
   public void close() {
     leases.close();

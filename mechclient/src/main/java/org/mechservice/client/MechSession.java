@@ -117,8 +117,7 @@ public final class MechSession implements AutoCloseable {
    */
   public GeneratedSource generatedSource(SimulationOptions options) {
     ModelFile source = calls.get(() -> session.generatedSource(options.toNameValues()));
-    return new GeneratedSource(
-        source.fileName, new String(source.content, StandardCharsets.UTF_8));
+    return new GeneratedSource(source.fileName, new String(source.content, StandardCharsets.UTF_8));
   }
 
   /**

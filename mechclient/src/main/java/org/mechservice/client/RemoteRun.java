@@ -103,7 +103,8 @@ public final class RemoteRun implements PreparedRun {
    * @throws InvalidStateException if it has not ended
    */
   public RunResult result() {
-    Map<String, Object> report = new LinkedHashMap<>(ReportJson.parse(calls.get(simulation::report)));
+    Map<String, Object> report =
+        new LinkedHashMap<>(ReportJson.parse(calls.get(simulation::report)));
     facts.forEach(report::putIfAbsent);
     return new RunResult(outcome(), report);
   }
@@ -118,13 +119,7 @@ public final class RemoteRun implements PreparedRun {
 
   private static Failure failure(FailureRecord said) {
     return new Failure(
-        said.code,
-        said.text,
-        said.simTime,
-        said.stepSize,
-        said.stepOrder,
-        said.part,
-        said.advice);
+        said.code, said.text, said.simTime, said.stepSize, said.stepOrder, said.part, said.advice);
   }
 
   /** Holds the run after its current step. */

@@ -14,11 +14,7 @@ import org.mechservice.idl.ServerInfo;
  * @param capabilities formulations, integrators and formats it offers
  */
 public record ServiceDescription(
-    String name,
-    String apiVersion,
-    String version,
-    Instant startedAt,
-    List<String> capabilities) {
+    String name, String apiVersion, String version, Instant startedAt, List<String> capabilities) {
   public ServiceDescription {
     capabilities = List.copyOf(capabilities);
   }

@@ -3,6 +3,7 @@ package org.mechservice.client;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -117,17 +118,34 @@ class ClientContractTest {
   }
 
   @Test
-  void serverThatDiesInTheMiddleIsReportedWithItsAddressAndTheRowsSoFarAreKept() {
-    server.dieAtRow = 10;
+  void serverThatDiesInTheMiddleIsReportedWithItsAddressAndTheRowsSoFarAreKept()
+      throws IOException {
+    Process process = startScriptedServer();
     Rows rows = new Rows();
-    RemoteRun run = session.prepareRemoteRun(SimulationOptions.asInFile());
-    assertThatThrownBy(() -> run.toEnd(rows))
-        .isInstanceOfSatisfying(
-            ServerLostException.class,
-            lost -> assertThat(lost.address()).isEqualTo(server.address()))
-        .hasMessageStartingWith("S-031")
-        .hasMessageContaining(server.address());
+    try (BufferedReader said = process.inputReader()) {
+      String address = said.readLine();
+      try (MechConnection doomed = MechConnection.open(address, new JarCache(cacheFolder))) {
+        MechSession last = doomed.openSession();
+        last.loadModel("square.xml", MODEL);
+        RemoteRun run = last.prepareRemoteRun(SimulationOptions.asInFile());
+        assertThatThrownBy(() -> run.toEnd(rows))
+            .isInstanceOf(ServerLostException.class)
+            .hasMessage("S-031 the connection to the server at " + address + " is lost");
+      }
+    } finally {
+      process.destroyForcibly();
+    }
     assertThat(rows.rows).hasSize(10);
+  }
+
+  private static Process startScriptedServer() throws IOException {
+    return new ProcessBuilder(
+            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "-cp",
+            System.getProperty("java.class.path"),
+            ScriptedServer.class.getName())
+        .redirectError(ProcessBuilder.Redirect.DISCARD)
+        .start();
   }
 
   @Test
@@ -166,8 +184,7 @@ class ClientContractTest {
 
   @Test
   void reportHasTheServersEntriesAndTheTimesTheClientSaw() throws IOException {
-    RunResult result =
-        session.prepareRemoteRun(SimulationOptions.asInFile()).toEnd(new Rows());
+    RunResult result = session.prepareRemoteRun(SimulationOptions.asInFile()).toEnd(new Rows());
     assertThat(result.report())
         .containsEntry("scene", "square")
         .containsEntry("steps", 7L)
@@ -190,8 +207,7 @@ class ClientContractTest {
   @Test
   void failureOfTheRunIsAnOutcome() throws IOException {
     server.endsAs = SimState.SIM_FAILED;
-    RunResult result =
-        session.prepareRemoteRun(SimulationOptions.asInFile()).toEnd(new Rows());
+    RunResult result = session.prepareRemoteRun(SimulationOptions.asInFile()).toEnd(new Rows());
     assertThat(result.outcome())
         .isInstanceOfSatisfying(
             Outcome.Failed.class,
@@ -271,7 +287,12 @@ class ClientContractTest {
 
   private static Path onlyFileOf(Path folder) throws IOException {
     try (Stream<Path> files = Files.list(folder)) {
-      return files.reduce((one, other) -> { throw new AssertionError("two files"); }).orElseThrow();
+      return files
+          .reduce(
+              (one, other) -> {
+                throw new AssertionError("two files");
+              })
+          .orElseThrow();
     }
   }
 

@@ -1,10 +1,10 @@
 package org.mechservice.client;
 
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.Properties;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.List;
 import org.mechservice.idl.Channel;
 import org.mechservice.idl.Diagnostic;
 import org.mechservice.idl.IMechClient;
@@ -53,6 +53,7 @@ import org.omg.PortableServer.Servant;
  * A MechServer over real CORBA whose answers are written down: a run of {@value #ROWS} rows of two
  * columns, {@code t} and {@code j.q} = t². It speaks the contract and computes nothing.
  */
+@SuppressWarnings({"UnusedMethod", "UnusedVariable"}) // operations are called by name
 final class ScriptedServer implements AutoCloseable {
   static final int ROWS = 25;
   static final int LEASE_SECONDS = 1;
@@ -63,7 +64,6 @@ final class ScriptedServer implements AutoCloseable {
   /** What the script may be told to do differently. */
   volatile String apiVersion = "1.0";
 
-  volatile int dieAtRow = Integer.MAX_VALUE;
   volatile SimState endsAs = SimState.SIM_DONE;
   volatile TestJars jars = TestJars.make();
   volatile byte[] sentRuntime = jars.runtime();
@@ -71,8 +71,15 @@ final class ScriptedServer implements AutoCloseable {
   private final ORB orb;
   private final POA poa;
   private final String address;
+  private final int diesAtRow;
+  private final AtomicInteger objects = new AtomicInteger();
 
   ScriptedServer() {
+    this(Integer.MAX_VALUE);
+  }
+
+  private ScriptedServer(int diesAtRow) {
+    this.diesAtRow = diesAtRow;
     try {
       Properties settings = new Properties();
       settings.setProperty("OAIAddr", "127.0.0.1");
@@ -111,8 +118,7 @@ final class ScriptedServer implements AutoCloseable {
   private static String addressOf(org.omg.CORBA.Object object) {
     var delegate =
         (org.jacorb.orb.Delegate) ((org.omg.CORBA.portable.ObjectImpl) object)._get_delegate();
-    var profile =
-        (org.jacorb.orb.iiop.IIOPProfile) delegate.getParsedIOR().getEffectiveProfile();
+    var profile = (org.jacorb.orb.iiop.IIOPProfile) delegate.getParsedIOR().getEffectiveProfile();
     return "127.0.0.1:" + ((org.jacorb.orb.iiop.IIOPAddress) profile.getAddress()).getPort();
   }
 
@@ -133,8 +139,12 @@ final class ScriptedServer implements AutoCloseable {
     return address;
   }
 
-  void die() {
-    orb.shutdown(false);
+  /** Serves in a process of its own, prints its address, and halts when row 10 is asked for. */
+  @SuppressWarnings("SystemOut") // how the test learns the address
+  public static void main(String[] arguments) {
+    ScriptedServer server = new ScriptedServer(10);
+    System.out.println(server.address());
+    server.orb.run();
   }
 
   @Override
@@ -144,40 +154,38 @@ final class ScriptedServer implements AutoCloseable {
   }
 
   private final class Server {
-    public ServerInfo getInfo() {
+    ServerInfo getInfo() {
       return new ServerInfo("scripted", apiVersion, "0.0", 0, new String[0]);
     }
 
-    public MechSim createSession(String clientName, String hostName, IMechClient client)
+    MechSim createSession(String clientName, String hostName, IMechClient client)
         throws UserException {
       happened.add("createSession " + hostName);
       return MechSimHelper.narrow(
-          serve(
-              "session",
-              new MechSimPOATie(Script.play(MechSimOperations.class, new Session()))));
+          serve("session", new MechSimPOATie(Script.play(MechSimOperations.class, new Session()))));
     }
   }
 
   private final class Session {
-    public String sessionId() {
+    String sessionId() {
       return "session";
     }
 
-    public String hostName() {
+    String hostName() {
       return "here";
     }
 
-    public int renewLease() {
+    int renewLease() {
       happened.add("renew session");
       return LEASE_SECONDS;
     }
 
-    public void destroy() {
+    void destroy() {
       happened.add("destroy session");
       forget("session");
     }
 
-    public Diagnostic[] loadModel(ModelFile model, ModelFile[] userFiles) throws InvalidModel {
+    Diagnostic[] loadModel(ModelFile model, ModelFile[] userFiles) throws InvalidModel {
       Diagnostic said =
           new Diagnostic(
               Severity.SEV_ERROR, "M-014", "no such joint", model.fileName, "MechML", 3, 5);
@@ -188,30 +196,25 @@ final class ScriptedServer implements AutoCloseable {
       return new Diagnostic[] {said};
     }
 
-    public ModelInfo getModelInfo() {
+    ModelInfo getModelInfo() {
       return new ModelInfo(
           "square", "abc", new NameValue[0], "DTR", "a tree", new Channel[0], new Diagnostic[0]);
     }
 
-    public NameValue[] timings() {
+    NameValue[] timings() {
       return new NameValue[] {
         new NameValue("t1s", "0.001"), new NameValue("t2s", "0"), new NameValue("tcc", "0")
       };
     }
 
-    public IMechSimRemote createSimulation(NameValue[] options, IMechClient client)
-        throws UserException {
+    IMechSimRemote createSimulation(NameValue[] options, IMechClient client) throws UserException {
       for (NameValue option : options) {
         happened.add(option.key + "=" + option.text);
       }
-      return IMechSimRemoteHelper.narrow(
-          serve(
-              "run",
-              new IMechSimRemotePOATie(
-                  Script.play(IMechSimRemoteOperations.class, new Run(client)))));
+      return new Run(client).reference();
     }
 
-    public byte[] compileToJar(NameValue[] options, JarInfoHolder info) {
+    byte[] compileToJar(NameValue[] options, JarInfoHolder info) {
       info.value =
           new JarInfo(
               "square.jar",
@@ -225,86 +228,99 @@ final class ScriptedServer implements AutoCloseable {
       return jars.model();
     }
 
-    public byte[] fetchRuntime(String sha256) {
+    byte[] fetchRuntime(String sha256) {
       runtimeFetches.incrementAndGet();
       return sentRuntime;
     }
   }
 
   private final class Run {
+    private final String id = "run" + objects.incrementAndGet();
     private final IMechClient client;
 
     Run(IMechClient client) {
       this.client = client;
     }
 
-    public int renewLease() {
+    IMechSimRemote reference() throws UserException {
+      IMechSimRemoteOperations answers = Script.play(IMechSimRemoteOperations.class, this);
+      return IMechSimRemoteHelper.narrow(serve(id, new IMechSimRemotePOATie(answers)));
+    }
+
+    int renewLease() {
       return LEASE_SECONDS;
     }
 
-    public void destroy() {
+    void destroy() {
       happened.add("destroy run");
-      forget("run");
+      forget(id);
     }
 
-    public void start() {
+    void start() {
       happened.add("start");
       if (client != null) {
         client.onProgress(getProgress());
         client.onStatus("run", SimState.SIM_RUNNING, "off we go");
         client.onMessages(
             "run",
-            new Diagnostic[] {
-              new Diagnostic(Severity.SEV_INFO, "N-000", "easy", "", "", 0, 0)
-            });
+            new Diagnostic[] {new Diagnostic(Severity.SEV_INFO, "N-000", "easy", "", "", 0, 0)});
       }
     }
 
-    public void cancel() {
+    void cancel() {
       happened.add("cancel");
       endsAs = SimState.SIM_CANCELLED;
     }
 
-    public Progress getProgress() {
+    Progress getProgress() {
       return new Progress("run", endsAs, 0, 1, 0, 2, 7, 0.1, 3, 1000, ROWS);
     }
 
-    public String report() {
+    String report() {
       return "{\"scene\": \"square\", \"steps\": 7, \"energyDrift\": 1.5e-7, \"t1s\": 0.5}";
     }
 
-    public org.mechservice.idl.FailureRecord failure() {
+    org.mechservice.idl.FailureRecord failure() {
       return new org.mechservice.idl.FailureRecord(
-          "N-001", "too stiff.", 0.5, 1e-9, 3, "joint j", "Try less.",
+          "N-001",
+          "too stiff.",
+          0.5,
+          1e-9,
+          3,
+          "joint j",
+          "Try less.",
           new org.mechservice.idl.StepTried[0]);
     }
 
-    public ResultCursor openResults(String[] names) throws UserException {
-      return ResultCursorHelper.narrow(
-          serve(
-              "cursor",
-              new ResultCursorPOATie(Script.play(ResultCursorOperations.class, new Cursor()))));
+    ResultCursor openResults(String[] names) throws UserException {
+      return new Cursor().reference();
     }
   }
 
   private final class Cursor {
+    private final String id = "cursor" + objects.incrementAndGet();
     private int next;
 
-    public int renewLease() {
+    ResultCursor reference() throws UserException {
+      ResultCursorOperations answers = Script.play(ResultCursorOperations.class, this);
+      return ResultCursorHelper.narrow(serve(id, new ResultCursorPOATie(answers)));
+    }
+
+    int renewLease() {
       return LEASE_SECONDS;
     }
 
-    public void destroy() {
-      forget("cursor");
+    void destroy() {
+      forget(id);
     }
 
-    public Channel[] channels() {
+    Channel[] channels() {
       return new Channel[] {new Channel("t", "s"), new Channel("j.q", "rad")};
     }
 
-    public boolean nextBlock(int maxRows, int waitMillis, ResultBlockHolder block) {
-      if (next >= dieAtRow) {
-        die();
+    boolean nextBlock(int maxRows, int waitMillis, ResultBlockHolder block) {
+      if (next >= diesAtRow) {
+        Runtime.getRuntime().halt(9);
       }
       int first = next;
       next = Math.min(ROWS, first + Math.min(maxRows, 10));

@@ -22,14 +22,10 @@ record TestJars(byte[] model, byte[] runtime) {
 
   static TestJars make(String apiVersion) {
     try {
-      return new TestJars(jar(apiVersion, SquareModel.class), runtime());
+      return new TestJars(jar(apiVersion, SquareModel.class), jar("1", SquareSolver.class));
     } catch (IOException e) {
       throw new IllegalStateException(e);
     }
-  }
-
-  private static byte[] runtime() throws IOException {
-    return jar("1", SquareSolver.class);
   }
 
   private static byte[] jar(String apiVersion, Class<?> type) throws IOException {
