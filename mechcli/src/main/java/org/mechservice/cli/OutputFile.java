@@ -1,0 +1,32 @@
+package org.mechservice.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+
+/** Writes whole files; one that cannot be completed is not seen under its name. */
+final class OutputFile {
+  private OutputFile() {}
+
+  /**
+   * Writes a file, replacing one of that name; makes its folders.
+   *
+   * @throws IOException if it cannot be written
+   */
+  static void write(Path target, byte[] content) throws IOException {
+    Path file = target.toAbsolutePath();
+    Path folder = file.getParent();
+    if (folder == null || Files.isDirectory(file)) {
+      throw new UsageException("S-046 " + target + " is a folder; name a file");
+    }
+    Files.createDirectories(folder);
+    Path growing = Files.createTempFile(folder, "." + file.getFileName() + "-", ".part");
+    try {
+      Files.write(growing, content);
+      Files.move(growing, file, StandardCopyOption.REPLACE_EXISTING);
+    } finally {
+      Files.deleteIfExists(growing);
+    }
+  }
+}
