@@ -71,7 +71,7 @@ public final class ServerWatch implements AutoCloseable {
       MechAdmin admin = orb.connectAdmin(address);
       return new ServerReading.Answering(
           address, admin.getStatus(), Arrays.asList(admin.listHosts()), notEnded(admin));
-    } catch (ServiceUnreachableException e) {
+    } catch (ServiceUnreachableException | IllegalArgumentException e) {
       return new ServerReading.Silent(address, String.valueOf(e.getMessage()));
     } catch (NotAuthorized e) {
       return new ServerReading.Silent(address, e.code + " " + e.text);

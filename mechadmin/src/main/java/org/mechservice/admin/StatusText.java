@@ -41,7 +41,6 @@ public final class StatusText {
             "HOST", "SERVER", "ADDRESS", "STATE", "CORES", "RUNNING", "QUEUED", "CPU", "MEMORY");
     TextTable simulations =
         new TextTable("SIMULATION", "HOST", "MODEL", "OWNER", "STATE", "TIME", "STEPS", "AGE");
-    StringBuilder silent = new StringBuilder();
     for (ServerReading reading : readings) {
       if (reading instanceof ServerReading.Answering answering) {
         addServer(servers, answering);
@@ -49,13 +48,12 @@ public final class StatusText {
         answering.simulations().forEach(simulation -> addSimulation(simulations, simulation));
       } else if (reading instanceof ServerReading.Silent quiet) {
         servers.add("-", quiet.address(), "no answer");
-        silent.append(quiet.why()).append('\n');
       }
     }
     StringBuilder text = new StringBuilder().append(servers);
     append(text, hosts);
     append(text, simulations);
-    return silent.isEmpty() ? text.toString() : text.append('\n').append(silent).toString();
+    return text.toString();
   }
 
   private static void append(StringBuilder text, TextTable table) {

@@ -50,8 +50,6 @@ class StatusTest {
 
             SIMULATION  HOST  MODEL     OWNER  STATE    TIME              STEPS  AGE
             s1          big   pendulum  ann    running  1.500 of 3.000 s  42     10 s
-
-            S-032 no answer in time
             """);
   }
 

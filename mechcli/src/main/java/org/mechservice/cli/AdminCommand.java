@@ -45,11 +45,23 @@ final class AdminCommand implements Callable<Integer> {
     List<String> asked = servers.isEmpty() ? List.of("localhost:15000") : servers;
     try (ServerWatch watch = new ServerWatch()) {
       List<ServerReading> readings = watch.read(asked, PATIENCE);
-      String text =
-          json ? StatusJson.write(readings) + "\n" : new StatusText(Instant.now()).format(readings);
-      spec.commandLine().getOut().print(text);
-      boolean allAnswer = readings.stream().allMatch(ServerReading.Answering.class::isInstance);
-      return allAnswer ? ExitStatus.DONE : ExitStatus.SERVER;
+      if (json) {
+        spec.commandLine().getOut().println(StatusJson.write(readings));
+      } else if (readings.stream().anyMatch(ServerReading.Answering.class::isInstance)) {
+        spec.commandLine().getOut().print(new StatusText(Instant.now()).format(readings));
+      }
+      return tellSilent(readings);
     }
+  }
+
+  private int tellSilent(List<ServerReading> readings) {
+    int status = ExitStatus.DONE;
+    for (ServerReading reading : readings) {
+      if (reading instanceof ServerReading.Silent silent) {
+        spec.commandLine().getErr().println(silent.why());
+        status = ExitStatus.SERVER;
+      }
+    }
+    return status;
   }
 }

@@ -3,6 +3,7 @@ package org.mechservice.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
@@ -54,6 +55,7 @@ final class BuildCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
+    OutputFile.requireUsable(target);
     SimulationOptions options = method.addTo(SimulationOptions.asInFile());
     try (Service service = Service.open(server.address());
         MechSession session = service.connection().openSession()) {
@@ -73,14 +75,15 @@ final class BuildCommand implements Callable<Integer> {
     if (!file.startsWith(folder.normalize())) {
       throw new UsageException("S-046 the server names a source file outside the folder: " + file);
     }
+    Files.createDirectories(file.resolveSibling("."));
     OutputFile.write(file, source.text().getBytes(StandardCharsets.UTF_8));
   }
 
   private void tell(BuiltJar jar, long runtimeBytes) {
     PrintWriter out = spec.commandLine().getOut();
-    out.printf(Locale.ROOT, "%-36s%,9d B%n", target, jar.bytes().length);
-    out.printf(Locale.ROOT, "%-36s%,9d B%n", "model classes, compressed", jar.modelClassBytes());
-    out.printf(Locale.ROOT, "%-36s%,9d B%n", "runtime JAR", runtimeBytes);
+    out.printf(Locale.ROOT, "%-36s%9d B%n", target, jar.bytes().length);
+    out.printf(Locale.ROOT, "%-36s%9d B%n", "model classes, compressed", jar.modelClassBytes());
+    out.printf(Locale.ROOT, "%-36s%9d B%n", "runtime JAR", runtimeBytes);
     jar.manifest().forEach((name, value) -> out.println(name + ": " + value));
     if (!standalone) {
       out.println("It runs with the runtime JAR; build with --standalone for java -jar.");

@@ -40,7 +40,7 @@ final class FailureReport {
       String word = unmatched.getUnmatched().get(0);
       List<String> nearest = unmatched.getSuggestions();
       String hint = nearest.isEmpty() ? "" : "; did you mean " + bare(nearest.get(0)) + "?";
-      String kind = word.startsWith("-") ? "option " : "argument ";
+      String kind = word.startsWith("-") ? "option " : "word ";
       return "S-040 unknown " + kind + word + hint + help;
     }
     String text = String.valueOf(wrong.getMessage());
@@ -73,12 +73,13 @@ final class FailureReport {
     } else if (failure instanceof IOException unusable) {
       err.println(fileMessage(unusable));
       return ExitStatus.BAD_INPUT;
-    } else if (failure instanceof PortInUseException) {
-      err.println(coded("S-047", text));
+    } else if (failure instanceof PortInUseException
+        || failure instanceof ServiceUnreachableException) {
+      err.println(text);
       return ExitStatus.SERVER;
-    } else if (failure instanceof ServiceUnreachableException) {
-      err.println(coded("S-030", text));
-      return ExitStatus.SERVER;
+    } else if (failure instanceof IllegalArgumentException && CODED.matcher(text).matches()) {
+      err.println(text);
+      return ExitStatus.BAD_INPUT;
     }
     INCIDENTS.error("internal error", failure);
     err.println(
@@ -93,10 +94,6 @@ final class FailureReport {
     boolean input =
         refusal instanceof InvalidModelException || refusal instanceof InvalidOptionException;
     return input ? ExitStatus.BAD_INPUT : ExitStatus.SERVER;
-  }
-
-  private static String coded(String code, String text) {
-    return CODED.matcher(text).matches() ? text : code + " " + text;
   }
 
   /** File exceptions of Java name the file and, sometimes, a reason. */

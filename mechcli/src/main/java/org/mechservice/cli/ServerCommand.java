@@ -18,12 +18,6 @@ import picocli.CommandLine.Spec;
 final class ServerCommand implements Callable<Integer> {
   private static final int DEFAULT_PORT = 15000;
 
-  @Option(
-      names = "--port",
-      paramLabel = "P",
-      description = "Port to listen on; 0: any free one (default: ${DEFAULT-VALUE}).")
-  private int port = DEFAULT_PORT;
-
   @Mixin private ListenOptions listen = new ListenOptions();
 
   @Option(names = "--name", paramLabel = "N", description = "The server's name.")
@@ -40,9 +34,11 @@ final class ServerCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws InterruptedException {
-    Ports.requireUsable(port);
-    Ports.requireNotNegative(capacity);
-    ServerSettings settings = new ServerSettings(name, listen.address(), port, capacity);
+    if (capacity < 0) {
+      throw new UsageException("S-041 --capacity is " + capacity + "; it must be 0 or more");
+    }
+    ServerSettings settings =
+        new ServerSettings(name, listen.address(), listen.port(DEFAULT_PORT), capacity);
     try (MechServerProcess server = MechServerProcess.start(settings)) {
       spec.commandLine().getOut().println(server.url());
       Serving.untilEnded(server, server::awaitShutdown);

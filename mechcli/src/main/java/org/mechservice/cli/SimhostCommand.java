@@ -16,18 +16,14 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     versionProvider = Mech.Version.class)
 final class SimhostCommand implements Callable<Integer> {
+  private static final int ANY_PORT = 0;
+
   @Option(
       names = "--server",
       required = true,
       paramLabel = "URL",
       description = "Server to register with, as host:port or URL.")
   private String server = "";
-
-  @Option(
-      names = "--port",
-      paramLabel = "P",
-      description = "Port to listen on; 0: any free one (default: ${DEFAULT-VALUE}).")
-  private int port;
 
   @Mixin private ListenOptions listen = new ListenOptions();
 
@@ -47,9 +43,11 @@ final class SimhostCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws InterruptedException {
-    Ports.requireUsable(port);
-    Ports.requirePositive(capacity);
-    HostSettings settings = new HostSettings(server, name, listen.address(), port, capacity);
+    if (capacity < 1) {
+      throw new UsageException("S-041 --capacity is " + capacity + "; it must be 1 or more");
+    }
+    HostSettings settings =
+        new HostSettings(server, name, listen.address(), listen.port(ANY_PORT), capacity);
     try (SimHostProcess host = SimHostProcess.start(settings)) {
       spec.commandLine().getOut().println(host.address());
       Serving.untilEnded(host, host::awaitShutdown);

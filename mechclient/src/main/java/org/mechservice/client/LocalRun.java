@@ -45,7 +45,8 @@ public final class LocalRun implements PreparedRun {
       facts.forEach(report::putIfAbsent);
       return new RunResult(done.outcome(), report);
     } catch (IllegalArgumentException e) {
-      throw new InvalidOptionException("S-039", String.valueOf(e.getMessage()), "");
+      String text = String.valueOf(e.getMessage());
+      throw new InvalidOptionException(ServiceException.codeOf(text, "S-039"), text, "");
     } catch (LinkageError e) {
       throw new JarRefusedException(
           "S-036", "the model JAR does not fit the runtime JAR it came with: " + e);

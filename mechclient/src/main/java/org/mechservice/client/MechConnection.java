@@ -51,6 +51,7 @@ public final class MechConnection implements AutoCloseable {
    * @param address {@code host:port} or a URL such as {@code
    *     corbaloc:iiop:1.2@host:port/MechServer}
    * @throws ServerLostException if nobody answers there, or something else than a MechService
+   * @throws InvalidOptionException if the address is none
    */
   public static MechConnection open(String address) {
     return open(address, JarCache.ofUser());
@@ -62,6 +63,7 @@ public final class MechConnection implements AutoCloseable {
    * @param address {@code host:port} or a URL
    * @param cache keeps fetched JARs
    * @throws ServerLostException if nobody answers there, or something else than a MechService
+   * @throws InvalidOptionException if the address is none
    */
   public static MechConnection open(String address, JarCache cache) {
     ServiceOrb orb = ServiceOrb.client();
@@ -69,10 +71,12 @@ public final class MechConnection implements AutoCloseable {
       return new MechConnection(address, cache, orb);
     } catch (ServiceUnreachableException e) {
       orb.close();
-      ServerLostException lost =
-          new ServerLostException("S-030", String.valueOf(e.getMessage()), address);
-      lost.initCause(e);
-      throw lost;
+      String text = String.valueOf(e.getMessage());
+      throw new ServerLostException(ServiceException.codeOf(text, "S-030"), text, address);
+    } catch (IllegalArgumentException e) {
+      orb.close();
+      String text = String.valueOf(e.getMessage());
+      throw new InvalidOptionException(ServiceException.codeOf(text, "S-030"), text, "server");
     } catch (ServiceException e) {
       orb.close();
       throw e;
