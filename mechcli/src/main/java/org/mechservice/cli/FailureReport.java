@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
-import java.util.List;
 import java.util.regex.Pattern;
 import org.mechservice.client.InvalidModelException;
 import org.mechservice.client.InvalidOptionException;
@@ -14,9 +13,7 @@ import org.mechservice.orb.ServiceUnreachableException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import picocli.CommandLine;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
-import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Turns what went wrong into one message with a code, and into an exit status. */
 final class FailureReport {
@@ -26,35 +23,6 @@ final class FailureReport {
   private static final Pattern CODED = Pattern.compile("(?s).*\\b[MNS]-\\d{3}\\b.*");
 
   private FailureReport() {}
-
-  /** Handles a command line that cannot be understood. */
-  static int badUsage(ParameterException wrong, String[] arguments) {
-    CommandLine command = wrong.getCommandLine();
-    command.getErr().println(usageMessage(wrong, command));
-    return ExitStatus.BAD_INPUT;
-  }
-
-  private static String usageMessage(ParameterException wrong, CommandLine command) {
-    String help = " (mech help" + commandName(command) + " lists what there is)";
-    if (wrong instanceof UnmatchedArgumentException unmatched) {
-      String word = unmatched.getUnmatched().get(0);
-      List<String> nearest = unmatched.getSuggestions();
-      String hint = nearest.isEmpty() ? "" : "; did you mean " + bare(nearest.get(0)) + "?";
-      String kind = word.startsWith("-") ? "option " : "word ";
-      return "S-040 unknown " + kind + word + hint + help;
-    }
-    String text = String.valueOf(wrong.getMessage());
-    return CODED.matcher(text).matches() ? text : "S-041 " + text + help;
-  }
-
-  /** Returns a suggestion without the placeholder of its value. */
-  private static String bare(String suggestion) {
-    return suggestion.split("[= ]", 2)[0];
-  }
-
-  private static String commandName(CommandLine command) {
-    return command.getParent() == null ? "" : " " + command.getCommandName();
-  }
 
   /** Handles whatever a command threw. */
   static int failed(Exception failure, CommandLine command, ParseResult parsed) {

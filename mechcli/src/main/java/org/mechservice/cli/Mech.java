@@ -51,7 +51,7 @@ public final class Mech {
             .setOut(out)
             .setErr(err)
             .setCaseInsensitiveEnumValuesAllowed(true)
-            .setParameterExceptionHandler(FailureReport::badUsage)
+            .setParameterExceptionHandler(UsageReport::badUsage)
             .setExecutionExceptionHandler(FailureReport::failed)
             .execute(arguments.length == 0 ? new String[] {"help"} : arguments);
     out.flush();

@@ -82,6 +82,7 @@ final class SimulateCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     ResultFiles.requireUsableNames(out);
+    SimulationOptions options = options();
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
         Service service = Service.open(server.address());
         MechSession session = service.connection().openSession(host)) {
@@ -90,7 +91,7 @@ final class SimulateCommand implements Callable<Integer> {
         warnings.forEach(warning -> err().println(warning));
       }
       RunNews news = new RunNews();
-      try (PreparedRun run = prepare(session, news);
+      try (PreparedRun run = prepare(session, options, news);
           ResultFiles files = ResultFiles.open(out)) {
         interrupt.cancels(run);
         return simulate(run, news, files);
@@ -98,10 +99,10 @@ final class SimulateCommand implements Callable<Integer> {
     }
   }
 
-  private PreparedRun prepare(MechSession session, RunNews news) {
+  private PreparedRun prepare(MechSession session, SimulationOptions options, RunNews news) {
     return switch (mode) {
-      case REMOTE -> session.prepareRemoteRun(options(), news);
-      case LOCAL -> news.watch(session.prepareLocalRun(options()));
+      case REMOTE -> session.prepareRemoteRun(options, news);
+      case LOCAL -> news.watch(session.prepareLocalRun(options));
     };
   }
 

@@ -1,6 +1,5 @@
 package org.mechservice.client;
 
-import org.mechservice.idl.API_VERSION;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.MechServer;
 import org.mechservice.idl.MechSim;
@@ -42,7 +41,6 @@ public final class MechConnection implements AutoCloseable {
     server = orb.connect(address);
     service = ServiceDescription.of(calls.get(server::getInfo));
     connectSeconds = watch.lap();
-    requireSameContract();
   }
 
   /**
@@ -81,24 +79,6 @@ public final class MechConnection implements AutoCloseable {
       orb.close();
       throw e;
     }
-  }
-
-  private void requireSameContract() {
-    if (!major(service.apiVersion()).equals(major(API_VERSION.value))) {
-      throw new ServerLostException(
-          "S-035",
-          "the server at "
-              + calls.address()
-              + " speaks version "
-              + service.apiVersion()
-              + " of the service, this client version "
-              + API_VERSION.value,
-          calls.address());
-    }
-  }
-
-  private static String major(String version) {
-    return version.split("\\.", 2)[0];
   }
 
   /** Returns what the server said of itself when the connection was made. */
@@ -142,7 +122,7 @@ public final class MechConnection implements AutoCloseable {
   }
 
   IMechClient export(RunListener listener) {
-    return orb.export(new ListenerServant(listener));
+    return orb.export(new ListenerCallbacks(listener));
   }
 
   /**

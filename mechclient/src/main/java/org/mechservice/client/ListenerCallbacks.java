@@ -2,19 +2,19 @@ package org.mechservice.client;
 
 import java.util.function.Consumer;
 import org.mechservice.idl.Diagnostic;
-import org.mechservice.idl.IMechClientPOA;
+import org.mechservice.idl.IMechClientOperations;
 import org.mechservice.idl.Progress;
 import org.mechservice.idl.SimState;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Hands the server's callbacks to the user's listener; what that throws stays here. */
-final class ListenerServant extends IMechClientPOA {
-  private static final Logger LOG = LoggerFactory.getLogger(ListenerServant.class);
+final class ListenerCallbacks implements IMechClientOperations {
+  private static final Logger LOG = LoggerFactory.getLogger(ListenerCallbacks.class);
 
   private final RunListener listener;
 
-  ListenerServant(RunListener listener) {
+  ListenerCallbacks(RunListener listener) {
     this.listener = listener;
   }
 
