@@ -1,11 +1,11 @@
 package org.mechservice.cli;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.mechservice.client.BuiltJar;
@@ -80,13 +80,26 @@ final class BuildCommand implements Callable<Integer> {
   }
 
   private void tell(BuiltJar jar, long runtimeBytes) {
-    PrintWriter out = spec.commandLine().getOut();
-    out.printf(Locale.ROOT, "%-36s%9d B%n", target, jar.bytes().length);
-    out.printf(Locale.ROOT, "%-36s%9d B%n", "model classes, compressed", jar.modelClassBytes());
-    out.printf(Locale.ROOT, "%-36s%9d B%n", "runtime JAR", runtimeBytes);
-    jar.manifest().forEach((name, value) -> out.println(name + ": " + value));
-    if (!standalone) {
-      out.println("It runs with the runtime JAR; build with --standalone for java -jar.");
+    size(target.toString(), jar.bytes().length);
+    size("model classes, compressed", jar.modelClassBytes());
+    size(standalone ? "runtime JAR (not needed)" : "runtime JAR (needed)", runtimeBytes);
+    Map<String, String> manifest = jar.manifest();
+    fact("formulation", manifest.getOrDefault("Mech-Formulation", ""));
+    fact("because", manifest.getOrDefault("Mech-Formulation-Reason", ""));
+    fact("integrator", manifest.getOrDefault("Mech-Integrator", ""));
+    fact("columns", manifest.getOrDefault("Mech-Columns", ""));
+    for (String omission : manifest.getOrDefault("Mech-Left-Out", "").split("; ", -1)) {
+      fact("left out", omission);
+    }
+  }
+
+  private void size(String what, long bytes) {
+    spec.commandLine().getOut().printf(Locale.ROOT, "%-28s%9d B%n", what, bytes);
+  }
+
+  private void fact(String name, String value) {
+    if (!value.isEmpty()) {
+      spec.commandLine().getOut().printf(Locale.ROOT, "%-28s%s%n", name, value);
     }
   }
 }

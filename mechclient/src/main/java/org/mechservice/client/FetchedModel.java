@@ -2,6 +2,7 @@ package org.mechservice.client;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 import java.util.Set;
@@ -15,9 +16,11 @@ import org.mechservice.solver.api.Solver;
  *
  * @param model an instance for one run
  * @param solver the server's solver
+ * @param formulationReason why the model was generated in its formulation; empty if not said
  */
-record FetchedModel(Model model, Solver solver) {
+record FetchedModel(Model model, Solver solver, Optional<String> formulationReason) {
   private static final String API_VERSION_ATTRIBUTE = "Mech-Api-Version";
+  private static final String REASON_ATTRIBUTE = "Mech-Formulation-Reason";
 
   /**
    * Loads a model with its solver.
@@ -30,7 +33,10 @@ record FetchedModel(Model model, Solver solver) {
     requireSameApi(model);
     FetchedClasses classes = new FetchedClasses(List.of(model, runtime));
     try {
-      return new FetchedModel(instance(classes, modelJar.mainClass()), solver(classes));
+      return new FetchedModel(
+          instance(classes, modelJar.mainClass()),
+          solver(classes),
+          model.attribute(REASON_ATTRIBUTE));
     } catch (ReflectiveOperationException | LinkageError | ServiceConfigurationError e) {
       throw refused("cannot be loaded: " + e);
     }

@@ -181,7 +181,8 @@ public final class MechSession implements AutoCloseable {
     double total = openSeconds + loadSeconds + fetchSeconds + watch.lap();
     Map<String, Object> facts = new LinkedHashMap<>();
     facts.put("where", "local, compiled by host " + hostName());
-    facts.putAll(modelFacts());
+    fetched.formulationReason().ifPresent(reason -> facts.put("formulationReason", reason));
+    modelFacts().forEach(facts::putIfAbsent);
     facts.putAll(
         SetUpTimes.local(loadSeconds, fetchSeconds, atLoad, serverTimes().since(before), total));
     facts.put("modelJarBytes", (long) modelJar.bytes().length);
