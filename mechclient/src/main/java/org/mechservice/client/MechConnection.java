@@ -3,6 +3,7 @@ package org.mechservice.client;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.MechServer;
 import org.mechservice.idl.MechSim;
+import org.mechservice.orb.Endpoint;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.ServiceUnreachableException;
 
@@ -106,11 +107,13 @@ public final class MechConnection implements AutoCloseable {
     Stopwatch watch = new Stopwatch();
     String user = System.getProperty("user.name");
     MechSim session = calls.get(() -> server.createSession(user, hostName, null));
-    return new MechSession(this, session, connectSeconds + watch.lap());
+    return new MechSession(this, callsTo(session), session, connectSeconds + watch.lap());
   }
 
-  RemoteCalls calls() {
-    return calls;
+  /** A session may live on a host of its own; messages then name that address. */
+  private RemoteCalls callsTo(MechSim session) {
+    Endpoint place = orb.endpointOf(session);
+    return place.equals(orb.endpointOf(server)) ? calls : new RemoteCalls(place.toString());
   }
 
   LeaseRenewal leases() {

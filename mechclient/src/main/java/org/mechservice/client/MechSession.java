@@ -29,9 +29,9 @@ public final class MechSession implements AutoCloseable {
   private double loadSeconds;
   private ServerTimes atLoad = new ServerTimes(0, 0, 0);
 
-  MechSession(MechConnection connection, MechSim session, double openSeconds) {
+  MechSession(MechConnection connection, RemoteCalls calls, MechSim session, double openSeconds) {
     this.connection = connection;
-    this.calls = connection.calls();
+    this.calls = calls;
     this.session = session;
     this.openSeconds = openSeconds;
     hold = connection.leases().hold(session);

@@ -34,6 +34,7 @@ public final class SquareSolver implements Solver {
         0.1,
         OptionalDouble.empty(),
         OptionalDouble.empty(),
+        false,
         String.valueOf(getClass().getClassLoader().getName()));
   }
 }
