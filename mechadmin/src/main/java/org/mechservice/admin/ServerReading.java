@@ -1,0 +1,37 @@
+package org.mechservice.admin;
+
+import java.util.List;
+import org.mechservice.idl.HostStatus;
+import org.mechservice.idl.ServerStatus;
+import org.mechservice.idl.SimSummary;
+
+/** What asking one server gave. */
+public sealed interface ServerReading {
+  /** Returns the address that was asked. */
+  String address();
+
+  /**
+   * The server answered.
+   *
+   * @param address the address that was asked
+   * @param status the server as a whole
+   * @param hosts the hosts it knows
+   * @param simulations those that have not ended
+   */
+  record Answering(
+      String address, ServerStatus status, List<HostStatus> hosts, List<SimSummary> simulations)
+      implements ServerReading {
+    public Answering {
+      hosts = List.copyOf(hosts);
+      simulations = List.copyOf(simulations);
+    }
+  }
+
+  /**
+   * The server did not answer.
+   *
+   * @param address the address that was asked
+   * @param why what happened instead, with its code
+   */
+  record Silent(String address, String why) implements ServerReading {}
+}

@@ -1,0 +1,105 @@
+package org.mechservice.cli;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.mechservice.client.BuiltJar;
+import org.mechservice.client.GeneratedSource;
+import org.mechservice.client.MechSession;
+import org.mechservice.client.SimulationOptions;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code mech build}: a model as a JAR. */
+@Command(
+    name = "build",
+    description = "Compiles a model into a JAR.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Mech.Version.class)
+final class BuildCommand implements Callable<Integer> {
+  @Parameters(paramLabel = "MODEL.xml", description = "Model in MechML.")
+  private Path model = Path.of("");
+
+  @Option(
+      names = {"-o", "--output"},
+      required = true,
+      paramLabel = "FILE.jar",
+      description = "The JAR to write.")
+  private Path target = Path.of("");
+
+  @Option(
+      names = "--standalone",
+      description = "Include the solver classes the model needs, so that java -jar runs it.")
+  private boolean standalone;
+
+  @Option(
+      names = "--source",
+      paramLabel = "DIR",
+      description = "Write the generated Java class into this folder.")
+  private Optional<Path> sourceFolder = Optional.empty();
+
+  @Mixin private MethodOptions method = new MethodOptions();
+
+  @Mixin private ServerOption server = new ServerOption();
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Override
+  public Integer call() throws IOException {
+    OutputFile.requireUsable(target);
+    SimulationOptions options = method.addTo(SimulationOptions.asInFile());
+    try (Service service = Service.open(server.address());
+        MechSession session = service.connection().openSession()) {
+      session.loadModel(model).forEach(spec.commandLine().getErr()::println);
+      BuiltJar jar = session.build(options, standalone);
+      if (sourceFolder.isPresent()) {
+        writeSource(session.generatedSource(options), sourceFolder.get());
+      }
+      OutputFile.write(target, jar.bytes());
+      tell(jar, session.runtimeJarBytes());
+      return ExitStatus.DONE;
+    }
+  }
+
+  private static void writeSource(GeneratedSource source, Path folder) throws IOException {
+    Path file = folder.resolve(source.fileName()).normalize();
+    if (!file.startsWith(folder.normalize())) {
+      throw new UsageException("S-046 the server names a source file outside the folder: " + file);
+    }
+    Files.createDirectories(file.resolveSibling("."));
+    OutputFile.write(file, source.text().getBytes(StandardCharsets.UTF_8));
+  }
+
+  private void tell(BuiltJar jar, long runtimeBytes) {
+    size(target.toString(), jar.bytes().length);
+    size("model classes, compressed", jar.modelClassBytes());
+    size(standalone ? "runtime JAR (not needed)" : "runtime JAR (needed)", runtimeBytes);
+    Map<String, String> manifest = jar.manifest();
+    fact("formulation", manifest.getOrDefault("Mech-Formulation", ""));
+    fact("because", manifest.getOrDefault("Mech-Formulation-Reason", ""));
+    fact("integrator", manifest.getOrDefault("Mech-Integrator", ""));
+    fact("columns", manifest.getOrDefault("Mech-Columns", ""));
+    for (String omission : manifest.getOrDefault("Mech-Left-Out", "").split("; ", -1)) {
+      fact("left out", omission);
+    }
+  }
+
+  private void size(String what, long bytes) {
+    spec.commandLine().getOut().printf(Locale.ROOT, "%-28s%9d B%n", what, bytes);
+  }
+
+  private void fact(String name, String value) {
+    if (!value.isEmpty()) {
+      spec.commandLine().getOut().printf(Locale.ROOT, "%-28s%s%n", name, value);
+    }
+  }
+}

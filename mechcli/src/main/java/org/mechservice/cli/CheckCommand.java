@@ -1,0 +1,40 @@
+package org.mechservice.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import org.mechservice.client.MechSession;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code mech check}: what the service makes of a model. */
+@Command(
+    name = "check",
+    description = "Reads a model and tells its topology, degrees of freedom and doubtful values.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Mech.Version.class)
+final class CheckCommand implements Callable<Integer> {
+  @Parameters(paramLabel = "MODEL.xml", description = "Model in MechML.")
+  private Path model = Path.of("");
+
+  @Mixin private ServerOption server = new ServerOption();
+
+  @Option(names = "--json", description = "Print one JSON object.")
+  private boolean json;
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Override
+  public Integer call() throws IOException {
+    try (Service service = Service.open(server.address());
+        MechSession session = service.connection().openSession()) {
+      session.loadModel(model);
+      spec.commandLine().getOut().println(session.checkReport(json).stripTrailing());
+      return ExitStatus.DONE;
+    }
+  }
+}

@@ -1,0 +1,55 @@
+package org.mechservice.cli;
+
+import ch.qos.logback.classic.Level;
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.LoggerContext;
+import ch.qos.logback.classic.encoder.PatternLayoutEncoder;
+import ch.qos.logback.classic.spi.Configurator;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.ConsoleAppender;
+import ch.qos.logback.core.FileAppender;
+import ch.qos.logback.core.OutputStreamAppender;
+import ch.qos.logback.core.spi.ContextAwareBase;
+
+/**
+ * Logging of the command line: the product's warnings on standard error, one line each; everything,
+ * with details, in the file that MECH_LOG names. Found by logback as a service.
+ */
+public final class LogSetup extends ContextAwareBase implements Configurator {
+  private static final String PRODUCT = "org.mechservice";
+  private static final String SHORT = "%msg%n%nopex";
+  private static final String LONG = "%d{ISO8601,UTC} %-5level [%thread] %logger: %msg%n%ex";
+
+  @Override
+  public ExecutionStatus configure(LoggerContext context) {
+    Logger root = context.getLogger(Logger.ROOT_LOGGER_NAME);
+    root.setLevel(Level.OFF);
+    String file = System.getenv().getOrDefault("MECH_LOG", "");
+    if (!file.isEmpty()) {
+      FileAppender<ILoggingEvent> log = new FileAppender<>();
+      log.setFile(file);
+      root.addAppender(started(log, context, LONG));
+      root.setLevel(Level.INFO);
+      context.getLogger(PRODUCT).setLevel(Level.DEBUG);
+      return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
+    }
+    ConsoleAppender<ILoggingEvent> console = new ConsoleAppender<>();
+    console.setTarget("System.err");
+    Logger product = context.getLogger(PRODUCT);
+    product.addAppender(started(console, context, SHORT));
+    product.setLevel(Level.WARN);
+    return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
+  }
+
+  private static OutputStreamAppender<ILoggingEvent> started(
+      OutputStreamAppender<ILoggingEvent> appender, LoggerContext context, String pattern) {
+    PatternLayoutEncoder encoder = new PatternLayoutEncoder();
+    encoder.setContext(context);
+    encoder.setPattern(pattern);
+    encoder.start();
+    appender.setContext(context);
+    appender.setEncoder(encoder);
+    appender.start();
+    return appender;
+  }
+}

@@ -1,0 +1,73 @@
+package org.mechservice.cli;
+
+import java.io.PrintStream;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import org.mechservice.solver.simulation.SolverVersion;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.IVersionProvider;
+
+/** The {@code mech} command. */
+@Command(
+    name = "mech",
+    description = "Simulates multibody systems written in MechML.",
+    subcommands = {
+      SimulateCommand.class,
+      CheckCommand.class,
+      BuildCommand.class,
+      ServerCommand.class,
+      SimhostCommand.class,
+      AdminCommand.class,
+      CommandLine.HelpCommand.class
+    },
+    synopsisSubcommandLabel = "COMMAND",
+    mixinStandardHelpOptions = true,
+    versionProvider = Mech.Version.class,
+    exitCodeListHeading = "%nExit status:%n",
+    exitCodeList = {
+      "0:done",
+      "1:the simulation failed; results up to the failure are written",
+      "2:bad usage or bad input",
+      "3:server or network"
+    })
+public final class Mech {
+  /** Runs a command and ends the process with its exit status. */
+  public static void main(String[] arguments) {
+    System.exit(run(utf8(System.out), utf8(System.err), arguments));
+  }
+
+  /**
+   * Runs a command.
+   *
+   * @param out takes what was asked for
+   * @param err takes errors and progress
+   * @param arguments command line
+   * @return exit status
+   */
+  public static int run(PrintWriter out, PrintWriter err, String... arguments) {
+    int status =
+        new CommandLine(new Mech())
+            .setOut(out)
+            .setErr(err)
+            .setCaseInsensitiveEnumValuesAllowed(true)
+            .setParameterExceptionHandler(UsageReport::badUsage)
+            .setExecutionExceptionHandler(FailureReport::failed)
+            .execute(arguments.length == 0 ? new String[] {"help"} : arguments);
+    out.flush();
+    err.flush();
+    return status;
+  }
+
+  private static PrintWriter utf8(PrintStream stream) {
+    return new PrintWriter(stream, true, StandardCharsets.UTF_8);
+  }
+
+  /** Says which version this is. */
+  static final class Version implements IVersionProvider {
+    @Override
+    public String[] getVersion() {
+      return new String[] {"mech " + SolverVersion.CURRENT};
+    }
+  }
+}

@@ -1,0 +1,66 @@
+package org.mechservice.cli;
+
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import org.mechservice.client.SimulationOptions;
+import org.mechservice.solver.api.ColumnGroup;
+import picocli.CommandLine.Option;
+
+/** How the equations are written and integrated, and what is put out. */
+final class MethodOptions {
+  private static final String ALL = "all";
+
+  @Option(names = "--formulation", paramLabel = "auto|DTR", description = "Equations of motion.")
+  private String formulation = "";
+
+  @Option(
+      names = "--integrator",
+      paramLabel = "auto|ode113|DE",
+      description = "Integration method.")
+  private String integrator = "";
+
+  @Option(
+      names = "--columns",
+      split = ",",
+      paramLabel = "GROUPS",
+      hideParamSyntax = true,
+      description =
+          "Columns of the results besides time and joints: joints, accelerations, bodies, energy,"
+              + " separated by commas, or all.")
+  private List<String> columns = List.of();
+
+  /** Returns the options given with these added. */
+  SimulationOptions addTo(SimulationOptions options) {
+    SimulationOptions all = options;
+    if (!formulation.isEmpty()) {
+      all = all.formulation(formulation);
+    }
+    if (!integrator.isEmpty()) {
+      all = all.integrator(integrator);
+    }
+    return columns.isEmpty() ? all : all.columns(groups());
+  }
+
+  private Set<ColumnGroup> groups() {
+    if (columns.contains(ALL)) {
+      return EnumSet.allOf(ColumnGroup.class);
+    }
+    EnumSet<ColumnGroup> groups = EnumSet.noneOf(ColumnGroup.class);
+    columns.forEach(name -> groups.add(group(name.strip())));
+    return groups;
+  }
+
+  private static ColumnGroup group(String name) {
+    for (ColumnGroup group : ColumnGroup.values()) {
+      if (group.label().equals(name.toLowerCase(Locale.ROOT))) {
+        return group;
+      }
+    }
+    throw new UsageException(
+        "S-041 --columns: \""
+            + name
+            + "\" is no column group; there are joints, accelerations, bodies, energy, and all");
+  }
+}

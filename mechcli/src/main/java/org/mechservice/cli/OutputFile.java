@@ -1,0 +1,45 @@
+package org.mechservice.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+
+/** Writes whole files; one that cannot be completed is not seen under its name. */
+final class OutputFile {
+  private OutputFile() {}
+
+  /**
+   * Writes a file, replacing one of that name.
+   *
+   * @throws IOException if it cannot be written
+   * @throws UsageException if its name is that of a folder, or its folder does not exist
+   */
+  static void write(Path target, byte[] content) throws IOException {
+    requireUsable(target);
+    Path file = target.toAbsolutePath();
+    Path folder = file.getParent();
+    Path growing = Files.createTempFile(folder, "." + file.getFileName() + "-", ".part");
+    try {
+      Files.write(growing, content);
+      Files.move(growing, file, StandardCopyOption.REPLACE_EXISTING);
+    } finally {
+      Files.deleteIfExists(growing);
+    }
+  }
+
+  /**
+   * Checks a name before anything is computed for it.
+   *
+   * @throws UsageException if it is that of a folder, or its folder does not exist
+   */
+  static void requireUsable(Path target) {
+    Path file = target.toAbsolutePath();
+    Path folder = file.getParent();
+    if (folder == null || Files.isDirectory(file)) {
+      throw new UsageException("S-046 " + target + " is a folder; name a file");
+    } else if (!Files.isDirectory(folder)) {
+      throw new UsageException("S-046 there is no folder " + folder + " for " + target);
+    }
+  }
+}

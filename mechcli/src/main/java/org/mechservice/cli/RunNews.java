@@ -1,0 +1,46 @@
+package org.mechservice.cli;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Supplier;
+import org.mechservice.client.LocalRun;
+import org.mechservice.client.ModelMessage;
+import org.mechservice.client.PreparedRun;
+import org.mechservice.client.RunListener;
+import org.mechservice.client.RunProgress;
+
+/** What is known of a run while it goes on: told by the server, or asked of the local run. */
+final class RunNews implements RunListener {
+  private final List<ModelMessage> warnings = new CopyOnWriteArrayList<>();
+  private volatile Optional<RunProgress> told = Optional.empty();
+  private volatile Supplier<Optional<RunProgress>> latest = () -> told;
+
+  /** Follows a local run, which tells nothing by itself. */
+  PreparedRun watch(LocalRun run) {
+    latest = () -> Optional.of(run.progress());
+    return run;
+  }
+
+  @Override
+  public void onProgress(RunProgress progress) {
+    told = Optional.of(progress);
+  }
+
+  @Override
+  public void onMessages(List<ModelMessage> messages) {
+    messages.stream()
+        .filter(message -> message.severity() == ModelMessage.Severity.WARNING)
+        .forEach(warnings::add);
+  }
+
+  /** Returns the latest progress; empty if there is none yet. */
+  Optional<RunProgress> latest() {
+    return latest.get();
+  }
+
+  /** Returns the warnings of the run so far. */
+  List<ModelMessage> warnings() {
+    return warnings;
+  }
+}

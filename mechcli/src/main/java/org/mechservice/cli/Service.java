@@ -1,0 +1,49 @@
+package org.mechservice.cli;
+
+import java.util.Optional;
+import org.mechservice.client.MechConnection;
+import org.mechservice.client.ServiceException;
+import org.mechservice.server.MechServerProcess;
+import org.mechservice.server.ServerSettings;
+
+/** The service a command asks: one on the network, or one started for this command alone. */
+final class Service implements AutoCloseable {
+  private static final ServerSettings EMBEDDED = new ServerSettings("embedded", "127.0.0.1", 0, 1);
+
+  private final Optional<MechServerProcess> embedded;
+  private final MechConnection connection;
+
+  private Service(Optional<MechServerProcess> embedded, MechConnection connection) {
+    this.embedded = embedded;
+    this.connection = connection;
+  }
+
+  /**
+   * Connects to a service.
+   *
+   * @param address its address; empty: an embedded server on a free loopback port
+   * @throws org.mechservice.client.ServerLostException if nobody answers there
+   */
+  static Service open(String address) {
+    if (!address.isEmpty()) {
+      return new Service(Optional.empty(), MechConnection.open(address));
+    }
+    MechServerProcess server = MechServerProcess.start(EMBEDDED);
+    try {
+      return new Service(Optional.of(server), MechConnection.open(server.url()));
+    } catch (ServiceException e) {
+      server.close();
+      throw e;
+    }
+  }
+
+  MechConnection connection() {
+    return connection;
+  }
+
+  @Override
+  public void close() {
+    connection.close();
+    embedded.ifPresent(MechServerProcess::close);
+  }
+}

@@ -1,0 +1,48 @@
+package org.mechservice.cli;
+
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Keeps a serving process going and closes it in order when a signal ends it. */
+final class Serving {
+  private static final Logger LOG = LoggerFactory.getLogger(Serving.class);
+
+  /** Waits for the end of a serving process. */
+  interface Wait {
+    void await() throws InterruptedException;
+  }
+
+  private Serving() {}
+
+  /**
+   * Waits until the process has ended by itself, closing it on Ctrl-C or a termination signal.
+   *
+   * @param process closed on a signal
+   * @param end returns when the process has ended
+   */
+  static void untilEnded(AutoCloseable process, Wait end) throws InterruptedException {
+    Thread hook = new Thread(() -> close(process), "close-on-signal");
+    Runtime.getRuntime().addShutdownHook(hook);
+    try {
+      end.await();
+    } finally {
+      forget(hook);
+    }
+  }
+
+  private static void close(AutoCloseable process) {
+    try {
+      process.close();
+    } catch (Exception e) {
+      LOG.warn("S-048 the process did not close in order: {}", e.toString());
+    }
+  }
+
+  private static void forget(Thread hook) {
+    try {
+      Runtime.getRuntime().removeShutdownHook(hook);
+    } catch (IllegalStateException e) {
+      LOG.debug("the process is already on its way out", e);
+    }
+  }
+}

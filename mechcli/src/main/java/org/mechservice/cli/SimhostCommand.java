@@ -1,0 +1,57 @@
+package org.mechservice.cli;
+
+import java.util.concurrent.Callable;
+import org.mechservice.sim.host.HostSettings;
+import org.mechservice.sim.host.SimHostProcess;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code mech simhost}: runs simulations for a server until it is told to end. */
+@Command(
+    name = "simhost",
+    description = "Runs simulations for a server; prints its own address when it is registered.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Mech.Version.class)
+final class SimhostCommand implements Callable<Integer> {
+  private static final int ANY_PORT = 0;
+
+  @Option(
+      names = "--server",
+      required = true,
+      paramLabel = "URL",
+      description = "Server to register with, as host:port or URL.")
+  private String server = "";
+
+  @Mixin private ListenOptions listen = new ListenOptions();
+
+  @Option(
+      names = "--name",
+      paramLabel = "N",
+      description = "The host's name at the server (default: host-PROCESS-ID).")
+  private String name = "host-" + ProcessHandle.current().pid();
+
+  @Option(
+      names = "--capacity",
+      paramLabel = "K",
+      description = "Simulations it runs at once (default: number of processors).")
+  private int capacity = Runtime.getRuntime().availableProcessors();
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Override
+  public Integer call() throws InterruptedException {
+    if (capacity < 1) {
+      throw new UsageException("S-041 --capacity is " + capacity + "; it must be 1 or more");
+    }
+    HostSettings settings =
+        new HostSettings(server, name, listen.address(), listen.port(ANY_PORT), capacity);
+    try (SimHostProcess host = SimHostProcess.start(settings)) {
+      spec.commandLine().getOut().println(host.address());
+      Serving.untilEnded(host, host::awaitShutdown);
+    }
+    return ExitStatus.DONE;
+  }
+}

@@ -1,0 +1,163 @@
+package org.mechservice.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.mechservice.client.MechSession;
+import org.mechservice.client.ModelMessage;
+import org.mechservice.client.PreparedRun;
+import org.mechservice.client.RunResult;
+import org.mechservice.client.ServiceException;
+import org.mechservice.client.SimulationOptions;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.standalone.JsonText;
+import org.mechservice.solver.standalone.ReportText;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code mech simulate}: one run of one model, results to files, report to the terminal. */
+@Command(
+    name = "simulate",
+    description = "Runs a model and writes its results.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Mech.Version.class)
+final class SimulateCommand implements Callable<Integer> {
+  /** Where a run takes place. */
+  enum Mode {
+    REMOTE,
+    LOCAL
+  }
+
+  @Parameters(paramLabel = "MODEL.xml", description = "Model in MechML.")
+  private Path model = Path.of("");
+
+  @Option(
+      names = "--mode",
+      paramLabel = "remote|local",
+      description = "Run at the server, or fetch the compiled model and run it here.")
+  private Mode mode = Mode.REMOTE;
+
+  @Mixin private ServerOption server = new ServerOption();
+
+  @Option(names = "--host", paramLabel = "NAME", description = "Host of the server to run on.")
+  private String host = "";
+
+  @Mixin private MethodOptions method = new MethodOptions();
+
+  @Option(names = "--rtol", paramLabel = "R", description = "Relative tolerance.")
+  private Optional<Double> relativeTolerance = Optional.empty();
+
+  @Option(names = "--atol", paramLabel = "A", description = "Absolute tolerance, SI.")
+  private Optional<Double> absoluteTolerance = Optional.empty();
+
+  @Option(names = "--t-end", paramLabel = "T", description = "End of the run, s.")
+  private Optional<Double> endTime = Optional.empty();
+
+  @Option(names = "--t-step", paramLabel = "H", description = "Distance of the rows, s.")
+  private Optional<Double> outputStep = Optional.empty();
+
+  @Option(
+      names = "--out",
+      paramLabel = "FILE.csv",
+      description = "Write the rows here, and their units beside it; may be given several times.")
+  private List<Path> out = List.of();
+
+  @Option(names = "--quiet", description = "Print nothing but errors.")
+  private boolean quiet;
+
+  @Option(names = "--json", description = "Print the run report as one JSON object.")
+  private boolean json;
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Override
+  public Integer call() throws IOException {
+    ResultFiles.requireUsableNames(out);
+    SimulationOptions options = options();
+    try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
+        Service service = Service.open(server.address());
+        MechSession session = service.connection().openSession(host)) {
+      List<ModelMessage> warnings = session.loadModel(model);
+      if (!quiet) {
+        warnings.forEach(warning -> err().println(warning));
+      }
+      RunNews news = new RunNews();
+      try (PreparedRun run = prepare(session, options, news);
+          ResultFiles files = ResultFiles.open(out)) {
+        interrupt.cancels(run);
+        return simulate(run, news, files);
+      }
+    }
+  }
+
+  private PreparedRun prepare(MechSession session, SimulationOptions options, RunNews news) {
+    return switch (mode) {
+      case REMOTE -> session.prepareRemoteRun(options, news);
+      case LOCAL -> news.watch(session.prepareLocalRun(options));
+    };
+  }
+
+  private SimulationOptions options() {
+    SimulationOptions options = method.addTo(SimulationOptions.asInFile());
+    options = relativeTolerance.map(options::relativeTolerance).orElse(options);
+    options = absoluteTolerance.map(options::absoluteTolerance).orElse(options);
+    options = endTime.map(options::endTime).orElse(options);
+    return outputStep.map(options::outputStep).orElse(options);
+  }
+
+  private int simulate(PreparedRun run, RunNews news, ResultFiles files) throws IOException {
+    RunResult result;
+    ProgressDisplay display = ProgressDisplay.of(news, !quiet && !json);
+    try {
+      result = run.toEnd(files);
+    } catch (ServiceException lost) {
+      err().println(lost.getMessage() + keptRows(files));
+      return FailureReport.status(lost);
+    } finally {
+      display.close();
+    }
+    Map<String, Object> report = new LinkedHashMap<>(result.report());
+    files.keep().ifPresent(hash -> report.put("resultsSha256", hash));
+    print(report, news);
+    return tell(result.outcome(), files);
+  }
+
+  /** Keeps the rows that came before the end, and says where. */
+  private static String keptRows(ResultFiles files) throws IOException {
+    boolean kept = files.rows() > 0 && files.keep().isPresent();
+    return kept ? "; rows up to " + files.reached() + " are in " + files : "";
+  }
+
+  private void print(Map<String, Object> report, RunNews news) {
+    if (json) {
+      spec.commandLine().getOut().println(JsonText.write(report));
+    } else if (!quiet) {
+      news.warnings().forEach(warning -> err().println(warning));
+      spec.commandLine().getOut().print(ReportText.format(report));
+    }
+  }
+
+  private int tell(Outcome outcome, ResultFiles files) {
+    if (outcome instanceof Outcome.Failed failed) {
+      err().println(failed.failure().message() + files.whereRowsAre());
+      return ExitStatus.SIMULATION_FAILED;
+    } else if (outcome instanceof Outcome.Stopped) {
+      err().println("S-045 stopped on request at " + files.reached() + "." + files.whereRowsAre());
+      return ExitStatus.INTERRUPTED;
+    }
+    return ExitStatus.DONE;
+  }
+
+  private PrintWriter err() {
+    return spec.commandLine().getErr();
+  }
+}

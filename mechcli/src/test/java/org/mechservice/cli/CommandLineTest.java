@@ -1,0 +1,91 @@
+package org.mechservice.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What the command line says to what nobody can do. */
+class CommandLineTest {
+  private final StringWriter out = new StringWriter();
+  private final StringWriter err = new StringWriter();
+
+  private int mech(String... words) {
+    return Mech.run(new PrintWriter(out), new PrintWriter(err), words);
+  }
+
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "simulate m.xml --rtoll 1 | S-040 unknown option --rtoll; did you mean --rtol? (mech help simulate lists what there is)",
+        "simulate m.xml --closure penalty | S-040 unknown option --closure (mech help simulate lists what there is)",
+        "simulte m.xml | S-040 unknown command simulte; did you mean simulate? (mech help lists what there is)",
+        "simulate m.xml n.xml | S-040 unknown word n.xml (mech help simulate lists what there is)",
+        "simulate | S-041 MODEL.xml is missing (mech help simulate lists what there is)",
+        "simulate m.xml --rtol | S-041 --rtol lacks its value (mech help simulate lists what there is)",
+        "simulate m.xml --rtol abc | S-041 --rtol takes a number, not abc (mech help simulate lists what there is)",
+        "simulate m.xml --mode sideways | S-041 --mode takes remote or local, not sideways (mech help simulate lists what there is)",
+        "simulate m.xml --columns colours | S-041 --columns: \"colours\" is no column group; there are joints, accelerations, bodies, energy, and all",
+        "simulate m.xml --out r.mat | S-044 --out r.mat: results are written to .csv files",
+        "simulate m.xml --out r.csv --out ./r.csv | S-044 --out ./r.csv is given twice",
+        "simulate m.xml --json --quiet=maybe | S-041 --quiet takes no value (mech help simulate lists what there is)",
+        "build m.xml | S-041 -o is missing (mech help build lists what there is)",
+        "server --port 70000 | S-041 70000 is no port; there are ports from 0 (any free one) to 65535",
+        "server --listen 127.0.0.1:1 --port 2 | S-041 --port 2: --listen 127.0.0.1:1 already names a port",
+        "server --capacity -1 | S-041 --capacity is -1; it must be 0 or more",
+        "simhost | S-041 --server is missing (mech help simhost lists what there is)",
+        "simhost --server h:1 --capacity 0 | S-041 --capacity is 0; it must be 1 or more",
+      })
+  @ParameterizedTest
+  void wrongUsageGetsOneMessageWithTheNearestThatExists(String line, String message) {
+    assertThat(mech(line.split(" "))).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString().strip()).isEqualTo(message);
+    assertThat(out.toString()).isEmpty();
+  }
+
+  @ValueSource(strings = {"simulate", "check", "admin status", "simhost"})
+  @ParameterizedTest
+  void unreachableServerIsNamedWithExitStatus3(String command, @TempDir Path folder)
+      throws IOException {
+    Path model = folder.resolve("m.xml");
+    Files.writeString(model, "<MechML/>");
+    boolean needsModel = command.equals("simulate") || command.equals("check");
+    String line = command + (needsModel ? " " + model : "") + " --server 127.0.0.1:1";
+    assertThat(mech(line.split(" "))).isEqualTo(ExitStatus.SERVER);
+    assertThat(err.toString()).startsWith("S-0").contains("127.0.0.1:1").hasLineCount(1);
+    assertThat(out.toString()).isEmpty();
+  }
+
+  @Test
+  void buildNamesTheFolderThatIsMissingBeforeItAsksAnyServer(@TempDir Path folder) {
+    Path target = folder.resolve("none/p.jar");
+    assertThat(mech("build", "m.xml", "-o", target.toString(), "--server", "127.0.0.1:1"))
+        .isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString())
+        .startsWith("S-046 there is no folder " + target.getParent() + " for ");
+  }
+
+  @Test
+  void versionAndHelpAreAnswered() {
+    assertThat(mech("--version")).isEqualTo(ExitStatus.DONE);
+    assertThat(out.toString()).startsWith("mech 0.");
+    assertThat(mech()).isEqualTo(ExitStatus.DONE);
+    assertThat(out.toString()).contains("simulate", "check", "build", "server", "simhost", "admin");
+  }
+
+  @Test
+  void helpNamesNoOptionThatDoesNotExistYet() {
+    mech("help", "simulate");
+    assertThat(out.toString())
+        .contains("--formulation", "--columns")
+        .doesNotContain("--closure", "--set", "--plot");
+  }
+}

@@ -1,0 +1,193 @@
+package org.mechservice.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * The launcher script, in a house of cards: a folder with the script, and a search path with the
+ * tools it uses, a {@code java} and an {@code mvn} that only say what they were asked.
+ *
+ * <pre>
+ * mechservice/          mech, pom.xml, mechml.dtd, mechcli/src/main
+ * bin/                  java, mvn, and links to sh, sed, ...
+ * </pre>
+ */
+class LauncherTest {
+  private static final List<String> TOOLS =
+      List.of(
+          "sh",
+          "sed",
+          "head",
+          "find",
+          "cat",
+          "mkdir",
+          "rm",
+          "dirname",
+          "readlink",
+          "ls",
+          "touch",
+          "grep",
+          "sleep",
+          "kill",
+          "sort");
+
+  private static final String JDK =
+      """
+      #!/bin/sh
+      case $* in
+        *XshowSettings*) echo '    java.home = /some/jdk' >&2 ;;
+        -version) echo 'openjdk version "17.0.15" 2025-04-15' >&2 ;;
+        --list-modules) echo 'java.base@17'; echo 'jdk.compiler@17' ;;
+        *) echo "started: $*" ;;
+      esac
+      """;
+
+  private static final String MAVEN =
+      """
+      #!/bin/sh
+      echo "built with $JAVA_HOME" >>built
+      mkdir -p mechcli/target/lib
+      echo jar >mechcli/target/mechcli.jar
+      """;
+
+  private final Path house;
+  private final Path bin;
+
+  LauncherTest(@TempDir Path folder) {
+    house = folder.resolve("mechservice");
+    bin = folder.resolve("bin");
+  }
+
+  @BeforeEach
+  void furnish() throws IOException {
+    Files.createDirectories(house.resolve("mechcli/src/main"));
+    Files.createDirectories(bin);
+    Files.copy(Path.of("../mech"), house.resolve("mech"));
+    Files.writeString(house.resolve("pom.xml"), "");
+    for (String tool : TOOLS) {
+      for (String folder : List.of("/usr/bin", "/bin")) {
+        if (Files.exists(Path.of(folder, tool)) && !Files.exists(bin.resolve(tool))) {
+          Files.createSymbolicLink(bin.resolve(tool), Path.of(folder, tool));
+        }
+      }
+    }
+    program("java", JDK);
+    program("mvn", MAVEN);
+  }
+
+  private void program(String name, String script) throws IOException {
+    Path file = bin.resolve(name);
+    Files.writeString(file, script);
+    assertThat(file.toFile().setExecutable(true)).isTrue();
+  }
+
+  @Test
+  void firstUseBuildsAndStarts() throws Exception {
+    Ended first = start(house.resolve("mech"), "check", "a b.xml");
+    assertThat(first.err).contains("mech: building");
+    assertThat(first.out).contains("mechcli/target/mechcli.jar check a b.xml");
+    assertThat(house.resolve("built")).hasContent("built with /some/jdk");
+  }
+
+  @Test
+  void secondUseOnlyStarts() throws Exception {
+    start(house.resolve("mech"));
+    Ended second = start(house.resolve("mech"));
+    assertThat(second.err).isEmpty();
+    assertThat(house.resolve("built")).content().hasLineCount(1);
+  }
+
+  @Test
+  void newerSourceIsBuiltAgain() throws Exception {
+    start(house.resolve("mech"));
+    Path source = house.resolve("mechcli/src/main/New.java");
+    Files.writeString(source, "");
+    Files.setLastModifiedTime(source, FileTime.from(Instant.now().plusSeconds(60)));
+    start(house.resolve("mech"));
+    assertThat(house.resolve("built")).content().hasLineCount(2);
+  }
+
+  @Test
+  void findsItsHouseThroughSymbolicLinks() throws Exception {
+    Path near = house.resolve("near");
+    Files.createSymbolicLink(near, Path.of("mech"));
+    Path far = bin.resolve("far");
+    Files.createSymbolicLink(far, near);
+    assertThat(start(far, "x").out).contains(house.toRealPath() + "/mechcli/target/mechcli.jar x");
+  }
+
+  @Test
+  void saysWhatIsMissingWithoutJava() throws Exception {
+    Files.delete(bin.resolve("java"));
+    assertRefuses("S-049 mech needs a JDK 17 or newer, and there is no java.");
+  }
+
+  @Test
+  void refusesAnOldJavaByItsVersion() throws Exception {
+    program("java", "#!/bin/sh\necho 'openjdk version \"11.0.2\"' >&2\n");
+    assertRefuses("S-049 mech needs a JDK 17 or newer; " + bin.resolve("java") + " is version 11.");
+  }
+
+  @Test
+  void refusesARuntimeWithoutCompiler() throws Exception {
+    program("java", JDK.replace("; echo 'jdk.compiler@17'", ""));
+    assertRefuses("is a runtime without compiler");
+  }
+
+  @Test
+  void saysThatMavenIsNeededForTheBuild() throws Exception {
+    Files.delete(bin.resolve("mvn"));
+    assertRefuses("S-049 mech has to be built first, and there is no mvn.");
+  }
+
+  @Test
+  void failedBuildNamesItsLogAndLeavesNoLock() throws Exception {
+    program("mvn", "#!/bin/sh\necho 'no network'\nexit 1\n");
+    Path log = house.toRealPath().resolve("mechcli/target/build.log");
+    assertRefuses("S-049 the build failed; " + log + " says why.");
+    assertThat(log).hasContent("no network");
+    assertThat(house.resolve("mechcli/target/build.lock")).doesNotExist();
+  }
+
+  @Test
+  void takesOverTheLockOfABuildThatDied() throws Exception {
+    Path lock = house.resolve("mechcli/target/build.lock");
+    Files.createDirectories(lock);
+    // Process ids end far below this on every system the script runs on.
+    Files.writeString(lock.resolve("pid"), "999999999");
+    assertThat(start(house.resolve("mech")).out).startsWith("started");
+  }
+
+  private void assertRefuses(String message) throws Exception {
+    Ended mech = start(house.resolve("mech"), "--version");
+    assertThat(mech.status).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(mech.err).contains(message);
+    assertThat(mech.out).isEmpty();
+  }
+
+  /** What a process said and how it ended. */
+  private record Ended(int status, String out, String err) {}
+
+  private Ended start(Path script, String... words) throws Exception {
+    ProcessBuilder builder = new ProcessBuilder(script.toString());
+    builder.command().addAll(List.of(words));
+    builder.environment().clear();
+    builder.environment().put("PATH", bin.toString());
+    Process process = builder.start();
+    String out = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    String err = new String(process.getErrorStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertThat(process.waitFor(30, TimeUnit.SECONDS)).isTrue();
+    return new Ended(process.exitValue(), out, err);
+  }
+}

@@ -1,0 +1,47 @@
+package org.mechservice.client;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.mechservice.idl.JarInfo;
+
+/**
+ * A JAR made by the server, checked against the hash announced with it.
+ *
+ * @param fileName name the server suggests
+ * @param bytes the file; not to be modified
+ * @param sha256 hash of the file
+ * @param mainClass class to start, or the model class of a JAR that needs the runtime JAR
+ * @param modelClassBytes compressed size of the model's own classes
+ * @param runtimeSha256 hash of the runtime JAR it needs; empty if it stands alone
+ * @param manifest formulation, integrator, what was left out and why
+ */
+@SuppressWarnings("ArrayRecordComponent") // a file's bytes: handed on, never changed
+public record BuiltJar(
+    String fileName,
+    byte[] bytes,
+    String sha256,
+    String mainClass,
+    long modelClassBytes,
+    String runtimeSha256,
+    Map<String, String> manifest) {
+  public BuiltJar {
+    manifest = Collections.unmodifiableMap(new LinkedHashMap<>(manifest));
+  }
+
+  /**
+   * Checks what arrived against what was announced.
+   *
+   * @throws JarRefusedException if they differ
+   */
+  static BuiltJar verified(byte[] bytes, JarInfo info) {
+    return new BuiltJar(
+        info.fileName,
+        Sha256.verified(bytes, info.sha256, "the model JAR"),
+        info.sha256,
+        info.mainClass,
+        info.modelBytes,
+        info.runtimeSha256,
+        ModelSummary.textsOf(info.manifest));
+  }
+}

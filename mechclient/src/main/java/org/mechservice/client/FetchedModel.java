@@ -1,0 +1,76 @@
+package org.mechservice.client;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.ServiceConfigurationError;
+import java.util.ServiceLoader;
+import java.util.Set;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.Solver;
+
+/**
+ * A model and the solver it came with, loaded apart from the client's own classes.
+ *
+ * @param model an instance for one run
+ * @param solver the server's solver
+ * @param formulationReason why the model was generated in its formulation; empty if not said
+ */
+record FetchedModel(Model model, Solver solver, Optional<String> formulationReason) {
+  private static final String API_VERSION_ATTRIBUTE = "Mech-Api-Version";
+  private static final String REASON_ATTRIBUTE = "Mech-Formulation-Reason";
+
+  /**
+   * Loads a model with its solver.
+   *
+   * @throws JarRefusedException if they do not fit this client or each other
+   */
+  static FetchedModel load(BuiltJar modelJar, byte[] runtimeJar) {
+    FetchedJar model = FetchedJar.unpack(modelJar.bytes(), "the model JAR");
+    FetchedJar runtime = FetchedJar.unpack(runtimeJar, "the runtime JAR");
+    requireSameApi(model);
+    FetchedClasses classes = new FetchedClasses(List.of(model, runtime));
+    try {
+      return new FetchedModel(
+          instance(classes, modelJar.mainClass()),
+          solver(classes),
+          model.attribute(REASON_ATTRIBUTE));
+    } catch (ReflectiveOperationException | LinkageError | ServiceConfigurationError e) {
+      throw refused("cannot be loaded: " + e);
+    }
+  }
+
+  private static void requireSameApi(FetchedJar model) {
+    String built = model.attribute(API_VERSION_ATTRIBUTE).orElse("none");
+    String own = Integer.toString(Model.API_VERSION);
+    if (!built.equals(own)) {
+      throw refused("was built for solver API version " + built + "; this client has " + own);
+    }
+  }
+
+  private static Model instance(FetchedClasses classes, String mainClass)
+      throws ReflectiveOperationException {
+    Class<?> type = classes.loadClass(mainClass);
+    if (!Model.class.isAssignableFrom(type)) {
+      throw refused("names " + mainClass + ", which is no model");
+    }
+    return type.asSubclass(Model.class).getDeclaredConstructor().newInstance();
+  }
+
+  private static Solver solver(FetchedClasses classes) {
+    return ServiceLoader.load(Solver.class, classes)
+        .findFirst()
+        .orElseThrow(() -> refused("came with a runtime JAR that offers no solver"));
+  }
+
+  private static JarRefusedException refused(String why) {
+    return new JarRefusedException("S-036", "the model JAR " + why);
+  }
+
+  LocalRun prepare(Set<ColumnGroup> columns, Map<String, Object> facts) {
+    RunRequest request = new RunRequest(model.description().defaults(), columns);
+    return new LocalRun(model, solver, request, facts);
+  }
+}

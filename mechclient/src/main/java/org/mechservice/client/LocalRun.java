@@ -1,0 +1,83 @@
+package org.mechservice.client;
+
+import java.io.IOException;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.Solver;
+
+/**
+ * A run on this machine, of the model class and with the solver fetched from the server. It needs
+ * the server no more. It runs once.
+ */
+public final class LocalRun implements PreparedRun {
+  private final Model model;
+  private final Solver solver;
+  private final RunRequest request;
+  private final Map<String, Object> facts;
+  private final RunControl control = new RunControl();
+  private volatile RunState state = RunState.CREATED;
+
+  LocalRun(Model model, Solver solver, RunRequest request, Map<String, Object> facts) {
+    this.model = model;
+    this.solver = solver;
+    this.request = request;
+    this.facts = facts;
+  }
+
+  /** Returns names, units and settings of the model. */
+  public ModelDescription model() {
+    return model.description();
+  }
+
+  @Override
+  public RunResult toEnd(ResultSink sink) throws IOException {
+    state = RunState.RUNNING;
+    try {
+      RunReport done = solver.run(model, request, sink, control);
+      Map<String, Object> report = new LinkedHashMap<>(done.asMap());
+      facts.forEach(report::putIfAbsent);
+      return new RunResult(done.outcome(), report);
+    } catch (IllegalArgumentException e) {
+      String text = String.valueOf(e.getMessage());
+      throw new InvalidOptionException(ServiceException.codeOf(text, "S-039"), text, "");
+    } catch (LinkageError e) {
+      throw new JarRefusedException(
+          "S-036", "the model JAR does not fit the runtime JAR it came with: " + e);
+    } finally {
+      state = RunState.DONE;
+    }
+  }
+
+  @Override
+  public void cancel() {
+    control.stop();
+  }
+
+  @Override
+  public RunProgress progress() {
+    RunSettings settings = request.settings();
+    return new RunProgress(
+        state,
+        0,
+        control.time(),
+        settings.tStart(),
+        settings.tEnd(),
+        control.steps(),
+        control.stepSize(),
+        control.order(),
+        0,
+        0);
+  }
+
+  @Override
+  public void close() {
+    cancel();
+  }
+}

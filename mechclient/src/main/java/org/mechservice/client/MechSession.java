@@ -1,0 +1,241 @@
+package org.mechservice.client;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.mechservice.idl.IMechClient;
+import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.JarInfo;
+import org.mechservice.idl.JarInfoHolder;
+import org.mechservice.idl.MechSim;
+import org.mechservice.idl.ModelFile;
+import org.mechservice.idl.RuntimeInfo;
+
+/**
+ * One model at a server: load it once, then check it, run it there, fetch it and run it here, or
+ * build a JAR of it. The session is kept alive until it is closed. For one thread.
+ */
+public final class MechSession implements AutoCloseable {
+  private final RemoteCalls calls;
+  private final MechConnection connection;
+  private final MechSim session;
+  private final LeaseRenewal.Hold hold;
+  private final double openSeconds;
+  private double loadSeconds;
+  private ServerTimes atLoad = new ServerTimes(0, 0, 0);
+
+  MechSession(MechConnection connection, RemoteCalls calls, MechSim session, double openSeconds) {
+    this.connection = connection;
+    this.calls = calls;
+    this.session = session;
+    this.openSeconds = openSeconds;
+    hold = connection.leases().hold(session);
+  }
+
+  /** Returns the session's identity at the server. */
+  public String id() {
+    return calls.get(session::sessionId);
+  }
+
+  /** Returns the name of the host the session lives on. */
+  public String hostName() {
+    return calls.get(session::hostName);
+  }
+
+  /**
+   * Sends a model to the server, which reads and checks it.
+   *
+   * @param file MechML file
+   * @return warnings, in the order of the file
+   * @throws IOException if the file cannot be read
+   * @throws InvalidModelException if the model cannot be used; says what and where
+   */
+  public List<ModelMessage> loadModel(Path file) throws IOException {
+    byte[] content = Files.readAllBytes(file);
+    String name = String.valueOf(file.getFileName());
+    try {
+      return loadModel(name, content).stream().map(said -> located(said, name, file)).toList();
+    } catch (InvalidModelException e) {
+      throw new InvalidModelException(
+          e.code(),
+          String.valueOf(e.getMessage()),
+          e.messages().stream().map(said -> located(said, name, file)).toList());
+    }
+  }
+
+  /** The server only knows the file's name; the user wrote a path. */
+  private static ModelMessage located(ModelMessage said, String name, Path file) {
+    return said.fileName().equals(name) ? said.inFile(file.toString()) : said;
+  }
+
+  /**
+   * Sends a model to the server, which reads and checks it.
+   *
+   * @param fileName name that messages will use
+   * @param content the MechML text's bytes
+   * @return warnings, in the order of the file
+   * @throws InvalidModelException if the model cannot be used; says what and where
+   */
+  public List<ModelMessage> loadModel(String fileName, byte[] content) {
+    Stopwatch watch = new Stopwatch();
+    ModelFile model = new ModelFile(fileName, content);
+    var warnings = calls.get(() -> session.loadModel(model, new ModelFile[0]));
+    loadSeconds = watch.lap();
+    atLoad = serverTimes();
+    return ModelMessage.listOf(warnings);
+  }
+
+  /**
+   * Returns what the server knows of the model.
+   *
+   * @throws InvalidStateException if none is loaded
+   */
+  public ModelSummary model() {
+    return ModelSummary.of(calls.get(session::getModelInfo));
+  }
+
+  /**
+   * Returns what the server found out about the model: topology, degrees of freedom, suspicious
+   * values.
+   *
+   * @param asJson as one JSON object instead of text
+   * @throws InvalidStateException if no model is loaded
+   */
+  public String checkReport(boolean asJson) {
+    return calls.get(() -> session.checkReport(asJson));
+  }
+
+  /**
+   * Returns the Java class the server generates for the model.
+   *
+   * @throws InvalidOptionException if an option cannot be used
+   */
+  public GeneratedSource generatedSource(SimulationOptions options) {
+    ModelFile source = calls.get(() -> session.generatedSource(options.toNameValues()));
+    return new GeneratedSource(source.fileName, new String(source.content, StandardCharsets.UTF_8));
+  }
+
+  /**
+   * Prepares a run at the server.
+   *
+   * @throws InvalidOptionException if an option cannot be used
+   * @throws LimitExceededException if the host takes no more runs
+   */
+  public RemoteRun prepareRemoteRun(SimulationOptions options) {
+    return createRun(options, null);
+  }
+
+  /**
+   * Prepares a run at the server.
+   *
+   * @param listener hears of the run while it goes on
+   * @throws InvalidOptionException if an option cannot be used
+   * @throws LimitExceededException if the host takes no more runs
+   */
+  public RemoteRun prepareRemoteRun(SimulationOptions options, RunListener listener) {
+    return createRun(options, connection.export(listener));
+  }
+
+  private RemoteRun createRun(SimulationOptions options, @Nullable IMechClient callback) {
+    ServerTimes before = serverTimes();
+    Stopwatch watch = new Stopwatch();
+    IMechSimRemote simulation =
+        calls.get(() -> session.createSimulation(options.toNameValues(), callback));
+    double createSeconds = watch.lap();
+    LeaseRenewal.Hold simulationHold = connection.leases().hold(simulation);
+    try {
+      RowCursor rows = RowCursor.open(calls, connection.leases(), simulation);
+      double total = openSeconds + loadSeconds + createSeconds + watch.lap();
+      Map<String, Object> facts = new LinkedHashMap<>();
+      facts.put("where", "remote, host " + hostName());
+      facts.putAll(modelFacts());
+      facts.putAll(
+          SetUpTimes.remote(
+              loadSeconds, createSeconds, atLoad, serverTimes().since(before), total));
+      return new RemoteRun(calls, simulation, simulationHold, rows, facts);
+    } catch (ServiceException e) {
+      simulationHold.close();
+      throw e;
+    }
+  }
+
+  /**
+   * Prepares a run on this machine: fetches the compiled model, and the solver unless it is in the
+   * cache, and loads both.
+   *
+   * @throws InvalidOptionException if an option cannot be used
+   * @throws JarRefusedException if a JAR is not the one announced or does not fit this client
+   */
+  public LocalRun prepareLocalRun(SimulationOptions options) {
+    ServerTimes before = serverTimes();
+    Stopwatch watch = new Stopwatch();
+    BuiltJar modelJar = compile(options);
+    byte[] runtimeJar = connection.cache().get(modelJar.runtimeSha256(), () -> fetch(modelJar));
+    double fetchSeconds = watch.lap();
+    FetchedModel fetched = FetchedModel.load(modelJar, runtimeJar);
+    double total = openSeconds + loadSeconds + fetchSeconds + watch.lap();
+    Map<String, Object> facts = new LinkedHashMap<>();
+    facts.put("where", "local, compiled by host " + hostName());
+    fetched.formulationReason().ifPresent(reason -> facts.put("formulationReason", reason));
+    modelFacts().forEach(facts::putIfAbsent);
+    facts.putAll(
+        SetUpTimes.local(loadSeconds, fetchSeconds, atLoad, serverTimes().since(before), total));
+    facts.put("modelJarBytes", (long) modelJar.bytes().length);
+    facts.put("modelClassBytes", modelJar.modelClassBytes());
+    facts.put("runtimeJarBytes", (long) runtimeJar.length);
+    return fetched.prepare(options.columnGroups(), facts);
+  }
+
+  /**
+   * Builds a JAR of the model.
+   *
+   * @param standalone whether it carries the solver classes it needs and starts with {@code java
+   *     -jar}
+   * @throws InvalidOptionException if an option cannot be used
+   * @throws JarRefusedException if what arrives is not what was announced
+   */
+  public BuiltJar build(SimulationOptions options, boolean standalone) {
+    return compile(standalone ? options.standalone() : options);
+  }
+
+  /** Returns the size of the server's runtime JAR, bytes. */
+  public long runtimeJarBytes() {
+    RuntimeInfo runtime = calls.get(session::getRuntimeInfo);
+    return runtime.sizeBytes;
+  }
+
+  private BuiltJar compile(SimulationOptions options) {
+    JarInfoHolder holder = new JarInfoHolder();
+    byte[] jar = calls.get(() -> session.compileToJar(options.toNameValues(), holder));
+    JarInfo info = holder.value;
+    return BuiltJar.verified(jar, info);
+  }
+
+  private byte[] fetch(BuiltJar modelJar) {
+    return calls.get(() -> session.fetchRuntime(modelJar.runtimeSha256()));
+  }
+
+  private Map<String, Object> modelFacts() {
+    ModelSummary model = model();
+    Map<String, Object> facts = new LinkedHashMap<>();
+    facts.put("modelSha256", model.sha256());
+    facts.put("formulationReason", model.formulationReason());
+    facts.put("serverVersion", connection.service().version());
+    return facts;
+  }
+
+  private ServerTimes serverTimes() {
+    return ServerTimes.of(calls.get(session::timings));
+  }
+
+  /** Destroys the session and what it owns at the server. */
+  @Override
+  public void close() {
+    hold.close();
+  }
+}

@@ -1,0 +1,165 @@
+package org.mechservice.client;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.mechservice.idl.FailureRecord;
+import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.Variable;
+
+/**
+ * A run at the server. Its rows are pulled: in blocks by {@link #toEnd}, or one by one with {@link
+ * #start} and {@link #nextRow}. One thread takes the rows; every other method may be called from
+ * any thread.
+ */
+public final class RemoteRun implements PreparedRun {
+  /** How long one call waits at the server for rows; short enough to notice a lost server soon. */
+  private static final Duration BLOCK_WAIT = Duration.ofMillis(500);
+
+  private final RemoteCalls calls;
+  private final IMechSimRemote simulation;
+  private final LeaseRenewal.Hold simulationHold;
+  private final RowCursor rows;
+  private final Map<String, Object> facts;
+  private boolean started;
+
+  RemoteRun(
+      RemoteCalls calls,
+      IMechSimRemote simulation,
+      LeaseRenewal.Hold simulationHold,
+      RowCursor rows,
+      Map<String, Object> facts) {
+    this.calls = calls;
+    this.simulation = simulation;
+    this.simulationHold = simulationHold;
+    this.rows = rows;
+    this.facts = facts;
+  }
+
+  /** Returns the simulation's identity at the server. */
+  public String id() {
+    return calls.get(simulation::simId);
+  }
+
+  /** Returns name and unit of every column; the first is time. */
+  public List<Variable> columns() {
+    return rows.columns();
+  }
+
+  /**
+   * Starts the run.
+   *
+   * @throws InvalidStateException if it was started before
+   * @throws LimitExceededException if the host takes no more runs
+   */
+  public void start() {
+    calls.run(simulation::start);
+    started = true;
+  }
+
+  /**
+   * Returns the next row, waiting for it as long as asked.
+   *
+   * @param wait longest wait
+   * @return one number per column; empty if there is no new row yet, or none will come ({@link
+   *     #ended})
+   */
+  public Optional<double[]> nextRow(Duration wait) {
+    return rows.next(wait);
+  }
+
+  /** Returns whether the last row has been taken. */
+  public boolean ended() {
+    return rows.ended();
+  }
+
+  /** Starts the run if need be and puts out all rows that were not taken yet. */
+  @Override
+  public RunResult toEnd(ResultSink sink) throws IOException {
+    sink.begin(columns());
+    if (!started) {
+      start();
+    }
+    try {
+      while (!rows.ended()) {
+        rows.drainTo(sink, BLOCK_WAIT);
+      }
+    } catch (IOException e) {
+      cancel();
+      throw e;
+    }
+    return result();
+  }
+
+  /**
+   * Returns how the run ended.
+   *
+   * @throws InvalidStateException if it has not ended
+   */
+  public RunResult result() {
+    Map<String, Object> report =
+        new LinkedHashMap<>(ReportJson.parse(calls.get(simulation::report)));
+    facts.forEach(report::putIfAbsent);
+    return new RunResult(outcome(), report);
+  }
+
+  private Outcome outcome() {
+    return switch (progress().state()) {
+      case FAILED -> new Outcome.Failed(failure(calls.get(simulation::failure)));
+      case CANCELLED -> new Outcome.Stopped();
+      default -> new Outcome.Completed();
+    };
+  }
+
+  private static Failure failure(FailureRecord said) {
+    return new Failure(
+        said.code, said.text, said.simTime, said.stepSize, said.stepOrder, said.part, said.advice);
+  }
+
+  /** Holds the run after its current step. */
+  public void pause() {
+    calls.run(simulation::pause);
+  }
+
+  /** Lets a held run go on to its end. */
+  public void resume() {
+    calls.run(simulation::resume);
+  }
+
+  /** Takes one accepted step of the integrator and holds the run again. */
+  public void stepOnce() {
+    calls.run(simulation::stepOnce);
+  }
+
+  /**
+   * Lets the run go on until a step reaches a time, then holds it.
+   *
+   * @param time simulated time, s
+   */
+  public void runTo(double time) {
+    calls.run(() -> simulation.runTo(time));
+  }
+
+  @Override
+  public void cancel() {
+    calls.run(simulation::cancel);
+  }
+
+  @Override
+  public RunProgress progress() {
+    return RunProgress.of(calls.get(simulation::getProgress));
+  }
+
+  /** Destroys the run at the server; one that goes on is cancelled by that. */
+  @Override
+  public void close() {
+    rows.close();
+    simulationHold.close();
+  }
+}

@@ -1,0 +1,109 @@
+package org.mechservice.client;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.MAX_BLOCK_DOUBLES;
+import org.mechservice.idl.MAX_WAIT_MILLIS;
+import org.mechservice.idl.ResultBlock;
+import org.mechservice.idl.ResultBlockHolder;
+import org.mechservice.idl.ResultCursor;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.Variable;
+
+/** Pulls the rows of a remote run, in order and none twice. */
+final class RowCursor implements AutoCloseable {
+  private final RemoteCalls calls;
+  private final ResultCursor cursor;
+  private final LeaseRenewal.Hold hold;
+  private final List<Variable> columns;
+  private final int rowsPerBlock;
+  private long taken;
+  private boolean ended;
+
+  private RowCursor(RemoteCalls calls, ResultCursor cursor, LeaseRenewal.Hold hold) {
+    this.calls = calls;
+    this.cursor = cursor;
+    this.hold = hold;
+    columns =
+        Arrays.stream(calls.get(cursor::channels))
+            .map(channel -> new Variable(channel.name, channel.unit))
+            .toList();
+    rowsPerBlock = Math.max(1, MAX_BLOCK_DOUBLES.value / Math.max(1, columns.size()));
+  }
+
+  /** Opens a cursor over all columns the simulation was created with. */
+  static RowCursor open(RemoteCalls calls, LeaseRenewal leases, IMechSimRemote simulation) {
+    ResultCursor cursor = calls.get(() -> simulation.openResults(new String[0]));
+    return new RowCursor(calls, cursor, leases.hold(cursor));
+  }
+
+  List<Variable> columns() {
+    return columns;
+  }
+
+  boolean ended() {
+    return ended;
+  }
+
+  /** Returns the next row; empty if there is none within the wait. */
+  Optional<double[]> next(Duration wait) {
+    long deadline = System.nanoTime() + wait.toNanos();
+    while (true) {
+      long left = Math.max(0, (deadline - System.nanoTime()) / 1_000_000);
+      ResultBlock block = pull(1, (int) Math.min(left, MAX_WAIT_MILLIS.value));
+      if (block.rowCount > 0) {
+        return Optional.of(block.values);
+      }
+      if (ended || left == 0) {
+        return Optional.empty();
+      }
+    }
+  }
+
+  /** Hands over the rows that are there, or come within the wait. */
+  void drainTo(ResultSink sink, Duration wait) throws IOException {
+    ResultBlock block = pull(rowsPerBlock, (int) wait.toMillis());
+    double[] row = new double[columns.size()];
+    for (int i = 0; i < block.rowCount; i++) {
+      System.arraycopy(block.values, i * row.length, row, 0, row.length);
+      sink.row(row);
+    }
+  }
+
+  private ResultBlock pull(int maxRows, int waitMillis) {
+    ResultBlockHolder holder = new ResultBlockHolder();
+    calls.get(() -> cursor.nextBlock(maxRows, waitMillis, holder));
+    ResultBlock block = holder.value;
+    boolean fits =
+        block.values.length == (long) block.rowCount * columns.size()
+            && (block.rowCount == 0 || block.firstRow == taken);
+    if (!fits) {
+      throw new ServerFailureException(
+          "S-035",
+          "the server sent "
+              + block.values.length
+              + " numbers from row "
+              + block.firstRow
+              + " where "
+              + block.rowCount
+              + " rows of "
+              + columns.size()
+              + " from row "
+              + taken
+              + " were due",
+          "");
+    }
+    taken += block.rowCount;
+    ended = block.endOfData;
+    return block;
+  }
+
+  @Override
+  public void close() {
+    hold.close();
+  }
+}

@@ -1,0 +1,18 @@
+package org.mechservice.client;
+
+/** The server cannot be reached, does not answer any more, or has forgotten the session. */
+public final class ServerLostException extends ServiceException {
+  private static final long serialVersionUID = 1L;
+
+  private final String address;
+
+  ServerLostException(String code, String text, String address) {
+    super(code, text);
+    this.address = address;
+  }
+
+  /** Returns the address that was asked. */
+  public String address() {
+    return address;
+  }
+}

@@ -1,0 +1,30 @@
+package org.mechservice.client;
+
+import java.time.Instant;
+import java.util.List;
+import org.mechservice.idl.ServerInfo;
+
+/**
+ * What a server says of itself.
+ *
+ * @param name the server's name
+ * @param apiVersion version of the service's contract, such as {@code 1.0}
+ * @param version version of the server
+ * @param startedAt when it was started
+ * @param capabilities formulations, integrators and formats it offers
+ */
+public record ServiceDescription(
+    String name, String apiVersion, String version, Instant startedAt, List<String> capabilities) {
+  public ServiceDescription {
+    capabilities = List.copyOf(capabilities);
+  }
+
+  static ServiceDescription of(ServerInfo info) {
+    return new ServiceDescription(
+        info.serverName,
+        info.apiVersion,
+        info.serverVersion,
+        Instant.ofEpochMilli(info.startedAt),
+        List.of(info.capabilities));
+  }
+}

@@ -1,0 +1,117 @@
+package org.mechservice.client;
+
+import java.util.EnumSet;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.mechservice.idl.NameValue;
+import org.mechservice.idl.OPT_ABS_TOL;
+import org.mechservice.idl.OPT_COLUMNS;
+import org.mechservice.idl.OPT_FORMULATION;
+import org.mechservice.idl.OPT_INTEGRATOR;
+import org.mechservice.idl.OPT_REL_TOL;
+import org.mechservice.idl.OPT_STANDALONE;
+import org.mechservice.idl.OPT_T_END;
+import org.mechservice.idl.OPT_T_STEP;
+import org.mechservice.solver.api.ColumnGroup;
+
+/**
+ * How a model is to be simulated, where that differs from what its file says. Immutable: every
+ * method returns a new value.
+ *
+ * <pre>{@code
+ * SimulationOptions.asInFile().relativeTolerance(1e-9).endTime(10)
+ * }</pre>
+ *
+ * <p>The server checks the values and refuses what it does not know or cannot use with {@link
+ * InvalidOptionException}.
+ */
+public final class SimulationOptions {
+  private static final SimulationOptions AS_IN_FILE = new SimulationOptions(Map.of());
+
+  private final Map<String, String> texts;
+
+  private SimulationOptions(Map<String, String> texts) {
+    this.texts = texts;
+  }
+
+  /** Returns the settings of the model's file, unchanged. */
+  public static SimulationOptions asInFile() {
+    return AS_IN_FILE;
+  }
+
+  /** Chooses the formulation: {@code auto} or {@code DTR}. */
+  public SimulationOptions formulation(String name) {
+    return with(OPT_FORMULATION.value, name);
+  }
+
+  /** Chooses the integrator: {@code auto}, {@code ode113} or {@code DE}. */
+  public SimulationOptions integrator(String name) {
+    return with(OPT_INTEGRATOR.value, name);
+  }
+
+  /** Sets the local error allowed relative to the state. */
+  public SimulationOptions relativeTolerance(double tolerance) {
+    return with(OPT_REL_TOL.value, Double.toString(tolerance));
+  }
+
+  /** Sets the local error, in SI units, below which a state does not matter. */
+  public SimulationOptions absoluteTolerance(double tolerance) {
+    return with(OPT_ABS_TOL.value, Double.toString(tolerance));
+  }
+
+  /** Sets the end of the run, s. */
+  public SimulationOptions endTime(double seconds) {
+    return with(OPT_T_END.value, Double.toString(seconds));
+  }
+
+  /** Sets the distance of the result rows, s. */
+  public SimulationOptions outputStep(double seconds) {
+    return with(OPT_T_STEP.value, Double.toString(seconds));
+  }
+
+  /** Sets the column groups; time and the joints' positions and velocities always come first. */
+  public SimulationOptions columns(Set<ColumnGroup> groups) {
+    EnumSet<ColumnGroup> sorted = EnumSet.of(ColumnGroup.JOINTS);
+    sorted.addAll(groups);
+    return with(
+        OPT_COLUMNS.value,
+        sorted.stream().map(ColumnGroup::label).collect(Collectors.joining(",")));
+  }
+
+  SimulationOptions standalone() {
+    return with(OPT_STANDALONE.value, "true");
+  }
+
+  /** Sets an option by its key in the service's contract; for options this class does not name. */
+  public SimulationOptions with(String key, String text) {
+    Map<String, String> more = new LinkedHashMap<>(texts);
+    more.put(key, text);
+    return new SimulationOptions(more);
+  }
+
+  /** Returns the column groups asked for. */
+  Set<ColumnGroup> columnGroups() {
+    EnumSet<ColumnGroup> groups = EnumSet.of(ColumnGroup.JOINTS);
+    for (String label : texts.getOrDefault(OPT_COLUMNS.value, "joints").split(",", -1)) {
+      for (ColumnGroup group : ColumnGroup.values()) {
+        if (group.label().equals(label)) {
+          groups.add(group);
+        }
+      }
+    }
+    return groups;
+  }
+
+  NameValue[] toNameValues() {
+    return texts.entrySet().stream()
+        .map(entry -> new NameValue(entry.getKey(), entry.getValue()))
+        .toArray(NameValue[]::new);
+  }
+
+  @Override
+  public String toString() {
+    return texts.isEmpty() ? "as in file" : texts.toString();
+  }
+}

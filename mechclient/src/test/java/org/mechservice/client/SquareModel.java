@@ -1,0 +1,25 @@
+package org.mechservice.client;
+
+import java.util.List;
+import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.api.JointVariables;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.RunSettings;
+
+/** A model in name only. */
+public final class SquareModel implements Model {
+  @Override
+  public ModelDescription description() {
+    return new ModelDescription(
+        "square",
+        "DTR",
+        List.of(new JointVariables("j", JointType.R)),
+        new RunSettings(0, 24, 1, "ode113", 1e-3, 1e-3));
+  }
+
+  @Override
+  public void initialState(double[] y) {
+    y[0] = 0;
+  }
+}
