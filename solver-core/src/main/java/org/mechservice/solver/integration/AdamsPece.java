@@ -10,7 +10,7 @@ import org.mechservice.solver.integration.IntegrationFailure.Cause;
  * <p>One step is told by {@link #step}: it tries a step of size h with the predictor of order k
  * until the error test passes and all values are finite, accepts it, and chooses k and h anew.
  */
-abstract sealed class AdamsPece implements Integrator permits Ode113, De {
+abstract class AdamsPece implements Integrator {
   /** Tries in a row with values that are not finite before the integrator gives up. */
   private static final int NOT_FINITE_TRIES = 10;
 

@@ -12,7 +12,7 @@ import java.nio.charset.StandardCharsets;
  * number in 126-bit arithmetic. {@link Double#toString} does the same since JDK 19 only, and
  * results must not depend on the JDK that wrote them.
  *
- * <p>Numbers from 1e-5 up to 1e17 are written plainly ({@code 0.01}, {@code 3}), others with an
+ * <p>Numbers from 1e-3 up to 1e17 are written plainly ({@code 0.01}, {@code 3}), others with an
  * exponent ({@code 1.5e-7}).
  */
 public final class ShortestDecimal {
@@ -28,7 +28,7 @@ public final class ShortestDecimal {
   private static final int MAX_POWER = 324;
 
   /** Decimal exponents outside this range are written as exponents. */
-  private static final int SMALLEST_PLAIN_POINT = -4;
+  private static final int SMALLEST_PLAIN_POINT = -2;
 
   private static final int LARGEST_PLAIN_POINT = 17;
 
