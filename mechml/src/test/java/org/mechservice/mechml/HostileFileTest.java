@@ -144,7 +144,8 @@ class HostileFileTest {
     for (int i = 0; i < length; i++) {
       bodies.append("<body name='b%d'>%s<mass value='1'/></body>".formatted(i, parts));
       joints.append(
-          "<joint name='j%d' type='R'><body1 name='b%d' point='p' vector='u'/><body2 name='b%d' point='p' vector='u'/></joint>"
+          ("<joint name='j%d' type='R'><body1 name='b%d' point='p' vector='u'/>"
+                  + "<body2 name='b%d' point='p' vector='u'/></joint>")
               .formatted(i, i - 1, i));
     }
     return """

@@ -82,7 +82,8 @@ final class GrammarReader extends DefaultHandler2 {
           MessageCode.OWN_DECLARATION,
           here.place(),
           Phrase.of(
-              "the DOCTYPE declares %s of its own; the language is that of mechml.dtd, only entities may be added",
+              "the DOCTYPE declares %s of its own; the language is that of mechml.dtd,"
+                  + " only entities may be added",
               what));
     }
   }

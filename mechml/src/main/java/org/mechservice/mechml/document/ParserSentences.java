@@ -50,7 +50,8 @@ final class ParserSentences {
           Map.entry("InvalidASCII", "a byte that is not ASCII; save the file as UTF-8"),
           Map.entry(
               "RootElementTypeMustMatchDoctypedecl",
-              "the DOCTYPE announces another element; write <!DOCTYPE MechML SYSTEM \"MechML.dtd\">"),
+              "the DOCTYPE announces another element; write"
+                  + " <!DOCTYPE MechML SYSTEM \"MechML.dtd\">"),
           Map.entry(
               "MSG_WHITE_SPACE_IN_ELEMENT_CONTENT_WHEN_STANDALONE",
               "standalone=\"yes\" is not true of a model file; leave it out"));

@@ -9,6 +9,7 @@ import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.solver.integration.IntegratorSettings;
 
 /** Reads {@code integrator}. */
 final class IntegratorReader {
@@ -36,8 +37,14 @@ final class IntegratorReader {
           Phrase.of("there is no integrator %s; this version has DE and ode113", Quoted.of(name)));
     }
     OptionalDouble relative =
-        checked(element, "relTol", 0, x -> x > 0 && x < 1, "must lie between 0 and 1");
-    OptionalDouble absolute = checked(element, "absTol", 0, x -> x > 0, "must be positive");
+        checked(
+            element,
+            "relTol",
+            0,
+            x -> x >= IntegratorSettings.SMALLEST_RELATIVE_TOLERANCE && x < 1,
+            "must lie between " + IntegratorSettings.SMALLEST_RELATIVE_TOLERANCE + " and 1");
+    OptionalDouble absolute =
+        checked(element, "absTol", 0, x -> x >= Double.MIN_NORMAL, "must be positive");
     OptionalDouble maxStep =
         checked(element, "maxStep", Double.POSITIVE_INFINITY, x -> x > 0, "must be positive");
     OptionalDouble initialStep = checked(element, "initialStep", 0, x -> x > 0, "must be positive");
