@@ -77,14 +77,17 @@ public final class Mechanism {
   private static int[] outward(List<Body> bodies, List<Joint> joints, int[] jointOfBody) {
     List<Integer> order = new ArrayList<>();
     boolean[] reached = new boolean[bodies.size()];
+    int[] onPathOf = new int[bodies.size()];
+    Arrays.fill(onPathOf, ROOT);
     for (int body = 0; body < bodies.size(); body++) {
       List<Integer> path = new ArrayList<>();
       for (int b = body; b != ROOT && !reached[b]; ) {
         int joint = jointOfBody[b];
-        if (joint == -1 || path.contains(joint)) {
+        if (joint == -1 || onPathOf[b] == body) {
           throw new IllegalArgumentException(
               "body " + bodies.get(b).name() + " does not hang on the root");
         }
+        onPathOf[b] = body;
         path.add(joint);
         b = joints.get(joint).attachment().parent();
       }
