@@ -9,11 +9,13 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
 import java.security.DigestOutputStream;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.UUID;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.Variable;
 
@@ -47,10 +49,18 @@ public final class ResultFile implements ResultSink, Closeable {
     if (!Files.isDirectory(folder)) {
       throw new NoSuchFileException("S-064 there is no folder " + folder + " for the results");
     }
-    growing = Files.createTempFile(folder, "." + this.target.getFileName() + "-", ".part");
+    // Not a temporary file of the JDK's making: those are readable for their owner only.
+    growing = folder.resolve("." + this.target.getFileName() + "-" + UUID.randomUUID() + ".part");
     digest = sha256Digest();
-    OutputStream file = new BufferedOutputStream(Files.newOutputStream(growing));
-    csv = new CsvWriter(new DigestOutputStream(file, digest));
+    csv = new CsvWriter(new DigestOutputStream(new BufferedOutputStream(open(growing)), digest));
+  }
+
+  private static OutputStream open(Path file) throws IOException {
+    try {
+      return Files.newOutputStream(file, StandardOpenOption.CREATE_NEW);
+    } catch (IOException e) {
+      throw new IOException("S-064 cannot write in folder " + file.getParent() + ": " + e, e);
+    }
   }
 
   private static MessageDigest sha256Digest() {
