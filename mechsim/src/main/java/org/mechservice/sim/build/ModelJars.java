@@ -11,7 +11,6 @@ import org.mechservice.sim.build.jar.ModelDescriptionXml;
 import org.mechservice.sim.build.jar.ReachableClasses;
 import org.mechservice.sim.build.jar.ReproducibleJar;
 import org.mechservice.sim.build.jar.Sha256;
-import org.mechservice.sim.build.javac.SolverClasses;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
@@ -37,7 +36,7 @@ final class ModelJars {
     manifest.put("Main-Class", mainClass);
     manifest.putAll(manifest(model, mechmlSha256));
     ReproducibleJar jar = new ReproducibleJar(manifest).addClasses(own);
-    ReachableClasses.from(own, SolverClasses.files()).forEach(jar::add);
+    ReachableClasses.from(own, SolverFiles.lean()).forEach(jar::add);
     return packed(model, mechmlSha256, jar, "-standalone", mainClass, manifest);
   }
 

@@ -4,7 +4,6 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import org.mechservice.sim.build.jar.ReproducibleJar;
 import org.mechservice.sim.build.jar.Sha256;
-import org.mechservice.sim.build.javac.SolverClasses;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.simulation.SolverVersion;
 
@@ -24,7 +23,7 @@ final class RuntimeJar {
     manifest.put("Implementation-Version", SolverVersion.CURRENT);
     manifest.put("Mech-Api-Version", Integer.toString(Model.API_VERSION));
     ReproducibleJar jar = new ReproducibleJar(manifest);
-    SolverClasses.files().forEach(jar::add);
+    SolverFiles.lean().forEach(jar::add);
     byte[] bytes = jar.bytes();
     return new PackedJar(
         "mechservice-runtime-" + SolverVersion.CURRENT + ".jar",

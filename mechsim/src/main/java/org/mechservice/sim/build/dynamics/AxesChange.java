@@ -1,7 +1,7 @@
 package org.mechservice.sim.build.dynamics;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarMatrix;
@@ -33,9 +33,14 @@ record AxesChange(Rotation permuted, List<Turn> turns) {
 
   /** Takes a rotation apart; elements that are 0 or ±1 up to rounding are so exactly. */
   static AxesChange of(Rotation childToParent) {
-    double[][] r = Axes.elements(Axes.snapped(childToParent));
+    Rotation rotation = Axes.snapped(childToParent);
     for (Rotation permutation : Axes.permutations()) {
-      double[][] turned = Axes.elements(Axes.of(r).times(permutation.transposed()));
+      if (permutation.equals(rotation)) {
+        return new AxesChange(permutation, List.of());
+      }
+    }
+    for (Rotation permutation : Axes.permutations()) {
+      double[][] turned = Axes.elements(rotation.times(permutation.transposed()));
       for (int axis = 0; axis < 3; axis++) {
         if (keeps(turned, axis)) {
           int i = (axis + 1) % 3;
@@ -44,7 +49,7 @@ record AxesChange(Rotation permuted, List<Turn> turns) {
         }
       }
     }
-    return new AxesChange(Rotation.IDENTITY, eulerTurns(r));
+    return new AxesChange(Rotation.IDENTITY, eulerTurns(rotation));
   }
 
   /** Returns whether a rotation turns about a coordinate axis. */
@@ -56,19 +61,20 @@ record AxesChange(Rotation permuted, List<Turn> turns) {
     return r[axis][axis] > 0 && across + down <= 4 * Axes.ROUNDING;
   }
 
-  /** R = Rot(z, a) Rot(x, b) Rot(z, c); turns about zero are left out. */
-  private static List<Turn> eulerTurns(double[][] r) {
+  /**
+   * R = Rot(z, a) Rot(x, b) Rot(z, c), c first and a from what remains, so that their sum is right
+   * where b is small; turns about zero are left out.
+   */
+  private static List<Turn> eulerTurns(Rotation rotation) {
+    double[][] r = Axes.elements(rotation);
     double sinB = Math.hypot(r[2][0], r[2][1]);
     Turn first = new Turn(2, r[2][1] / sinB, r[2][0] / sinB);
+    Rotation back = Axes.turn(2, first.cosine(), -first.sine());
+    double[][] rest = Axes.elements(rotation.times(back));
+    double norm = Math.hypot(rest[0][0], rest[1][0]);
     Turn second = new Turn(0, r[2][2], sinB);
-    Turn third = new Turn(2, -r[1][2] / sinB, r[0][2] / sinB);
-    List<Turn> turns = new ArrayList<>();
-    for (Turn turn : List.of(first, second, third)) {
-      if (!turn.isNone()) {
-        turns.add(turn);
-      }
-    }
-    return turns;
+    Turn third = new Turn(2, rest[0][0] / norm, rest[1][0] / norm);
+    return Stream.of(first, second, third).filter(turn -> !turn.isNone()).toList();
   }
 
   /** Returns whether child and parent axes are the same. */

@@ -71,7 +71,11 @@ final class CodeSize {
   }
 
   private static int ofOperation(Scalar node, Map<Scalar, Place> places) {
-    return 1 + node.operands().stream().mapToInt(operand -> of(operand, places)).sum();
+    int bytes = 1;
+    for (Scalar operand : node.operands()) {
+      bytes += of(operand, places);
+    }
+    return bytes;
   }
 
   private static int of(Place place) {

@@ -15,12 +15,15 @@ final class ExpressionPrinter {
 
   private final Map<Scalar, Place> places;
   private final String inputArray;
+  private final NumberText numbers;
 
   /**
    * @param places where values are found; the others are written out
    * @param inputArray name of the array of inputs
+   * @param numbers writes constants
    */
-  ExpressionPrinter(Map<Scalar, Place> places, String inputArray) {
+  ExpressionPrinter(Map<Scalar, Place> places, String inputArray, NumberText numbers) {
+    this.numbers = numbers;
     this.places = places;
     this.inputArray = inputArray;
   }
@@ -44,7 +47,7 @@ final class ExpressionPrinter {
   /** Returns the operation that gives a value, even if it has a place. */
   String operation(Scalar node) {
     return switch (node.operation()) {
-      case CONSTANT -> NumberText.of(node.value());
+      case CONSTANT -> numbers.of(node.value());
       case INPUT -> inputArray + "[" + node.index() + "]";
       case NEGATE -> "-" + atLeast(node.first(), SIGN);
       case SQUARE_ROOT -> "Math.sqrt(" + value(node.first()) + ")";

@@ -19,6 +19,8 @@ public final class JavaText {
           "List",
           "Model",
           "ModelDescription",
+          "Double",
+          "Math",
           "Object",
           "Override",
           "RunSettings",

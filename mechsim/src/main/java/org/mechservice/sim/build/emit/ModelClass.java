@@ -166,7 +166,7 @@ public record ModelClass(
   }
 
   private static String number(double value) {
-    return Double.isInfinite(value) ? "Double.POSITIVE_INFINITY" : NumberText.of(value);
+    return Double.isInfinite(value) ? "Double.POSITIVE_INFINITY" : new NumberText().of(value);
   }
 
   private void initialState(SourceLines source) {
@@ -176,7 +176,7 @@ public record ModelClass(
     source.line("Arrays.fill(y, 0.0);");
     for (int i = 0; i < y.length; i++) {
       if (y[i] != 0) {
-        source.line("y[" + i + "] = " + NumberText.of(y[i]) + ";");
+        source.line("y[" + i + "] = " + new NumberText().of(y[i]) + ";");
       }
     }
     source.close();

@@ -15,6 +15,7 @@ final class ProgramPrinter {
   private final String outputArray;
   private final ProgramPlan plan;
   private final boolean returnsResult;
+  private final NumberText numbers = new NumberText();
 
   /**
    * @param name name of the method, and the beginning of those of its parts
@@ -59,7 +60,7 @@ final class ProgramPrinter {
 
   private void angles() {
     List<Scalar> angles = plan.angles();
-    ExpressionPrinter printer = new ExpressionPrinter(Map.of(), "y");
+    ExpressionPrinter printer = new ExpressionPrinter(Map.of(), "y", numbers);
     for (int i = 0; i < angles.size(); ) {
       int run = runOfInputs(i);
       if (run >= SHORTEST_LOOP) {
@@ -133,7 +134,7 @@ final class ProgramPrinter {
   }
 
   private void body(MethodPlan method) {
-    ExpressionPrinter printer = new ExpressionPrinter(method.places(), "y");
+    ExpressionPrinter printer = new ExpressionPrinter(method.places(), "y", numbers);
     boolean first = true;
     for (Statement statement : method.statements()) {
       if (statement instanceof Statement.Comment comment) {

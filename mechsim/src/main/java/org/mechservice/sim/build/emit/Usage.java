@@ -27,6 +27,8 @@ final class Usage {
   private final boolean[] placed;
   private final List<List<Scalar>> placedIn = new ArrayList<>();
   private final int[] length;
+  private final List<Scalar> given;
+  private final List<Scalar> angles;
 
   Usage(Program program) {
     this.program = program;
@@ -39,6 +41,8 @@ final class Usage {
     }
     collectUses();
     choosePlaced();
+    given = collectGiven();
+    angles = collectAngles();
     for (int section = 0; section < sections.size(); section++) {
       placedIn.add(collectPlaced(section));
     }
@@ -73,7 +77,10 @@ final class Usage {
   private void choosePlaced() {
     for (int id = 0; id < live.length; id++) {
       Scalar node = program.expressions().node(id);
-      int terms = node.operands().stream().mapToInt(operand -> length[operand.id()]).sum();
+      int terms = 0;
+      for (Scalar operand : node.operands()) {
+        terms += length[operand.id()];
+      }
       if (live[id] > 0 && isComputed(node)) {
         List<Integer> sectionsOfUse = usedIn.get(id);
         boolean here = sectionsOfUse.size() == 1 && sectionsOfUse.get(0) == sectionOf(node);
@@ -140,6 +147,10 @@ final class Usage {
 
   /** Returns inputs, sines and cosines that sections use, in order of their nodes. */
   List<Scalar> given() {
+    return given;
+  }
+
+  private List<Scalar> collectGiven() {
     List<Scalar> nodes = new ArrayList<>();
     for (int id = 0; id < live.length; id++) {
       Scalar node = program.expressions().node(id);
@@ -153,6 +164,10 @@ final class Usage {
 
   /** Returns the angles whose sines or cosines are used: first the inputs in order, then others. */
   List<Scalar> angles() {
+    return angles;
+  }
+
+  private List<Scalar> collectAngles() {
     Set<Scalar> angles = new LinkedHashSet<>();
     given().stream().filter(Usage::isAngleFunction).forEach(node -> angles.add(node.first()));
     return angles.stream()

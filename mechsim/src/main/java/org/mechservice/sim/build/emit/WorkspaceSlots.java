@@ -63,7 +63,11 @@ final class WorkspaceSlots {
   }
 
   private int lastChunkUsing(Scalar node) {
-    return usage.sectionsUsing(node).stream().mapToInt(chunkOfSection::get).max().orElse(0);
+    int last = 0;
+    for (int section : usage.sectionsUsing(node)) {
+      last = Math.max(last, chunkOfSection.get(section));
+    }
+    return last;
   }
 
   boolean has(Scalar node) {
