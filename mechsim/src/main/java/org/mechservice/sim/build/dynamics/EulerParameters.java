@@ -4,6 +4,7 @@ import java.util.List;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
 
 /**
  * A rotation as Euler parameters e0 = cos(φ/2), (e1, e2, e3) = u sin(φ/2).
@@ -16,10 +17,14 @@ record EulerParameters(List<Scalar> e) {
     return e.get(i);
   }
 
-  /** Returns a turn about z, given cosine and sine of half its angle. */
-  static EulerParameters aboutZ(Scalar cosineOfHalf, Scalar sineOfHalf) {
-    Scalar zero = cosineOfHalf.expressions().zero();
-    return new EulerParameters(List.of(cosineOfHalf, zero, zero, sineOfHalf));
+  /** Returns a turn about a constant unit vector, given cosine and sine of half its angle. */
+  static EulerParameters about(Vector3 axis, Scalar cosineOfHalf, Scalar sineOfHalf) {
+    return new EulerParameters(
+        List.of(
+            cosineOfHalf,
+            sineOfHalf.times(axis.x()),
+            sineOfHalf.times(axis.y()),
+            sineOfHalf.times(axis.z())));
   }
 
   /** Returns a constant rotation, e0 ≥ 0. */

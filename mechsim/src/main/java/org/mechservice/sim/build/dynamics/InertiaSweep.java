@@ -105,7 +105,9 @@ final class InertiaSweep {
     Scalar force = jointForce.apply(link);
     Scalar left = force.minus(onAxis(link, wrenches[i]));
     shares[i] = share;
-    driven[i] = program.named("u_over_D_" + link.jointLabel(), left.times(reciprocal));
+    // The reciprocal pays where the column is divided too, which nothing needs at the root.
+    Scalar atRest = link.parent() == Links.ROOT ? left.over(pivot) : left.times(reciprocal);
+    driven[i] = program.named("u_over_D_" + link.jointLabel(), atRest);
     if (link.parent() != Links.ROOT) {
       ArticulatedInertia projected = inertias[i].projected(link.turns(), column, share);
       Wrench rest = rest(link, wrenches[i], column, driven[i], force);

@@ -23,6 +23,8 @@ import org.mechservice.solver.spatial.Vector3;
  *     m
  * @param axes from this link's computing axes to the parent's at q = 0
  * @param fromBody from the body's own axes to its computing axes
+ * @param zeroRotation from the body's own axes to its parent body's own axes at q = 0
+ * @param axis the joint's unit vector in the body's own axes
  * @param bodyOrigin from the computing origin to the body's own origin, in computing axes, m
  * @param mass kg
  * @param centerOfMass from the computing origin, in computing axes, m
@@ -42,6 +44,8 @@ public record Link(
     Vector3 offset,
     AxesChange axes,
     Rotation fromBody,
+    Rotation zeroRotation,
+    Vector3 axis,
     Vector3 bodyOrigin,
     double mass,
     Vector3 centerOfMass,

@@ -67,6 +67,8 @@ public record Links(Mechanism mechanism, List<Link> links, Vector3 gravity) {
         offset(mechanism, attachment, fromParentBody),
         AxesChange.of(toParent),
         frame,
+        Axes.snapped(attachment.zeroRotation()),
+        Axes.snapped(attachment.zeroRotation().transposed().apply(axisOf(joint))),
         origin,
         body.mass(),
         ComputingAxes.inFrame(frame, body.centerOfMass().minus(attachment.childPoint())),

@@ -14,16 +14,16 @@ import org.mechservice.solver.spatial.Rotation;
  * Where the bodies of an open chain are and how they move, in world axes: the body frames of the
  * model file, not the frames the dynamics are computed in.
  *
- * <p>Euler parameters are products of those of the joints (half angles), so no position has to be
- * told apart from others; their common sign is left open.
+ * <p>Euler parameters are products of those of the joints (half angles), so that no orientation
+ * needs a formula of its own; their common sign is left open.
  */
 public final class PoseEquations {
   /**
-   * Pose and velocity of a computing frame in the world.
+   * Pose and velocity of a link in the world.
    *
-   * @param position of its origin from the world origin, m
-   * @param rotation from its axes to world axes
-   * @param attitude the same as Euler parameters
+   * @param position of its computing origin from the world origin, m
+   * @param rotation from its computing axes to world axes
+   * @param attitude from its body's own axes to world axes
    * @param velocity of its origin, world axes, m/s
    * @param omega angular velocity, world axes, rad/s
    */
@@ -88,7 +88,7 @@ public final class PoseEquations {
     return new Pose(
         parent.position().plus(way),
         parent.rotation().times(matrix(axes)),
-        parent.attitude().times(EulerParameters.of(expressions, axes)),
+        parent.attitude().times(EulerParameters.of(expressions, link.zeroRotation())),
         parent.velocity().plus(parent.omega().cross(way)),
         parent.omega());
   }
@@ -105,7 +105,8 @@ public final class PoseEquations {
     List<ScalarVector> columns = List.of(turnedX, turnedY, z);
     Scalar half = angles.position(link).times(0.5);
     EulerParameters turn =
-        EulerParameters.aboutZ(
+        EulerParameters.about(
+            link.axis(),
             program.named("cos_half_" + link.jointLabel(), expressions.cosine(half)),
             program.named("sin_half_" + link.jointLabel(), expressions.sine(half)));
     return new Pose(
@@ -143,12 +144,10 @@ public final class PoseEquations {
   /** From the computing frame to the body's own. */
   private void putOut(Link link, Pose pose) {
     ScalarVector arm = pose.rotation().times(ScalarVector.of(expressions, link.bodyOrigin()));
-    EulerParameters attitude =
-        pose.attitude().times(EulerParameters.of(expressions, link.fromBody()));
     ScalarVector velocity = pose.velocity().plus(pose.omega().cross(arm));
     List<Scalar> numbers = new ArrayList<>(pose.position().plus(arm).components());
     for (int i = 0; i < 4; i++) {
-      numbers.add(attitude.at(i));
+      numbers.add(pose.attitude().at(i));
     }
     numbers.addAll(velocity.components());
     numbers.addAll(pose.omega().components());

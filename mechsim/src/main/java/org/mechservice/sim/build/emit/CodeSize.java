@@ -1,19 +1,38 @@
 package org.mechservice.sim.build.emit;
 
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.TreeSet;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 
-/** Estimates bytes of code, a little on the high side. */
+/** Estimates bytes of code. */
 final class CodeSize {
-  /** A local variable beyond the first 128 doubles takes the wide form. */
-  private static final int LOCAL = 3;
-
   private static final int SLOT = 5;
   private static final int CONSTANT = 3;
-  private static final int RETURN_CHECK = 10;
+  private static final int CHECK = 10;
 
-  private CodeSize() {}
+  /** What a local variable takes before it is known which. */
+  private static final int LOCAL = 3;
+
+  /** Local variables up to this slot take the short form, two bytes an access, others four. */
+  private static final int LAST_SHORT_SLOT = 255;
+
+  private static final int SHORT_LOCAL = 2;
+  private static final int WIDE_LOCAL = 4;
+
+  /** Slots of the instance, the parameters and the workspace. */
+  private static final int FIRST_SLOT = 7;
+
+  private final Map<Scalar, Place> places;
+  private final List<String> accesses = new ArrayList<>();
+  private int bytes;
+
+  private CodeSize(Map<Scalar, Place> places) {
+    this.places = places;
+  }
 
   /** Returns the estimate of each section of a program, were all in one method. */
   static int[] ofSections(Program program, Usage usage) {
@@ -24,7 +43,7 @@ final class CodeSize {
       }
       Program.Section section = program.sections().get(s);
       bytes[s] += section.outputs().size() * (SLOT + LOCAL);
-      bytes[s] += section.guards().size() * (2 * LOCAL + RETURN_CHECK);
+      bytes[s] += section.guards().size() * (2 * LOCAL + CHECK);
     }
     return bytes;
   }
@@ -38,47 +57,84 @@ final class CodeSize {
     return bytes;
   }
 
-  /** Returns the estimate of a planned method. */
+  /** Returns the estimate of a planned method, its variables sharing slots as they come and go. */
   static int of(MethodPlan method) {
-    int bytes = 0;
-    for (Statement statement : method.statements()) {
-      bytes += of(statement, method.places());
-    }
-    return bytes;
+    CodeSize size = new CodeSize(method.places());
+    method.statements().forEach(size::add);
+    return size.bytes + size.bytesOfLocals();
   }
 
-  private static int of(Statement statement, Map<Scalar, Place> places) {
+  private void add(Statement statement) {
     if (statement instanceof Statement.Load load) {
-      return LOCAL + of(load.from());
+      add(load.from());
+      accesses.add(load.local());
     } else if (statement instanceof Statement.Define define) {
-      return LOCAL + ofOperation(define.value(), places);
+      addOperation(define.value());
+      accesses.add(define.local());
     } else if (statement instanceof Statement.Store store) {
-      return SLOT + of(store.value(), places);
+      bytes += SLOT;
+      add(store.value());
     } else if (statement instanceof Statement.PutOut output) {
-      return SLOT + of(output.value(), places);
+      bytes += SLOT;
+      add(output.value());
     } else if (statement instanceof Statement.Check check) {
-      return RETURN_CHECK + of(check.pivot(), places) + of(check.bound(), places);
+      bytes += CHECK;
+      add(check.pivot());
+      add(check.bound());
+    } else if (statement instanceof Statement.CopyInputs) {
+      bytes += CHECK;
     }
-    return statement instanceof Statement.CopyInputs ? RETURN_CHECK : 0;
   }
 
-  private static int of(Scalar node, Map<Scalar, Place> places) {
+  private void add(Scalar node) {
     Place place = places.get(node);
     if (place != null) {
-      return of(place);
+      add(place);
+    } else if (node.isConstant()) {
+      bytes += CONSTANT;
+    } else {
+      addOperation(node);
     }
-    return node.isConstant() ? CONSTANT : ofOperation(node, places);
   }
 
-  private static int ofOperation(Scalar node, Map<Scalar, Place> places) {
-    int bytes = 1;
-    for (Scalar operand : node.operands()) {
-      bytes += of(operand, places);
-    }
-    return bytes;
+  private void addOperation(Scalar node) {
+    bytes += 1;
+    node.operands().forEach(this::add);
   }
 
-  private static int of(Place place) {
-    return place instanceof Place.Local ? LOCAL : SLOT;
+  private void add(Place place) {
+    if (place instanceof Place.Local local) {
+      accesses.add(local.name());
+    } else {
+      bytes += SLOT;
+    }
+  }
+
+  private int bytesOfLocals() {
+    Map<String, Integer> lastAccess = new HashMap<>();
+    for (int i = 0; i < accesses.size(); i++) {
+      lastAccess.put(accesses.get(i), i);
+    }
+    Map<String, Integer> slotOf = new HashMap<>();
+    TreeSet<Integer> free = new TreeSet<>();
+    int next = FIRST_SLOT;
+    int total = 0;
+    for (int i = 0; i < accesses.size(); i++) {
+      String name = accesses.get(i);
+      Integer slot = slotOf.get(name);
+      if (slot == null) {
+        slot = free.pollFirst();
+      }
+      if (slot == null) {
+        slot = next;
+        next += 2;
+      }
+      slotOf.put(name, slot);
+      total += slot <= LAST_SHORT_SLOT ? SHORT_LOCAL : WIDE_LOCAL;
+      if (lastAccess.getOrDefault(name, -1) == i) {
+        free.add(slot);
+      }
+    }
+    return total;
   }
 }

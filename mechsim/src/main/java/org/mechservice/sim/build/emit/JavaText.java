@@ -34,6 +34,8 @@ public final class JavaText {
           "IntegratorSettings",
           "Standalone");
 
+  private static final int LONGEST_LITERAL = 70;
+
   private JavaText() {}
 
   /** Returns a class name for a model name: ASCII letters, digits and underscores. */
@@ -51,10 +53,15 @@ public final class JavaText {
     return name.chars().allMatch(c -> c == '_');
   }
 
-  /** Returns a string literal, in ASCII. */
+  /** Returns a string literal, in ASCII; a long one in pieces, which the compiler joins. */
   static String literal(String text) {
     StringBuilder literal = new StringBuilder("\"");
+    int lineStart = 0;
     for (int i = 0; i < text.length(); i++) {
+      if (literal.length() - lineStart > LONGEST_LITERAL) {
+        literal.append("\" + \"");
+        lineStart = literal.length();
+      }
       char c = text.charAt(i);
       switch (c) {
         case '"' -> literal.append("\\\"");

@@ -185,7 +185,7 @@ public record ModelClass(
   private void poses(SourceLines source, ProgramPlan plan) {
     String names = mechanism.bodies().stream().map(Body::name).collect(Collectors.joining("\n"));
     source.blank().line("@Override").open("public List<String> bodies()");
-    source.line("return List.of(" + JavaText.literal(names) + ".split(\"\\n\", -1));");
+    source.line("return List.of((" + JavaText.literal(names) + ").split(\"\\n\", -1));");
     source.close();
     int perBody = BodyPoses.NUMBERS_PER_BODY;
     new ProgramPrinter(source, "poses", "poses", plan)
@@ -195,7 +195,7 @@ public record ModelClass(
                 "for (int i = 3; i < poses.length; i += " + perBody + ") {",
                 "  if (poses[i] < 0) {",
                 "    for (int j = i; j < i + 4; j++) {",
-                "      poses[j] = -poses[j];",
+                "      poses[j] = 0 - poses[j];",
                 "    }",
                 "  }",
                 "}"));

@@ -43,6 +43,9 @@ final class ProgramPrinter {
       source.line("double[] w = this.w;");
     }
     angles();
+    if (!plan.angles().isEmpty()) {
+      source.blank();
+    }
     if (plan.methods().size() == 1) {
       body(plan.methods().get(0));
     } else {

@@ -2,8 +2,10 @@ package org.mechservice.sim.build.javac;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeSet;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.ClassWriter;
@@ -11,7 +13,6 @@ import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.Type;
 import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.ClassNode;
-import org.objectweb.asm.tree.IincInsnNode;
 import org.objectweb.asm.tree.JumpInsnNode;
 import org.objectweb.asm.tree.MethodNode;
 import org.objectweb.asm.tree.VarInsnNode;
@@ -72,20 +73,19 @@ final class CompactLocals {
 
   /** Gives each variable the lowest slot that is free while it lives. */
   private static void compact(MethodNode method) {
-    Map<Integer, AbstractInsnNode> lastUse = new HashMap<>();
     int parameters = parameters(method);
-    int next = parameters;
+    Map<Integer, AbstractInsnNode> lastUse = new HashMap<>();
+    Set<Integer> others = new HashSet<>();
     for (AbstractInsnNode instruction : method.instructions) {
       if (isDouble(instruction)) {
         lastUse.put(((VarInsnNode) instruction).var, instruction);
       } else if (instruction instanceof VarInsnNode other) {
-        next = Math.max(next, other.var + 1);
-      } else if (instruction instanceof IincInsnNode other) {
-        next = Math.max(next, other.var + 1);
+        others.add(other.var);
       }
     }
     Map<Integer, Integer> slotOf = new HashMap<>();
     TreeSet<Integer> free = new TreeSet<>();
+    int next = parameters;
     for (AbstractInsnNode instruction : method.instructions) {
       if (isDouble(instruction) && ((VarInsnNode) instruction).var >= parameters) {
         VarInsnNode access = (VarInsnNode) instruction;
@@ -95,6 +95,9 @@ final class CompactLocals {
           slot = free.pollFirst();
         }
         if (slot == null) {
+          while (others.contains(next) || others.contains(next + 1)) {
+            next++;
+          }
           slot = next;
           next += 2;
         }

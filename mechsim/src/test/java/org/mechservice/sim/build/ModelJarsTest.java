@@ -1,0 +1,207 @@
+package org.mechservice.sim.build;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.jar.Attributes;
+import java.util.jar.JarEntry;
+import java.util.jar.JarInputStream;
+import java.util.jar.Manifest;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.build.jar.ReproducibleJar;
+import org.mechservice.sim.build.jar.Sha256;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.RunSettings;
+
+class ModelJarsTest {
+  private static final String SHA = "0123456789abcdef".repeat(4);
+  private static final String MODEL = "org/mechservice/model/FiveBarPendulum.class";
+
+  private static CompiledModel pendulum(String integrator) {
+    RunSettings settings = new RunSettings(0, 3, 0.01, integrator, 1e-5, 1e-5);
+    BuildOptions options = new BuildOptions("auto", Set.of(ColumnGroup.ENERGY), settings);
+    MechmlModel model = Scenes.model(Scenes.pendulum());
+    return ModelFactory.compile(model, options, ModelFactory.generate(model, options));
+  }
+
+  private static SortedMap<String, byte[]> entries(PackedJar jar) throws IOException {
+    SortedMap<String, byte[]> entries = new TreeMap<>();
+    try (JarInputStream stream = new JarInputStream(new ByteArrayInputStream(jar.bytes()))) {
+      for (JarEntry entry = stream.getNextJarEntry();
+          entry != null;
+          entry = stream.getNextJarEntry()) {
+        entries.put(entry.getName(), stream.readAllBytes());
+      }
+    }
+    return entries;
+  }
+
+  private static Attributes manifest(PackedJar jar) throws IOException {
+    try (JarInputStream stream = new JarInputStream(new ByteArrayInputStream(jar.bytes()))) {
+      Manifest manifest = stream.getManifest();
+      return manifest.getMainAttributes();
+    }
+  }
+
+  @Test
+  void theModelJarHoldsTheModelAndNothingElse() throws IOException {
+    PackedJar jar = ModelFactory.modelJar(pendulum("DE"), SHA);
+    assertThat(entries(jar).keySet()).containsExactly("META-INF/modelDescription.xml", MODEL);
+    assertThat(jar.fileName()).isEqualTo("FiveBarPendulum.jar");
+    assertThat(jar.mainClass()).isEqualTo("org.mechservice.model.FiveBarPendulum");
+    assertThat(jar.sha256()).isEqualTo(Sha256.of(jar.bytes()));
+  }
+
+  /** Issue 2: the pendulum's classes take at most 4 KB. */
+  @Test
+  void thePendulumsClassIsSmall() {
+    assertThat(ModelFactory.modelJar(pendulum("DE"), SHA).modelBytes()).isLessThan(4096);
+  }
+
+  @Test
+  void thePendulumsClassNamesNothingItDoesNotNeed() throws IOException {
+    byte[] bytes = entries(ModelFactory.modelJar(pendulum("DE"), SHA)).get(MODEL);
+    String constants = new String(bytes, StandardCharsets.ISO_8859_1);
+    assertThat(constants)
+        .contains("org/mechservice/solver/spatial/SinCos", "org/mechservice/solver/api/Energies")
+        .doesNotContain("BodyPoses", "Quaternion", "EulerParameters", "poses", "sqrt", "List")
+        .doesNotContain("StringConcatFactory", "LineNumberTable", "LocalVariableTable");
+  }
+
+  @Test
+  void theManifestSaysWhatTheModelIs() throws IOException {
+    PackedJar jar = ModelFactory.modelJar(pendulum("ode113"), SHA);
+    Attributes manifest = manifest(jar);
+    assertThat(manifest.getValue("Mech-Model")).isEqualTo("org.mechservice.model.FiveBarPendulum");
+    assertThat(manifest.getValue("Mech-Api-Version")).isEqualTo("1");
+    assertThat(manifest.getValue("Mech-Formulation")).isEqualTo("DTR");
+    assertThat(manifest.getValue("Mech-Integrator")).isEqualTo("ode113");
+    assertThat(manifest.getValue("Mech-Columns")).isEqualTo("joints,accelerations,energy");
+    assertThat(manifest.getValue("Mech-Model-SHA-256")).isEqualTo(SHA);
+    assertThat(manifest.getValue("Mech-Left-Out")).contains("poses of the bodies");
+    jar.manifest().forEach((key, value) -> assertThat(manifest.getValue(key)).isEqualTo(value));
+  }
+
+  @Test
+  void theDescriptionListsVariablesWithUnitsAndStart() throws IOException {
+    byte[] xml =
+        entries(ModelFactory.modelJar(pendulum("DE"), SHA)).get("META-INF/modelDescription.xml");
+    assertThat(new String(xml, StandardCharsets.UTF_8))
+        .contains("<variable name=\"j3.q\" unit=\"rad\" kind=\"state\" start=\"0\"/>")
+        .contains("<variable name=\"j3.a\" unit=\"rad/s^2\" kind=\"output\"/>")
+        .contains("tEnd=\"3\"", "integrator=\"DE\"", SHA);
+  }
+
+  @Test
+  void theSameModelGivesTheSameBytes() {
+    assertThat(ModelFactory.modelJar(pendulum("DE"), SHA).bytes())
+        .isEqualTo(ModelFactory.modelJar(pendulum("DE"), SHA).bytes());
+    assertThat(ModelFactory.standaloneJar(pendulum("DE"), SHA).bytes())
+        .isEqualTo(ModelFactory.standaloneJar(pendulum("DE"), SHA).bytes());
+  }
+
+  /** Issue 2: at most 125 KB. */
+  @Test
+  void theRuntimeJarHoldsTheSolverInLittleRoom() throws IOException {
+    PackedJar runtime = ModelFactory.runtimeJar();
+    assertThat(runtime.bytes().length).isLessThan(125 * 1024);
+    assertThat(entries(runtime))
+        .containsKey("org/mechservice/solver/simulation/Simulation.class")
+        .containsKey("org/mechservice/solver/dynamics/ArticulatedBody.class");
+    assertThat(entries(runtime).keySet())
+        .allMatch(
+            name -> name.startsWith("org/mechservice/solver/") || name.startsWith("META-INF/"));
+    assertThat(ModelFactory.runtimeJar()).isSameAs(runtime);
+  }
+
+  @Test
+  void theStandaloneJarHoldsOnlyWhatItReaches() throws IOException {
+    PackedJar jar = ModelFactory.standaloneJar(pendulum("DE"), SHA);
+    assertThat(jar.bytes().length).isLessThan(ModelFactory.runtimeJar().bytes().length * 9 / 10);
+    assertThat(entries(jar).keySet())
+        .contains(MODEL, "org/mechservice/solver/standalone/Standalone.class")
+        .contains("org/mechservice/solver/integration/De.class")
+        .noneMatch(name -> name.startsWith("org/mechservice/solver/dynamics/"))
+        .noneMatch(name -> name.startsWith("org/mechservice/solver/mechanism/"));
+    assertThat(manifest(jar).getValue("Main-Class")).isEqualTo(jar.mainClass());
+  }
+
+  @Test
+  void theStandaloneJarRunsByItself(@TempDir Path folder) throws Exception {
+    for (String integrator : List.of("DE", "ode113")) {
+      PackedJar jar = ModelFactory.standaloneJar(pendulum(integrator), SHA);
+      Files.write(folder.resolve(jar.fileName()), jar.bytes());
+      Path results = folder.resolve(integrator + ".csv");
+      Process process =
+          java(folder, "-jar", jar.fileName(), "--out", results.toString(), "--quiet");
+      assertThat(process.waitFor()).isZero();
+      List<String> rows = Files.readAllLines(results);
+      assertThat(rows).hasSize(302);
+      assertThat(rows.get(0)).startsWith("t,j1.q,j2.q");
+      assertThat(rows.get(301)).startsWith("3,1.85");
+    }
+  }
+
+  /** From directories of classes, as here, or from JARs: the solver is found and packed alike. */
+  @Test
+  void jarsAreTheSameWhenEverythingRunsFromJars(@TempDir Path folder) throws Exception {
+    List<String> path = new ArrayList<>();
+    for (String element : System.getProperty("java.class.path").split(File.pathSeparator, -1)) {
+      Path place = Path.of(element);
+      path.add(Files.isDirectory(place) ? jarOf(place, folder, path.size()) : element);
+    }
+    Process process =
+        java(folder, "-cp", String.join(File.pathSeparator, path), ModelJarsTest.class.getName());
+    String printed = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertThat(process.waitFor()).as(printed).isZero();
+    assertThat(printed.strip()).isEqualTo(digests());
+  }
+
+  /** Prints the digests of the pendulum's JARs. */
+  public static void main(String[] args) {
+    System.out.println(digests());
+  }
+
+  private static String digests() {
+    CompiledModel pendulum = pendulum("DE");
+    return ModelFactory.modelJar(pendulum, SHA).sha256()
+        + ModelFactory.standaloneJar(pendulum, SHA).sha256()
+        + ModelFactory.runtimeJar().sha256();
+  }
+
+  private static String jarOf(Path directory, Path folder, int number) throws IOException {
+    ReproducibleJar jar = new ReproducibleJar(Map.of());
+    try (Stream<Path> files = Files.walk(directory)) {
+      for (Path file : files.filter(Files::isRegularFile).toList()) {
+        String name = directory.relativize(file).toString().replace('\\', '/');
+        if (!name.equals("META-INF/MANIFEST.MF")) {
+          jar.add(name, Files.readAllBytes(file));
+        }
+      }
+    }
+    Path path = folder.resolve("part" + number + ".jar");
+    Files.write(path, jar.bytes());
+    return path.toString();
+  }
+
+  private static Process java(Path folder, String... arguments) throws IOException {
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(List.of(arguments));
+    return new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).start();
+  }
+}
