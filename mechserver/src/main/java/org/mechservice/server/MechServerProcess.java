@@ -84,7 +84,12 @@ public final class MechServerProcess implements AutoCloseable {
   static MechServerProcess start(ServerSettings settings, ServerTuning tuning, Solver solver) {
     ServiceOrb orb =
         ServiceOrb.server(new ListenAddress(settings.listenAddress(), settings.port()));
-    return new MechServerProcess(settings, orb, tuning, solver);
+    try {
+      return new MechServerProcess(settings, orb, tuning, solver);
+    } catch (RuntimeException e) {
+      orb.close();
+      throw e;
+    }
   }
 
   /** Returns the URL clients connect to, {@code corbaloc:iiop:1.2@host:port/MechServer}. */
