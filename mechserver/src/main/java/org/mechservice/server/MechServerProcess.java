@@ -1,30 +1,133 @@
 package org.mechservice.server;
 
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.mechservice.idl.HostRegistryOperations;
+import org.mechservice.idl.HostRegistryPOATie;
+import org.mechservice.idl.MechAdminOperations;
+import org.mechservice.idl.MechAdminPOATie;
+import org.mechservice.idl.MechServerOperations;
+import org.mechservice.idl.MechServerPOATie;
+import org.mechservice.idl.MechSimHostOperations;
+import org.mechservice.orb.GuardedServant;
+import org.mechservice.orb.ListenAddress;
+import org.mechservice.orb.ServiceKey;
+import org.mechservice.orb.ServiceOrb;
+import org.mechservice.sim.host.SimHost;
+import org.mechservice.sim.service.Journal;
+import org.mechservice.solver.api.Solver;
+
 /** The process behind {@code mech server}, and the embedded server of the command line. */
 public final class MechServerProcess implements AutoCloseable {
-  private MechServerProcess() {}
+  private static final long CLOSING_MILLIS = 5000;
+
+  private final ServiceOrb orb;
+  private final HostDirectory directory;
+  private final Optional<SimHost> ownHost;
+  private final MechServerServant server;
+  private final CountDownLatch closed = new CountDownLatch(1);
+  private final AtomicBoolean closing = new AtomicBoolean();
+
+  private MechServerProcess(
+      ServerSettings settings, ServiceOrb orb, ServerTuning tuning, Solver solver) {
+    this.orb = orb;
+    Journal journal = new Journal("server");
+    directory = new HostDirectory(tuning, orb.outbound(), journal);
+    server = new MechServerServant(settings.name(), directory, tuning);
+    ownHost =
+        settings.localCapacity() > 0
+            ? Optional.of(
+                new SimHost(
+                    orb,
+                    settings.name(),
+                    settings.localCapacity(),
+                    tuning.limits(),
+                    solver,
+                    this::close))
+            : Optional.empty();
+    ownHost.ifPresent(
+        host ->
+            directory.add(
+                new KnownHost(
+                    host.getInfo(),
+                    GuardedServant.of(MechSimHostOperations.class, host, () -> {}),
+                    true,
+                    orb.endpoint())));
+    publish(new MechAdminServant(server, directory, tuning, journal, this::shutDown));
+  }
+
+  private void publish(MechAdminServant admin) {
+    HostRegistryServant registry = new HostRegistryServant(orb, directory);
+    orb.publish(
+        Map.of(
+            ServiceKey.SERVER,
+            new MechServerPOATie(GuardedServant.of(MechServerOperations.class, server, () -> {})),
+            ServiceKey.REGISTRY,
+            new HostRegistryPOATie(
+                GuardedServant.of(HostRegistryOperations.class, registry, () -> {})),
+            ServiceKey.ADMIN,
+            new MechAdminPOATie(GuardedServant.of(MechAdminOperations.class, admin, () -> {}))));
+  }
 
   /**
    * Starts a server.
    *
    * @throws org.mechservice.orb.PortInUseException if the port is taken
+   * @throws IllegalArgumentException with code S-004 if the address cannot be listened on
    */
   public static MechServerProcess start(ServerSettings settings) {
-    throw new UnsupportedOperationException();
+    return start(settings, ServerTuning.DEFAULT, SimHost.installedSolver());
+  }
+
+  static MechServerProcess start(ServerSettings settings, ServerTuning tuning, Solver solver) {
+    ServiceOrb orb =
+        ServiceOrb.server(new ListenAddress(settings.listenAddress(), settings.port()));
+    try {
+      return new MechServerProcess(settings, orb, tuning, solver);
+    } catch (RuntimeException e) {
+      orb.close();
+      throw e;
+    }
   }
 
   /** Returns the URL clients connect to, {@code corbaloc:iiop:1.2@host:port/MechServer}. */
   public String url() {
-    throw new UnsupportedOperationException();
+    return orb.url(ServiceKey.SERVER);
+  }
+
+  private void shutDown(long graceSeconds) {
+    server.setDraining(true);
+    Thread thread =
+        new Thread(
+            () -> {
+              ownHost.ifPresent(host -> host.awaitIdle(graceSeconds));
+              close();
+            },
+            "mechserver-shutdown");
+    thread.setDaemon(true);
+    thread.start();
   }
 
   /** Waits until the server is shut down. */
   public void awaitShutdown() throws InterruptedException {
-    throw new UnsupportedOperationException();
+    closed.await();
   }
 
+  /** Ends all sessions of this process and closes the port. Idempotent. */
   @Override
   public void close() {
-    throw new UnsupportedOperationException();
+    if (closing.compareAndSet(false, true)) {
+      ownHost.ifPresent(SimHost::close);
+      directory.close();
+      orb.close();
+      try {
+        directory.calls().awaitEnd(CLOSING_MILLIS);
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      }
+      closed.countDown();
+    }
   }
 }

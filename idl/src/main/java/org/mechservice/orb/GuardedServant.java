@@ -1,0 +1,90 @@
+package org.mechservice.orb;
+
+import java.lang.reflect.InvocationHandler;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
+import java.lang.reflect.Proxy;
+import java.util.Arrays;
+import java.util.UUID;
+import org.jspecify.annotations.Nullable;
+import org.mechservice.idl.ServerFailure;
+import org.omg.CORBA.INTERNAL;
+import org.omg.CORBA.SystemException;
+import org.omg.CORBA.UserException;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Stands between the ORB and a servant. What a servant throws unexpectedly, the ORB would send to
+ * the caller with class and message; here it becomes a {@link ServerFailure} (or, where the
+ * operation knows none, an {@code INTERNAL}) that carries nothing but an incident number, under
+ * which the server's log has the rest.
+ */
+public final class GuardedServant implements InvocationHandler {
+  private static final Logger LOG = LoggerFactory.getLogger(GuardedServant.class);
+
+  private final Object servant;
+  private final Runnable called;
+
+  private GuardedServant(Object servant, Runnable called) {
+    this.servant = servant;
+    this.called = called;
+  }
+
+  /**
+   * Returns the servant, guarded.
+   *
+   * @param operations the operations interface of the IDL compiler
+   * @param called runs before every call; renews a lease, for instance
+   */
+  public static <T> T of(Class<T> operations, T servant, Runnable called) {
+    return operations.cast(
+        Proxy.newProxyInstance(
+            operations.getClassLoader(),
+            new Class<?>[] {operations},
+            new GuardedServant(servant, called)));
+  }
+
+  @Override
+  public @Nullable Object invoke(Object proxy, Method method, Object @Nullable [] arguments)
+      throws UserException {
+    try {
+      called.run();
+      return method.invoke(servant, arguments);
+    } catch (InvocationTargetException e) {
+      Throwable thrown = e.getCause() == null ? e : e.getCause();
+      if (thrown instanceof UserException expected) {
+        throw expected;
+      }
+      if (thrown instanceof SystemException expected) {
+        throw expected;
+      }
+      throw incident(method, thrown);
+    } catch (IllegalAccessException e) {
+      throw incident(method, e);
+    }
+  }
+
+  private static UserException incident(Method method, Throwable thrown) {
+    String incident = record(method.getName(), thrown);
+    if (Arrays.asList(method.getExceptionTypes()).contains(ServerFailure.class)) {
+      return new ServerFailure(
+          "S-001",
+          "the server failed unexpectedly; its log has the details under incident " + incident,
+          incident);
+    }
+    throw new INTERNAL("S-001 incident " + incident);
+  }
+
+  /**
+   * Writes something unexpected to the log.
+   *
+   * @param where the operation it happened in
+   * @return the incident number it is logged under
+   */
+  public static String record(String where, Throwable thrown) {
+    String incident = UUID.randomUUID().toString().substring(0, 8);
+    LOG.error("S-001 incident {} in {}", incident, where, thrown);
+    return incident;
+  }
+}

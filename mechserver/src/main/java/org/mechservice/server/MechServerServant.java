@@ -1,0 +1,83 @@
+package org.mechservice.server;
+
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.jspecify.annotations.Nullable;
+import org.mechservice.idl.API_VERSION;
+import org.mechservice.idl.DiagnosticSeqHolder;
+import org.mechservice.idl.IMechClient;
+import org.mechservice.idl.Limit;
+import org.mechservice.idl.LimitExceeded;
+import org.mechservice.idl.MechServerOperations;
+import org.mechservice.idl.MechSim;
+import org.mechservice.idl.ModelFile;
+import org.mechservice.idl.NotAvailable;
+import org.mechservice.idl.NotFound;
+import org.mechservice.idl.ServerFailure;
+import org.mechservice.idl.ServerInfo;
+import org.mechservice.orb.ServiceVersion;
+import org.mechservice.sim.service.Refusal;
+
+/** Where clients connect. */
+final class MechServerServant implements MechServerOperations {
+  private static final String[] CAPABILITIES = {
+    "formulation=DTR", "integrator=ode113", "integrator=DE", "jar=model", "jar=standalone"
+  };
+
+  private final String name;
+  private final HostDirectory directory;
+  private final Placement placement;
+  private final ServerTuning tuning;
+  private final long startedAt = System.currentTimeMillis();
+  private final AtomicBoolean draining = new AtomicBoolean();
+
+  MechServerServant(String name, HostDirectory directory, ServerTuning tuning) {
+    this.name = name;
+    this.directory = directory;
+    this.tuning = tuning;
+    placement = new Placement(directory);
+  }
+
+  /** Takes no new sessions, or takes them again. */
+  void setDraining(boolean drain) {
+    draining.set(drain);
+  }
+
+  boolean draining() {
+    return draining.get();
+  }
+
+  @Override
+  public ServerInfo getInfo() {
+    return new ServerInfo(
+        name, API_VERSION.value, ServiceVersion.CURRENT, startedAt, CAPABILITIES.clone());
+  }
+
+  @Override
+  public MechSim createSession(String clientName, String hostName, @Nullable IMechClient client)
+      throws LimitExceeded, NotFound, ServerFailure {
+    if (draining.get()) {
+      throw Refusal.noPlace("server " + name + " is being emptied and takes no new sessions");
+    }
+    return hostName.isEmpty()
+        ? placement.anywhere(clientName, client)
+        : placement.on(hostName, clientName, client);
+  }
+
+  @Override
+  public MechSim findSession(String sessionId) throws NotFound {
+    Optional<MechSim> found =
+        directory.askAll(host -> host.findSession(sessionId)).values().stream().findFirst();
+    return found.orElseThrow(() -> Refusal.notFound("there is no session " + sessionId));
+  }
+
+  @Override
+  public ModelFile importModel(ModelFile foreign, DiagnosticSeqHolder losses) throws NotAvailable {
+    throw Refusal.notAvailable("importing other formats is not in this version; send MechML");
+  }
+
+  @Override
+  public Limit[] limits() {
+    return tuning.limits().toLimits();
+  }
+}

@@ -1,0 +1,31 @@
+package org.mechservice.server;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.idl.LimitExceeded;
+import org.mechservice.idl.ResultBlock;
+import org.mechservice.idl.ResultBlockHolder;
+import org.mechservice.idl.ResultCursor;
+import org.mechservice.idl.ServerFailure;
+
+/** Pulls rows. */
+final class Rows {
+  private Rows() {}
+
+  /** Returns all rows from where the cursor is to the end of data. */
+  static List<double[]> toEnd(ResultCursor cursor, int maxRows)
+      throws LimitExceeded, ServerFailure {
+    List<double[]> rows = new ArrayList<>();
+    ResultBlockHolder holder = new ResultBlockHolder();
+    do {
+      cursor.nextBlock(maxRows, 1000, holder);
+      ResultBlock block = holder.value;
+      for (int row = 0; row < block.rowCount; row++) {
+        double[] values = new double[block.columnCount];
+        System.arraycopy(block.values, row * block.columnCount, values, 0, values.length);
+        rows.add(values);
+      }
+    } while (!holder.value.endOfData);
+    return rows;
+  }
+}

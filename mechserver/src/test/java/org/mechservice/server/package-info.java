@@ -1,0 +1,4 @@
+@NullMarked
+package org.mechservice.server;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,269 @@
+package org.mechservice.sim.service;
+
+import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.mechservice.idl.Diagnostic;
+import org.mechservice.idl.IMechClient;
+import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.InvalidModel;
+import org.mechservice.idl.InvalidOption;
+import org.mechservice.idl.InvalidState;
+import org.mechservice.idl.JarInfo;
+import org.mechservice.idl.JarInfoHolder;
+import org.mechservice.idl.LimitExceeded;
+import org.mechservice.idl.MAX_WAIT_MILLIS;
+import org.mechservice.idl.MechSimOperations;
+import org.mechservice.idl.ModelFile;
+import org.mechservice.idl.ModelInfo;
+import org.mechservice.idl.NameValue;
+import org.mechservice.idl.NotAuthorized;
+import org.mechservice.idl.NotAvailable;
+import org.mechservice.idl.NotFound;
+import org.mechservice.idl.Parameter;
+import org.mechservice.idl.RoadmapEntry;
+import org.mechservice.idl.RuntimeInfo;
+import org.mechservice.idl.ServerFailure;
+import org.mechservice.idl.SimEvent;
+import org.mechservice.idl.SimState;
+import org.mechservice.mechml.MechmlException;
+import org.mechservice.mechml.SimulationSettings;
+import org.mechservice.sim.build.BuildOptions;
+import org.mechservice.sim.build.CheckReport;
+import org.mechservice.sim.build.CompiledModel;
+import org.mechservice.sim.build.GeneratedModel;
+import org.mechservice.sim.build.ModelFactory;
+import org.mechservice.sim.build.PackedJar;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.simulation.SolverVersion;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** One client's session: a model file goes in, simulations and JARs come out. */
+final class MechSimServant implements MechSimOperations {
+  private static final Logger LOG = LoggerFactory.getLogger(MechSimServant.class);
+
+  private final Session session;
+  private final ModelLibrary library;
+  private final RunFactory runs;
+  private final Runnable destroyed;
+  private final SetUpTimes times = new SetUpTimes();
+  private volatile Optional<LoadedModel> loaded = Optional.empty();
+
+  /**
+   * @param destroyed runs when the client ends the session
+   */
+  MechSimServant(Session session, ModelLibrary library, RunFactory runs, Runnable destroyed) {
+    this.session = session;
+    this.library = library;
+    this.runs = runs;
+    this.destroyed = destroyed;
+  }
+
+  @Override
+  public String sessionId() {
+    return session.id();
+  }
+
+  @Override
+  public String hostName() {
+    return session.hostName();
+  }
+
+  @Override
+  public Diagnostic[] loadModel(ModelFile mechml, ModelFile[] userFiles)
+      throws InvalidModel, LimitExceeded, NotAuthorized {
+    int limit = session.limits().modelBytes();
+    if (mechml.content.length > limit) {
+      throw Refusal.limit(
+          "modelBytes",
+          limit,
+          mechml.content.length,
+          "the model file has "
+              + mechml.content.length
+              + " bytes; this server takes at most "
+              + limit);
+    }
+    if (userFiles.length > 0) {
+      throw Refusal.notAllowed("user code is not in this version; leave it out");
+    }
+    long start = System.nanoTime();
+    try {
+      LoadedModel read = LoadedModel.read(mechml.fileName, mechml.content);
+      times.addTreating(System.nanoTime() - start);
+      loaded = Optional.of(read);
+      generateAhead(read);
+      return Wire.diagnostics(read.model().warnings());
+    } catch (MechmlException e) {
+      throw Refusal.model(e.diagnostics());
+    }
+  }
+
+  /** Most runs are as the file says; what does not fit is said when a run is asked for. */
+  private void generateAhead(LoadedModel read) {
+    SimulationSettings settings = read.model().settings();
+    try {
+      RunOptions asInFile = RunOptions.parse(new NameValue[0], settings);
+      library.generated(read, asInFile.forRun(settings), times);
+    } catch (InvalidOption | NotAvailable | IllegalArgumentException e) {
+      LOG.debug("the model cannot be run as its file says", e);
+    }
+  }
+
+  private LoadedModel requireModel() throws InvalidState {
+    return loaded.orElseThrow(
+        () -> Refusal.state(SimState.SIM_CREATED, "no model is loaded; call loadModel first"));
+  }
+
+  @Override
+  public ModelInfo getModelInfo() throws InvalidState {
+    return ModelFacts.info(requireModel());
+  }
+
+  /** None: this version folds all parameters into the generated class. */
+  @Override
+  public Parameter[] parameters() throws InvalidState {
+    requireModel();
+    return new Parameter[0];
+  }
+
+  @Override
+  public RoadmapEntry[] roadmap() throws InvalidState {
+    return ModelFacts.roadmap(requireModel());
+  }
+
+  @Override
+  public String checkReport(boolean asJson) throws InvalidState {
+    CheckReport report = CheckReport.of(requireModel().model());
+    return asJson ? report.json() : report.text();
+  }
+
+  @Override
+  public ModelFile generatedSource(NameValue[] options)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
+    LoadedModel model = requireModel();
+    RunOptions asked = RunOptions.parse(options, model.model().settings());
+    GeneratedModel generated =
+        Built.orRefused(() -> library.generated(model, asked.forJar(), times));
+    return new ModelFile(
+        generated.className().replace('.', '/') + ".java",
+        generated.source().getBytes(StandardCharsets.UTF_8));
+  }
+
+  @Override
+  public IMechSimRemote createSimulation(NameValue[] options, @Nullable IMechClient client)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
+    session.requirePlaceForSimulation();
+    LoadedModel source = requireModel();
+    SimulationSettings ofFile = source.model().settings();
+    RunOptions asked = RunOptions.parse(options, ofFile);
+    CompiledModel compiled =
+        Built.orRefused(() -> library.compiled(source, asked.forRun(ofFile), times));
+    Model model = compiled.newInstance();
+    RunRequest request = new RunRequest(asked.settings(), asked.columns());
+    List<Variable> columns = Built.orRefused(() -> runs.columns(model, request));
+    SimulationRun run = runs.create(model, request, columns.size(), session::stateChanged);
+    RunFacts facts = RunFacts.of(session.hostName(), source, compiled.generated(), times);
+    IMechSimRemote reference =
+        session.add(
+            run, new SimulationServant(session, run, facts, model.description(), columns), client);
+    session.said(run, messages(source, compiled.generated(), asked));
+    return reference;
+  }
+
+  private static Diagnostic[] messages(
+      LoadedModel source, GeneratedModel generated, RunOptions asked) {
+    Diagnostic[] warnings = Wire.diagnostics(source.model().warnings());
+    Diagnostic[] all = new Diagnostic[warnings.length + 1];
+    System.arraycopy(warnings, 0, all, 0, warnings.length);
+    all[warnings.length] =
+        Wire.information(
+            "S-017",
+            "formulation "
+                + generated.formulation()
+                + " ("
+                + generated.formulationReason()
+                + "), integrator "
+                + asked.settings().integrator());
+    return all;
+  }
+
+  @Override
+  public byte[] compileToJar(NameValue[] options, JarInfoHolder info)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
+    LoadedModel source = requireModel();
+    RunOptions asked = RunOptions.parse(options, source.model().settings());
+    BuildOptions build = asked.forJar();
+    CompiledModel compiled = Built.orRefused(() -> library.compiled(source, build, times));
+    long start = System.nanoTime();
+    PackedJar jar =
+        asked.standalone()
+            ? ModelFactory.standaloneJar(compiled, source.sha256())
+            : ModelFactory.modelJar(compiled, source.sha256());
+    String runtime = asked.standalone() ? "" : ModelFactory.runtimeJar().sha256();
+    times.addPacking(System.nanoTime() - start);
+    info.value =
+        new JarInfo(
+            jar.fileName(),
+            jar.mainClass(),
+            jar.sha256(),
+            jar.bytes().length,
+            jar.modelBytes(),
+            new byte[0],
+            runtime,
+            Wire.nameValues(jar.manifest()));
+    return jar.bytes();
+  }
+
+  @Override
+  public RuntimeInfo getRuntimeInfo() {
+    PackedJar jar = ModelFactory.runtimeJar();
+    return new RuntimeInfo(jar.sha256(), jar.bytes().length, new byte[0], SolverVersion.CURRENT);
+  }
+
+  @Override
+  public byte[] fetchRuntime(String sha256) throws NotFound {
+    PackedJar jar = ModelFactory.runtimeJar();
+    if (!jar.sha256().equals(sha256)) {
+      throw Refusal.notFound("this server's runtime JAR is " + jar.sha256() + ", not " + sha256);
+    }
+    return jar.bytes();
+  }
+
+  @Override
+  public NameValue[] timings() {
+    Map<String, String> texts = new LinkedHashMap<>();
+    times.asMap().forEach((name, seconds) -> texts.put(name, Double.toString(seconds)));
+    return Wire.nameValues(texts);
+  }
+
+  @Override
+  public SimEvent[] pollEvents(long afterSeqNo, int maxCount, int waitMillis) {
+    try {
+      return session
+          .events()
+          .after(
+              afterSeqNo,
+              (int) Math.min(Integer.toUnsignedLong(maxCount), Integer.MAX_VALUE),
+              Math.min(Integer.toUnsignedLong(waitMillis), MAX_WAIT_MILLIS.value));
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return new SimEvent[0];
+    }
+  }
+
+  @Override
+  public int renewLease() {
+    return session.limits().leaseSeconds();
+  }
+
+  @Override
+  public void destroy() {
+    destroyed.run();
+  }
+}

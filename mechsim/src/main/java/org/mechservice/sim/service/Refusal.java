@@ -1,0 +1,74 @@
+package org.mechservice.sim.service;
+
+import java.util.List;
+import org.mechservice.idl.InvalidModel;
+import org.mechservice.idl.InvalidOption;
+import org.mechservice.idl.InvalidState;
+import org.mechservice.idl.LimitExceeded;
+import org.mechservice.idl.NotAuthorized;
+import org.mechservice.idl.NotAvailable;
+import org.mechservice.idl.NotFound;
+import org.mechservice.idl.SimState;
+import org.mechservice.mechml.Diagnostic;
+
+/** The exceptions of the contract, each with its entry of the error catalogue. */
+public final class Refusal {
+  private Refusal() {}
+
+  /** The interface has it, this version has not. */
+  public static NotAvailable notAvailable(String text) {
+    return new NotAvailable("S-007", text);
+  }
+
+  /** An option is unknown or its value is not usable. */
+  public static InvalidOption option(String name, String text) {
+    return new InvalidOption("S-008", text, name);
+  }
+
+  /** Not possible now. */
+  public static InvalidState state(SimState current, String text) {
+    return new InvalidState("S-009", text, current);
+  }
+
+  /**
+   * More than this server allows.
+   *
+   * @param name the limit, as {@code limits} lists it
+   * @param value what it allows
+   * @param requested what was asked for
+   */
+  public static LimitExceeded limit(String name, long value, long requested, String text) {
+    return new LimitExceeded("S-010", text, name, value, requested);
+  }
+
+  /** No host takes a session now. */
+  public static LimitExceeded noPlace(String text) {
+    return new LimitExceeded("S-012", text, "places", 0, 1);
+  }
+
+  /** There is no such thing, or no longer. */
+  public static NotFound notFound(String text) {
+    return new NotFound("S-011", text);
+  }
+
+  /** Not allowed on this server. */
+  public static NotAuthorized notAllowed(String text) {
+    return new NotAuthorized("S-007", text);
+  }
+
+  /**
+   * The model cannot be used.
+   *
+   * @param diagnostics why, at least one of them an error
+   */
+  public static InvalidModel model(List<Diagnostic> diagnostics) {
+    long errors =
+        diagnostics.stream()
+            .filter(said -> said.severity() == org.mechservice.mechml.Severity.ERROR)
+            .count();
+    return new InvalidModel(
+        "S-016",
+        "the model has " + errors + (errors == 1 ? " error" : " errors"),
+        Wire.diagnostics(diagnostics));
+  }
+}

@@ -1,0 +1,262 @@
+package org.mechservice.sim.service;
+
+import java.util.EnumSet;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.mechservice.idl.InvalidOption;
+import org.mechservice.idl.NameValue;
+import org.mechservice.idl.NotAvailable;
+import org.mechservice.idl.OPT_ABS_TOL;
+import org.mechservice.idl.OPT_CLOSURE;
+import org.mechservice.idl.OPT_COLUMNS;
+import org.mechservice.idl.OPT_COMPACT;
+import org.mechservice.idl.OPT_FORMULATION;
+import org.mechservice.idl.OPT_INTEGRATOR;
+import org.mechservice.idl.OPT_REL_TOL;
+import org.mechservice.idl.OPT_SET;
+import org.mechservice.idl.OPT_SIMULATION;
+import org.mechservice.idl.OPT_STANDALONE;
+import org.mechservice.idl.OPT_TUNABLE;
+import org.mechservice.idl.OPT_T_END;
+import org.mechservice.idl.OPT_T_STEP;
+import org.mechservice.mechml.SimulationSettings;
+import org.mechservice.sim.build.BuildOptions;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.RunSettings;
+
+/**
+ * How a model is to be built and run: what its file says, overridden by the options of a request.
+ *
+ * @param formulation formulation asked for, {@code auto} or a name
+ * @param columns column groups wanted
+ * @param settings of the run, with the integrator resolved
+ * @param standalone whether a JAR is to carry the solver
+ */
+record RunOptions(
+    String formulation, Set<ColumnGroup> columns, RunSettings settings, boolean standalone) {
+  /** What {@code auto} means: right for models without stiffness, and the only family here. */
+  private static final String AUTOMATIC_INTEGRATOR = "ode113";
+
+  private static final String AUTO = "auto";
+  private static final Set<String> KNOWN =
+      new TreeSet<>(
+          Set.of(
+              OPT_SIMULATION.value,
+              OPT_FORMULATION.value,
+              OPT_CLOSURE.value,
+              OPT_INTEGRATOR.value,
+              OPT_REL_TOL.value,
+              OPT_ABS_TOL.value,
+              OPT_T_END.value,
+              OPT_T_STEP.value,
+              OPT_COLUMNS.value,
+              OPT_SET.value,
+              OPT_TUNABLE.value,
+              OPT_STANDALONE.value,
+              OPT_COMPACT.value));
+  private static final Set<String> COLUMNS_TO_COME =
+      Set.of("constraints", "reactions", "forces", "outputs");
+
+  RunOptions {
+    columns = Set.copyOf(columns);
+  }
+
+  /**
+   * Reads the options of a request.
+   *
+   * @throws InvalidOption if an option is unknown, given twice, or its value cannot be used
+   * @throws NotAvailable if the contract knows the option and this version does not
+   */
+  static RunOptions parse(NameValue[] options, SimulationSettings ofFile)
+      throws InvalidOption, NotAvailable {
+    Map<String, String> given = byName(options);
+    refuseWhatIsToCome(given);
+    return new RunOptions(
+        given.getOrDefault(OPT_FORMULATION.value, ofFile.formulation()),
+        columns(given.getOrDefault(OPT_COLUMNS.value, ColumnGroup.JOINTS.label())),
+        settings(given, ofFile.run()),
+        flag(given, OPT_STANDALONE.value));
+  }
+
+  private static Map<String, String> byName(NameValue[] options)
+      throws InvalidOption, NotAvailable {
+    Map<String, String> given = new HashMap<>();
+    for (NameValue option : options) {
+      if (!KNOWN.contains(option.key)) {
+        throw Refusal.option(
+            option.key,
+            "there is no option \"" + option.key + "\"; known are " + String.join(", ", KNOWN));
+      }
+      if (option.key.equals(OPT_SET.value) || option.key.equals(OPT_TUNABLE.value)) {
+        throw Refusal.notAvailable(
+            "option \"" + option.key + "\" is not in this version: change the value in the file");
+      }
+      if (given.put(option.key, option.text.strip()) != null) {
+        throw Refusal.option(option.key, "option \"" + option.key + "\" is given twice");
+      }
+    }
+    return given;
+  }
+
+  private static void refuseWhatIsToCome(Map<String, String> given)
+      throws InvalidOption, NotAvailable {
+    String closure = given.getOrDefault(OPT_CLOSURE.value, AUTO);
+    if (!closure.equals(AUTO)) {
+      throw Refusal.notAvailable(
+          "closure \""
+              + closure
+              + "\" is not in this version, whose models have no loops; use auto");
+    }
+    if (!given.getOrDefault(OPT_SIMULATION.value, "1").equals("1")) {
+      throw Refusal.notAvailable(
+          "simulation \""
+              + given.get(OPT_SIMULATION.value)
+              + "\" is not in this version, which runs the first one of a file; use 1");
+    }
+    if (flag(given, OPT_COMPACT.value)) {
+      throw Refusal.notAvailable("compact models are not in this version; leave \"compact\" out");
+    }
+  }
+
+  private static boolean flag(Map<String, String> given, String name) throws InvalidOption {
+    String text = given.getOrDefault(name, "false");
+    return switch (text) {
+      case "true" -> true;
+      case "false" -> false;
+      default ->
+          throw Refusal.option(
+              name, "option \"" + name + "\" is \"" + text + "\"; it must be true or false");
+    };
+  }
+
+  private static Set<ColumnGroup> columns(String text) throws InvalidOption, NotAvailable {
+    Set<ColumnGroup> groups = EnumSet.of(ColumnGroup.JOINTS);
+    for (String word : text.split(",", -1)) {
+      String label = word.strip();
+      if (label.equals("all")) {
+        groups.addAll(EnumSet.allOf(ColumnGroup.class));
+      } else {
+        groups.add(group(label));
+      }
+    }
+    return groups;
+  }
+
+  private static ColumnGroup group(String label) throws InvalidOption, NotAvailable {
+    for (ColumnGroup group : ColumnGroup.values()) {
+      if (group.label().equals(label)) {
+        return group;
+      }
+    }
+    String known =
+        Stream.of(ColumnGroup.values()).map(ColumnGroup::label).collect(Collectors.joining(", "));
+    if (COLUMNS_TO_COME.contains(label)) {
+      throw Refusal.notAvailable(
+          "the column group \"" + label + "\" is not in this version, which has " + known);
+    }
+    throw Refusal.option(
+        OPT_COLUMNS.value,
+        "there is no column group \"" + label + "\"; there are " + known + " and all");
+  }
+
+  private static RunSettings settings(Map<String, String> given, RunSettings ofFile)
+      throws InvalidOption, NotAvailable {
+    String integrator = given.getOrDefault(OPT_INTEGRATOR.value, ofFile.integrator());
+    double end = number(given, OPT_T_END.value, ofFile.tEnd());
+    if (end < ofFile.tStart()) {
+      throw Refusal.option(
+          OPT_T_END.value,
+          "t-end is " + end + " s, before the start of the run at " + ofFile.tStart() + " s");
+    }
+    return new RunSettings(
+        ofFile.tStart(),
+        end,
+        positive(given, OPT_T_STEP.value, ofFile.tStep(), "s"),
+        integrator.equals(AUTO) ? AUTOMATIC_INTEGRATOR : integrator,
+        belowOne(given, OPT_REL_TOL.value, ofFile.relativeTolerance()),
+        absoluteTolerance(given, ofFile.absoluteTolerance()),
+        ofFile.maxStep(),
+        ofFile.initialStep(),
+        ofFile.maxOrder());
+  }
+
+  private static double absoluteTolerance(Map<String, String> given, double ofFile)
+      throws InvalidOption, NotAvailable {
+    if (given.getOrDefault(OPT_ABS_TOL.value, "").contains(";")) {
+      throw Refusal.notAvailable(
+          "absolute tolerances by kind of state are not in this version; give one number");
+    }
+    return positive(given, OPT_ABS_TOL.value, ofFile, "");
+  }
+
+  private static double belowOne(Map<String, String> given, String name, double otherwise)
+      throws InvalidOption {
+    double value = positive(given, name, otherwise, "");
+    if (value >= 1) {
+      throw Refusal.option(name, name + " is " + value + "; it must be below 1");
+    }
+    return value;
+  }
+
+  private static double positive(
+      Map<String, String> given, String name, double otherwise, String unit) throws InvalidOption {
+    double value = number(given, name, otherwise);
+    if (value <= 0) {
+      throw Refusal.option(
+          name, (name + " is " + value + " " + unit).strip() + "; it must be positive");
+    }
+    return value;
+  }
+
+  private static double number(Map<String, String> given, String name, double otherwise)
+      throws InvalidOption {
+    String text = given.get(name);
+    if (text == null) {
+      return otherwise;
+    }
+    try {
+      double value = Double.parseDouble(text);
+      if (Double.isFinite(value) && !Character.isLetter(text.charAt(text.length() - 1))) {
+        return value;
+      }
+    } catch (NumberFormatException e) {
+      throw notANumber(name, text);
+    }
+    throw notANumber(name, text);
+  }
+
+  private static InvalidOption notANumber(String name, String text) {
+    return Refusal.option(
+        name, name + " is \"" + text + "\"; it must be a number such as 0.01 or 1e-6");
+  }
+
+  /** Returns what a model is to be built for that carries these settings as its own. */
+  BuildOptions forJar() {
+    return new BuildOptions(formulation, columns, settings);
+  }
+
+  /**
+   * Returns what a model is to be built for that is run with these settings here. It carries the
+   * file's own, so that runs that differ in nothing else share one class.
+   */
+  BuildOptions forRun(SimulationSettings ofFile) {
+    RunSettings file = ofFile.run();
+    return new BuildOptions(
+        formulation,
+        columns,
+        new RunSettings(
+            file.tStart(),
+            file.tEnd(),
+            file.tStep(),
+            settings.integrator(),
+            file.relativeTolerance(),
+            file.absoluteTolerance(),
+            file.maxStep(),
+            file.initialStep(),
+            file.maxOrder()));
+  }
+}

@@ -1,0 +1,61 @@
+package org.mechservice.sim.service;
+
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+
+/** Runs simulations, as many at once as the host's capacity; the others wait in order. */
+final class RunQueue implements AutoCloseable {
+  private final ThreadPoolExecutor threads;
+
+  /**
+   * @param capacity simulations at once
+   */
+  RunQueue(int capacity) {
+    threads =
+        new ThreadPoolExecutor(
+            Math.max(1, capacity),
+            Math.max(1, capacity),
+            1,
+            TimeUnit.SECONDS,
+            new LinkedBlockingQueue<>(),
+            task -> {
+              Thread thread = new Thread(task, "mechservice-run");
+              thread.setDaemon(true);
+              return thread;
+            });
+    threads.allowCoreThreadTimeOut(true);
+  }
+
+  void submit(Runnable run) {
+    threads.execute(run);
+  }
+
+  /** Takes a run that still waits out of the queue; returns whether it was there. */
+  boolean withdraw(Runnable run) {
+    return threads.remove(run);
+  }
+
+  /** Returns the place of a waiting run, from 1; 0 if it does not wait. */
+  int positionOf(Runnable run) {
+    int position = 0;
+    for (Runnable waiting : threads.getQueue()) {
+      position++;
+      if (waiting == run) {
+        return position;
+      }
+    }
+    return 0;
+  }
+
+  /** Takes no more runs; those there are must have been stopped. */
+  @Override
+  public void close() {
+    threads.shutdown();
+  }
+
+  /** Waits until no run is left. */
+  void awaitEnd(long millis) throws InterruptedException {
+    threads.awaitTermination(millis, TimeUnit.MILLISECONDS);
+  }
+}

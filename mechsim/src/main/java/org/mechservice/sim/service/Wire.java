@@ -1,0 +1,60 @@
+package org.mechservice.sim.service;
+
+import java.util.List;
+import java.util.Map;
+import org.mechservice.idl.Channel;
+import org.mechservice.idl.Diagnostic;
+import org.mechservice.idl.FailureRecord;
+import org.mechservice.idl.NameValue;
+import org.mechservice.idl.Severity;
+import org.mechservice.idl.StepTried;
+import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.Variable;
+
+/** What the modules know, in the types of the contract. */
+final class Wire {
+  private Wire() {}
+
+  static Diagnostic[] diagnostics(List<org.mechservice.mechml.Diagnostic> said) {
+    return said.stream().map(Wire::diagnostic).toArray(Diagnostic[]::new);
+  }
+
+  private static Diagnostic diagnostic(org.mechservice.mechml.Diagnostic said) {
+    Severity level =
+        switch (said.severity()) {
+          case INFO -> Severity.SEV_INFO;
+          case WARNING -> Severity.SEV_WARNING;
+          case ERROR -> Severity.SEV_ERROR;
+        };
+    return new Diagnostic(
+        level, said.code(), said.message(), said.file(), said.path(), said.line(), said.column());
+  }
+
+  static Diagnostic information(String code, String text) {
+    return new Diagnostic(Severity.SEV_INFO, code, text, "", "", 0, 0);
+  }
+
+  static Channel[] channels(List<Variable> variables) {
+    return variables.stream()
+        .map(variable -> new Channel(variable.name(), variable.unit()))
+        .toArray(Channel[]::new);
+  }
+
+  static NameValue[] nameValues(Map<String, String> map) {
+    return map.entrySet().stream()
+        .map(entry -> new NameValue(entry.getKey(), entry.getValue()))
+        .toArray(NameValue[]::new);
+  }
+
+  static FailureRecord failure(Failure failure) {
+    return new FailureRecord(
+        failure.code(),
+        failure.cause(),
+        failure.time(),
+        failure.stepSize(),
+        failure.order(),
+        failure.part(),
+        failure.advice(),
+        new StepTried[0]);
+  }
+}
