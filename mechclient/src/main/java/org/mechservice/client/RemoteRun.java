@@ -103,14 +103,28 @@ public final class RemoteRun implements PreparedRun {
    * @throws InvalidStateException if it has not ended
    */
   public RunResult result() {
-    Map<String, Object> report =
-        new LinkedHashMap<>(ReportJson.parse(calls.get(simulation::report)));
+    RunState state = progress().state();
+    Map<String, Object> report = report(state);
     facts.forEach(report::putIfAbsent);
-    return new RunResult(outcome(), report);
+    return new RunResult(outcome(state), report);
   }
 
-  private Outcome outcome() {
-    return switch (progress().state()) {
+  private Map<String, Object> report(RunState state) {
+    try {
+      return ReportJson.parse(calls.get(simulation::report));
+    } catch (InvalidStateException e) {
+      if (state != RunState.CANCELLED) {
+        throw e;
+      }
+      // Cancelled in the queue: nothing was computed that could be reported.
+      Map<String, Object> report = new LinkedHashMap<>();
+      report.put("outcome", "stopped");
+      return report;
+    }
+  }
+
+  private Outcome outcome(RunState state) {
+    return switch (state) {
       case FAILED -> new Outcome.Failed(failure(calls.get(simulation::failure)));
       case CANCELLED -> new Outcome.Stopped();
       default -> new Outcome.Completed();

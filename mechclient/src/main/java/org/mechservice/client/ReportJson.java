@@ -13,7 +13,8 @@ final class ReportJson {
   private ReportJson() {}
 
   /**
-   * Returns the report's entries in order; whole numbers as {@link Long}, others as {@link Double}.
+   * Returns the report's entries in order; whole numbers as {@link Long}, others as {@link Double};
+   * null, a number that is none, is left out.
    *
    * @throws ServerFailureException if it is not a flat JSON object
    */
@@ -22,7 +23,9 @@ final class ReportJson {
       Map<String, Object> report = new LinkedHashMap<>();
       for (Map.Entry<String, JsonElement> entry :
           JsonParser.parseString(json).getAsJsonObject().entrySet()) {
-        report.put(entry.getKey(), value(entry.getValue()));
+        if (!entry.getValue().isJsonNull()) {
+          report.put(entry.getKey(), value(entry.getValue()));
+        }
       }
       return report;
     } catch (JsonParseException | IllegalStateException e) {
@@ -32,9 +35,6 @@ final class ReportJson {
   }
 
   private static Object value(JsonElement element) {
-    if (element.isJsonNull()) {
-      return Double.NaN;
-    }
     JsonPrimitive value = element.getAsJsonPrimitive();
     if (value.isBoolean()) {
       return value.getAsBoolean();

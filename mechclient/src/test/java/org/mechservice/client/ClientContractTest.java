@@ -101,7 +101,7 @@ class ClientContractTest {
 
   @Test
   void runtimeJarThatIsNotTheOneAnnouncedIsRefusedAndNotKept() {
-    server.sentRuntime = server.jars.model();
+    server.sendsWrongRuntime = true;
     assertThatThrownBy(() -> session.prepareLocalRun(SimulationOptions.asInFile()))
         .isInstanceOf(JarRefusedException.class)
         .hasMessageContaining("S-036")

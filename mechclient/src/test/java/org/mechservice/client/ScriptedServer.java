@@ -66,7 +66,7 @@ final class ScriptedServer implements AutoCloseable {
 
   volatile SimState endsAs = SimState.SIM_DONE;
   volatile TestJars jars = TestJars.make();
-  volatile byte[] sentRuntime = jars.runtime();
+  volatile boolean sendsWrongRuntime;
 
   private final ORB orb;
   private final POA poa;
@@ -230,7 +230,7 @@ final class ScriptedServer implements AutoCloseable {
 
     byte[] fetchRuntime(String sha256) {
       runtimeFetches.incrementAndGet();
-      return sentRuntime;
+      return sendsWrongRuntime ? jars.model() : jars.runtime();
     }
   }
 
