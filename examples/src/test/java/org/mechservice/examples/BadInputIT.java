@@ -86,7 +86,7 @@ class BadInputIT {
     "simulate MODEL --out nodir/r.csv, nodir",
     "simulate MODEL --out r.xyz, r.xyz",
     "simulate MODEL --columns colours, colours",
-    "simulate MODEL --server nonsense --out r.csv, nonsense",
+    "simulate MODEL --server http://x/y --out r.csv, http://x/y",
     "simulte MODEL, simulte",
     "build MODEL -o nodir/p.jar, nodir"
   })

@@ -54,12 +54,13 @@ class MessagePagesIT {
         }
       }
     }
+    addCodes(WorkingTree.MECH, codes);
     return codes;
   }
 
   private static void addCodes(Path sources, NavigableSet<String> codes) throws IOException {
     try (Stream<Path> files = Files.walk(sources)) {
-      for (Path file : files.filter(path -> path.toString().endsWith(".java")).toList()) {
+      for (Path file : files.filter(Files::isRegularFile).toList()) {
         CODE_IN_SOURCE
             .matcher(Files.readString(file))
             .results()

@@ -27,6 +27,6 @@ class NoticeIT {
   }
 
   private static String module(String jar) {
-    return jar.replaceFirst("-[0-9].*", "");
+    return jar.replaceFirst("(-[0-9].*)?\\.jar$", "");
   }
 }
