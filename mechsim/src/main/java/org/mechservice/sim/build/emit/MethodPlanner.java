@@ -11,9 +11,10 @@ import org.mechservice.sim.symbolic.Scalar;
 /**
  * Writes the methods of a plan, given which section goes into which method ("chunk").
  *
- * <p>A value computed in one chunk and used in a later one goes through the workspace, even if it
- * is used once. What a chunk takes from outside more than once it loads into a local variable, so
- * that a write to one array never forces another to be read again.
+ * <p>A value computed in one chunk and used in a later one goes through the workspace, even if it is
+ * used once. What a chunk takes from there it loads into a local variable, which gives it its name
+ * again; so it does with a component of the state that it uses more than once, lest a write to one
+ * array force another to be read again.
  */
 final class MethodPlanner {
   /** Fewer inputs than this are put out one by one. */
@@ -90,7 +91,7 @@ final class MethodPlanner {
         node.operation() == Operation.INPUT
             ? new Place.Input(node.index())
             : new Place.Slot(slots.of(node));
-    if (uses == 1) {
+    if (uses == 1 && outside instanceof Place.Input) {
       places.put(node, outside);
       return;
     }
