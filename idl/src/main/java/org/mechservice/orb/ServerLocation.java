@@ -80,21 +80,31 @@ final class ServerLocation {
 
   private ServerInfo ask() {
     try {
-      return MechServerHelper.unchecked_narrow(
-              connect()._set_policy_override(answerInTime(), SetOverrideType.ADD_OVERRIDE))
-          .getInfo();
+      return askOnce();
+    } catch (COMM_FAILURE e) {
+      throw new ServiceUnreachableException(
+          "S-005 what answers at " + this + " is not a MechService, or it is just closing", e);
     } catch (TRANSIENT e) {
       throw new ServiceUnreachableException(
           "S-002 no server answers at " + this + "; is it running, and is the address right?", e);
     } catch (TIMEOUT e) {
       throw new ServiceUnreachableException(
           "S-002 no answer from " + this + " within " + ANSWER_SECONDS + " s", e);
-    } catch (COMM_FAILURE e) {
-      throw new ServiceUnreachableException(
-          "S-005 what answers at " + this + " is not a MechService, or it is just closing", e);
     } catch (SystemException e) {
       throw new ServiceUnreachableException(
           "S-005 what answers at " + this + " is not a MechService", e);
+    }
+  }
+
+  private ServerInfo askOnce() {
+    MechServer server =
+        MechServerHelper.unchecked_narrow(
+            connect()._set_policy_override(answerInTime(), SetOverrideType.ADD_OVERRIDE));
+    try {
+      return server.getInfo();
+    } catch (COMM_FAILURE e) {
+      // A connection of an earlier call whose other end has gone: the next call opens a new one.
+      return server.getInfo();
     }
   }
 

@@ -2,11 +2,13 @@ package org.mechservice.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.MechServer;
 import org.mechservice.idl.MechSim;
+import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.SimState;
 import org.mechservice.orb.ServiceOrb;
@@ -25,7 +27,7 @@ class WholeWayTest {
         ServiceOrb orb = ServiceOrb.client()) {
       MechServer service = orb.connect(server.url());
       MechSim session = service.createSession("test", "", null);
-      session.loadModel(Pendulum.file(), new org.mechservice.idl.ModelFile[0]);
+      session.loadModel(Pendulum.file(), new ModelFile[0]);
       IMechSimRemote run = session.createSimulation(AS_IN_FILE, null);
       run.start();
       List<double[]> oneByOne = Rows.toEnd(run.openResults(ALL), 1);
@@ -34,9 +36,8 @@ class WholeWayTest {
       assertThat(run.getProgress().state).isEqualTo(SimState.SIM_DONE);
       assertThat(oneByOne).hasSize(Pendulum.ROWS);
       assertThat(oneByOne.get(0)).hasSize(Pendulum.COLUMNS);
-      assertThat(inBlocks).usingElementComparator(java.util.Arrays::compare).isEqualTo(oneByOne);
-      assertThat(atTheEnd).usingElementComparator(java.util.Arrays::compare).isEqualTo(oneByOne);
-      System.out.println(run.report());
+      assertThat(inBlocks).usingElementComparator(Arrays::compare).isEqualTo(oneByOne);
+      assertThat(atTheEnd).usingElementComparator(Arrays::compare).isEqualTo(oneByOne);
     }
   }
 
@@ -52,12 +53,12 @@ class WholeWayTest {
       MechSim there = service.createSession("test", "", null);
       assertThat(there.hostName()).isEqualTo("h");
       assertThat(orb.endpointOf(there).toString()).isEqualTo(host.address());
-      assertThat(run(there)).usingElementComparator(java.util.Arrays::compare).isEqualTo(run(here));
+      assertThat(run(there)).usingElementComparator(Arrays::compare).isEqualTo(run(here));
     }
   }
 
   private static List<double[]> run(MechSim session) throws UserException {
-    session.loadModel(Pendulum.file(), new org.mechservice.idl.ModelFile[0]);
+    session.loadModel(Pendulum.file(), new ModelFile[0]);
     IMechSimRemote run = session.createSimulation(AS_IN_FILE, null);
     run.start();
     return Rows.toEnd(run.openResults(ALL), 0);

@@ -1,5 +1,6 @@
 package org.mechservice.sim.host;
 
+import com.sun.management.OperatingSystemMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.ServiceLoader;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -92,9 +93,16 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
         sessions.count(),
         sessions.count(SimState.SIM_RUNNING, SimState.SIM_PAUSED),
         sessions.count(SimState.SIM_QUEUED),
-        Math.max(0, ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage()),
+        cpuLoad(),
         machine.totalMemory() - machine.freeMemory(),
         draining.get());
+  }
+
+  /** Returns the share of the machine's processors in use, 0 to 1; 0 if it is not known. */
+  private static double cpuLoad() {
+    return ManagementFactory.getOperatingSystemMXBean() instanceof OperatingSystemMXBean system
+        ? Math.max(0, system.getCpuLoad())
+        : 0;
   }
 
   @Override

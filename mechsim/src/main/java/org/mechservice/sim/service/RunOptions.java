@@ -160,7 +160,11 @@ record RunOptions(
     }
     throw Refusal.option(
         OPT_COLUMNS.value,
-        "there is no column group \"" + label + "\"; there are " + known + " and all");
+        "columns names \""
+            + label
+            + "\", which is no column group; there are "
+            + known
+            + " and all");
   }
 
   private static RunSettings settings(Map<String, String> given, RunSettings ofFile)

@@ -1,0 +1,163 @@
+package org.mechservice.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.lang.reflect.Proxy;
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.concurrent.CountDownLatch;
+import org.junit.jupiter.api.Test;
+import org.mechservice.idl.DiagnosticSeqHolder;
+import org.mechservice.idl.HostInfo;
+import org.mechservice.idl.HostLoad;
+import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.LimitExceeded;
+import org.mechservice.idl.MechSim;
+import org.mechservice.idl.MechSimHostHelper;
+import org.mechservice.idl.MechSimHostOperations;
+import org.mechservice.idl.MechSimHostPOATie;
+import org.mechservice.idl.NotAvailable;
+import org.mechservice.idl.NotFound;
+import org.mechservice.idl.ServerStatus;
+import org.mechservice.idl.SimState;
+import org.mechservice.idl.SimSummary;
+import org.mechservice.orb.ListenAddress;
+import org.mechservice.orb.ServiceOrb;
+import org.mechservice.sim.service.HostLimits;
+import org.omg.CORBA.IntHolder;
+
+class AdministrationTest {
+  @Test
+  void statusAddsUpAllHosts() throws Exception {
+    try (Farm farm = new Farm(1)) {
+      farm.host("h", 1);
+      Farm.running(farm.session("h"));
+      Farm.running(farm.session("h"));
+      Farm.running(farm.session("own"));
+      Eventually.holds(() -> farm.admin.getStatus().running == 2);
+      ServerStatus status = farm.admin.getStatus();
+      assertThat(status.hosts).isEqualTo(2);
+      assertThat(status.sessions).isEqualTo(3);
+      assertThat(status.queued).isEqualTo(1);
+      assertThat(status.info.serverName).isEqualTo("own");
+    }
+  }
+
+  @Test
+  void simulationsOfAllHostsAreListedInPages() throws Exception {
+    try (Farm farm = new Farm(2)) {
+      farm.host("h", 2);
+      Farm.running(farm.session("h"));
+      Farm.running(farm.session("own"));
+      Farm.running(farm.session("own"));
+      IntHolder total = new IntHolder();
+      SimSummary[] page = farm.admin.listSimulations(0, 2, total);
+      assertThat(total.value).isEqualTo(3);
+      assertThat(page).hasSize(2);
+      assertThat(farm.admin.listSimulations(2, 100, total)).hasSize(1);
+      assertThat(page[0].modelName).isEqualTo("FiveBarPendulum");
+      assertThat(page[0].owner).isEqualTo("test");
+      assertThat(page[0].hostName).isEqualTo("h");
+      assertThat(page[0].leaseEndsAt).isGreaterThan(page[0].createdAt);
+    }
+  }
+
+  @Test
+  void simulationIsKilledWhereverItRuns() throws Exception {
+    try (Farm farm = new Farm(1)) {
+      farm.host("h", 1);
+      MechSim session = farm.session("h");
+      IMechSimRemote run = Farm.running(session);
+      farm.admin.killSimulation(run.simId(), "maintenance");
+      Eventually.holds(() -> run.getProgress().state == SimState.SIM_CANCELLED);
+      assertThat(
+              Arrays.stream(session.pollEvents(0, 100, 0)).flatMap(e -> Arrays.stream(e.messages)))
+          .anySatisfy(said -> assertThat(said.text).contains("maintenance"));
+      assertThatThrownBy(() -> farm.admin.killSimulation("none", "x")).isInstanceOf(NotFound.class);
+    }
+  }
+
+  @Test
+  void drainedHostAndDrainedServerTakeNothingNew() throws Exception {
+    try (Farm farm = new Farm(1)) {
+      farm.host("h", 8);
+      farm.admin.drain("h");
+      assertThat(farm.session("").hostName()).isEqualTo("own");
+      assertThatThrownBy(() -> farm.session("h")).isInstanceOf(LimitExceeded.class);
+      farm.admin.undrain("h");
+      assertThat(farm.session("").hostName()).isEqualTo("h");
+      farm.admin.drain("");
+      assertThat(farm.admin.getStatus().draining).isTrue();
+      assertThatThrownBy(() -> farm.session("")).isInstanceOf(LimitExceeded.class);
+      farm.admin.undrain("");
+      assertThat(farm.session("").hostName()).isEqualTo("h");
+      assertThatThrownBy(() -> farm.admin.drain("x")).isInstanceOf(NotFound.class);
+    }
+  }
+
+  @Test
+  void serverEndsWhenItIsTold() throws Exception {
+    try (Farm farm = new Farm(1)) {
+      Farm.running(farm.session(""));
+      farm.admin.shutdownServer(0);
+      farm.server.awaitShutdown();
+      assertThatThrownBy(() -> farm.orb.connect(farm.server.url())).hasMessageStartingWith("S-002");
+    }
+  }
+
+  @Test
+  void whatThisVersionDoesNotDoIsSaid() throws Exception {
+    try (Farm farm = new Farm(1)) {
+      assertThatThrownBy(() -> farm.admin.showSimulation("x")).isInstanceOf(NotAvailable.class);
+      assertThatThrownBy(() -> farm.admin.events(0, 1)).isInstanceOf(NotAvailable.class);
+      assertThatThrownBy(() -> farm.admin.setLimits("", farm.admin.getLimits("")))
+          .isInstanceOf(NotAvailable.class);
+      assertThatThrownBy(() -> farm.service.importModel(Pendulum.file(), new DiagnosticSeqHolder()))
+          .isInstanceOf(NotAvailable.class);
+    }
+  }
+
+  /** Answers who it is, and then nothing any more. */
+  private static MechSimHostOperations hanging(HostInfo info, CountDownLatch end) {
+    return (MechSimHostOperations)
+        Proxy.newProxyInstance(
+            MechSimHostOperations.class.getClassLoader(),
+            new Class<?>[] {MechSimHostOperations.class},
+            (proxy, method, arguments) -> {
+              if (!method.getName().equals("getInfo")) {
+                end.await();
+              }
+              return method.getReturnType() == HostLoad.class
+                  ? new HostLoad(0, 0, 0, 0, 0, false)
+                  : info;
+            });
+  }
+
+  @Test
+  void hostThatHangsHoldsUpNoAdministratorAndNoClient() throws Exception {
+    CountDownLatch end = new CountDownLatch(1);
+    ServerTuning longLease =
+        new ServerTuning(
+            Duration.ofHours(1), Duration.ofHours(1), Duration.ofMillis(300), HostLimits.DEFAULT);
+    try (Farm farm = new Farm(1, longLease);
+        ServiceOrb orb = ServiceOrb.host(new ListenAddress("127.0.0.1", 0))) {
+      HostInfo info = new HostInfo("hanging", "0", orb.endpoint().toString(), 1, 1, 5, 0);
+      orb.connectRegistry(farm.server.url())
+          .registerHost(
+              info,
+              MechSimHostHelper.unchecked_narrow(
+                  orb.activate(new MechSimHostPOATie(hanging(info, end))).reference()));
+      assertThat(farm.admin.getStatus().sessions).isZero();
+      assertThat(farm.session("").hostName()).isEqualTo("own");
+      assertThat(farm.admin.listSimulations(0, 10, new IntHolder())).isEmpty();
+      assertThat(farm.admin.listHosts())
+          .anySatisfy(
+              host -> {
+                assertThat(host.reachable).isFalse();
+                assertThat(host.text).contains("no answer within 0.3 s");
+              });
+      end.countDown();
+    }
+  }
+}
