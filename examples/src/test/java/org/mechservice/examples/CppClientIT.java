@@ -45,7 +45,8 @@ class CppClientIT {
   }
 
   @AfterAll
-  static void stopServer() {
+  static void stopServer() throws IOException {
+    WorkingTree.unmirror(directory);
     if (server != null) {
       server.close();
     }
@@ -69,9 +70,18 @@ class CppClientIT {
   }
 
   @Test
-  void receivesTheServersCallbacks() {
-    assertThat(callbacks("status")).isPositive();
-    assertThat(callbacks("progress")).isPositive();
+  void isToldHowTheRunGoes() {
+    assertThat(callbacks(run, "status")).isPositive();
+    assertThat(run.stderr()).contains("status: running", "status: done");
+  }
+
+  @Test
+  void isToldHowFarALongRunIs() {
+    // A thousand seconds of motion take long enough for several of the ten a second.
+    Terminal.Ended longRun =
+        terminal.shell(runCommand.replace("r.csv", "long.csv t-end=1000 t-step=1")).orFail();
+
+    assertThat(callbacks(longRun, "progress")).isPositive();
   }
 
   @Test
@@ -98,7 +108,7 @@ class CppClientIT {
     assertThat(refused.stderr()).containsPattern("bad\\.xml:\\d+:\\d+: M-\\d{3} ");
   }
 
-  private static int callbacks(String kind) {
+  private static int callbacks(Terminal.Ended run, String kind) {
     Matcher count = Pattern.compile(kind + "=(\\d+)").matcher(run.stdout());
     assertThat(count.find()).as(run.toString()).isTrue();
     return Integer.parseInt(count.group(1));

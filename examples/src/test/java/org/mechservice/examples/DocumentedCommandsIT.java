@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -16,6 +17,11 @@ class DocumentedCommandsIT {
   private static final String TEST_COMMAND = "mvn verify";
 
   @TempDir Path directory;
+
+  @AfterEach
+  void tidyUp() throws IOException {
+    WorkingTree.unmirror(directory);
+  }
 
   @ParameterizedTest
   @ValueSource(strings = {"README.md", "examples/pendulum/README.md"})

@@ -2,11 +2,8 @@ package org.mechservice.examples;
 
 import java.io.IOException;
 import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.net.ServerSocket;
-import java.net.Socket;
 import java.nio.file.Path;
-import java.util.function.BooleanSupplier;
 
 /** Processes of the service on this machine, started with {@code ./mech}. */
 final class Service {
@@ -26,26 +23,19 @@ final class Service {
     return "corbaloc:iiop:1.2@127.0.0.1:" + port + "/MechServer";
   }
 
-  /** Starts {@code ./mech server} and waits until it listens. */
+  /** Starts {@code ./mech server} and waits until it prints its URL. */
   static Terminal.Running startServer(Path directory, int port) {
-    Terminal.Running server =
-        new Terminal(directory).startMech("server", "--port", Integer.toString(port));
-    return ready(server, "server on port " + port, () -> isListening(port));
+    return ready(
+        new Terminal(directory).startMech("server", "--port", Integer.toString(port)), url(port));
   }
 
-  /** Starts {@code ./mech simhost} and waits until the server lists it. */
+  /** Starts {@code ./mech simhost} and waits until it has registered and prints its address. */
   static Terminal.Running startHost(Path directory, int serverPort, String name) {
-    Terminal terminal = new Terminal(directory);
-    Terminal.Running host =
-        terminal.startMech(
-            "simhost",
-            "--server",
-            url(serverPort),
-            "--listen",
-            "127.0.0.1:" + freePort(),
-            "--name",
-            name);
-    return ready(host, "host " + name, () -> status(terminal, serverPort).contains(name));
+    String address = "127.0.0.1:" + freePort();
+    return ready(
+        new Terminal(directory)
+            .startMech("simhost", "--server", url(serverPort), "--listen", address, "--name", name),
+        address);
   }
 
   /** Returns what {@code mech admin status} prints. */
@@ -53,23 +43,13 @@ final class Service {
     return terminal.mech("admin", "--server", url(serverPort), "status").orFail().stdout();
   }
 
-  private static Terminal.Running ready(
-      Terminal.Running process, String what, BooleanSupplier condition) {
+  private static Terminal.Running ready(Terminal.Running process, String printed) {
     try {
-      process.awaitThat(what, condition);
+      process.awaitThat(printed, () -> process.stdout().contains(printed));
       return process;
     } catch (AssertionError e) {
       process.close();
       throw e;
-    }
-  }
-
-  private static boolean isListening(int port) {
-    try (Socket socket = new Socket()) {
-      socket.connect(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), 1000);
-      return true;
-    } catch (IOException e) {
-      return false;
     }
   }
 }

@@ -135,8 +135,13 @@ final class Terminal {
       }
     }
 
+    /** Returns what it has printed on standard output so far. */
+    String stdout() {
+      return printed("stdout");
+    }
+
     private Ended soFar(int exitStatus) {
-      return new Ended(command, exitStatus, printed("stdout"), printed("stderr"));
+      return new Ended(command, exitStatus, stdout(), printed("stderr"));
     }
 
     private String printed(String stream) {

@@ -61,4 +61,9 @@ final class WorkingTree {
     Files.writeString(launcher, "#!/bin/sh\nexec '" + MECH + "' \"$@\"\n");
     Files.setPosixFilePermissions(launcher, PosixFilePermissions.fromString("rwxr-xr-x"));
   }
+
+  /** Takes the link to the examples away again. */
+  static void unmirror(Path directory) throws IOException {
+    Files.deleteIfExists(directory.resolve("examples"));
+  }
 }
