@@ -43,6 +43,7 @@ import org.omg.PortableServer.Servant;
 public final class ServiceOrb implements AutoCloseable {
   private final ORB orb;
   private final ObjectAdapters adapters;
+  private final Endpoint endpoint;
   private final OutboundAllowList outbound;
   private final AtomicBoolean closed = new AtomicBoolean();
 
@@ -53,6 +54,7 @@ public final class ServiceOrb implements AutoCloseable {
     boolean opened = false;
     try {
       adapters = new ObjectAdapters(orb, orderedCalls);
+      endpoint = adapters.endpoint();
       opened = true;
     } finally {
       if (!opened) {
@@ -201,13 +203,9 @@ public final class ServiceOrb implements AutoCloseable {
     return outbound;
   }
 
-  /** Returns where this ORB listens. */
+  /** Returns where this ORB listens, or listened before it was closed. */
   public Endpoint endpoint() {
-    try {
-      return adapters.endpoint();
-    } catch (UserException e) {
-      throw new IllegalStateException("the address cannot be read", e);
-    }
+    return endpoint;
   }
 
   /**

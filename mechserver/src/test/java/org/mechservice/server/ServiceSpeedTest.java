@@ -1,0 +1,175 @@
+package org.mechservice.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.JarInfoHolder;
+import org.mechservice.idl.MechServer;
+import org.mechservice.idl.MechSim;
+import org.mechservice.idl.ModelFile;
+import org.mechservice.idl.NameValue;
+import org.mechservice.idl.ResultBlockHolder;
+import org.mechservice.idl.ResultCursor;
+import org.mechservice.orb.ServiceOrb;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.simulation.Simulation;
+import org.omg.CORBA.UserException;
+
+/** Measures the service over loopback and writes docs/reports/service-speed.md. */
+@Tag("soak")
+class ServiceSpeedTest {
+  private static final int ROWS = 2_000_000;
+  private static final int PINGS = 5000;
+  private static final NameValue[] AS_IN_FILE = new NameValue[0];
+
+  private final List<String> report = new ArrayList<>();
+
+  /** Puts out rows as fast as they are kept. */
+  private static final Solver FAST =
+      (model, request, sink, control) -> {
+        var columns = Simulation.columns((ExplicitModel) model, request.columns());
+        sink.begin(columns);
+        double[] row = new double[columns.size()];
+        for (int i = 0; i < ROWS; i++) {
+          row[0] = i;
+          sink.row(row);
+        }
+        return new RunReport(
+            new Outcome.Completed(),
+            model.description().name(),
+            "",
+            request.settings(),
+            ROWS,
+            0,
+            0,
+            ROWS,
+            ROWS,
+            1,
+            OptionalDouble.empty(),
+            OptionalDouble.empty(),
+            false,
+            "fast");
+      };
+
+  @Test
+  void serviceIsMeasured() throws Exception {
+    report.add("# Speed of the service over loopback\n");
+    report.add(
+        "JDK "
+            + Runtime.version()
+            + ", "
+            + System.getProperty("os.name")
+            + ", "
+            + Runtime.getRuntime().availableProcessors()
+            + " processors; client and server in one JVM, each with its own ORB.\n");
+    report.add("| what | measured |\n|---|---|");
+    try (MechServerProcess server =
+            MechServerProcess.start(
+                new ServerSettings("own", "127.0.0.1", 0, 2), ServerTuning.DEFAULT, FAST);
+        ServiceOrb orb = ServiceOrb.client()) {
+      MechServer service = orb.connect(server.url());
+      setUp(service, "cold");
+      pings(service);
+      for (int i = 0; i < 5; i++) {
+        setUp(service, i < 4 ? "" : "warm");
+      }
+      blocks(service);
+    }
+    Files.createDirectories(Path.of("../docs/reports"));
+    Files.writeString(
+        Path.of("../docs/reports/service-speed.md"), String.join("\n", report) + "\n");
+    assertThat(report).hasSizeGreaterThan(8);
+  }
+
+  private void pings(MechServer service) {
+    double[] micros = new double[PINGS];
+    for (int i = 0; i < PINGS; i++) {
+      long start = System.nanoTime();
+      service.getInfo();
+      micros[i] = (System.nanoTime() - start) * 1e-3;
+    }
+    Arrays.sort(micros);
+    line("ping (getInfo), median of " + PINGS, micros[PINGS / 2], "µs");
+  }
+
+  /** A different file each time, so that nothing comes from what is kept. */
+  private void setUp(MechServer service, String how) throws UserException {
+    ModelFile file = Pendulum.file();
+    file.content = Arrays.copyOf(file.content, file.content.length + 1);
+    file.content[file.content.length - 1] = '\n';
+    file.fileName = "p" + report.size() + System.nanoTime() + ".xml";
+    long start = System.nanoTime();
+    MechSim session = service.createSession("speed", "", null);
+    session.loadModel(file, new ModelFile[0]);
+    long loaded = System.nanoTime();
+    session.createSimulation(AS_IN_FILE, null);
+    long ready = System.nanoTime();
+    session.compileToJar(AS_IN_FILE, new JarInfoHolder());
+    session.fetchRuntime(session.getRuntimeInfo().sha256);
+    long fetched = System.nanoTime();
+    Map<String, String> times = new TreeMap<>();
+    for (NameValue time : session.timings()) {
+      times.put(time.key, time.text);
+    }
+    session.destroy();
+    if (!how.isEmpty()) {
+      line("t1c, " + how + " (session and model)", (loaded - start) * 1e-6, "ms");
+      line("t1s, " + how, 1e3 * Double.parseDouble(times.getOrDefault("t1s", "0")), "ms");
+      line("tcc, " + how, 1e3 * Double.parseDouble(times.getOrDefault("tcc", "0")), "ms");
+      line("remote set-up, " + how, (ready - start) * 1e-6, "ms");
+      line("t2c, " + how + " (JARs, class kept)", (fetched - ready) * 1e-6, "ms");
+      line("t2s, " + how, 1e3 * Double.parseDouble(times.getOrDefault("t2s", "0")), "ms");
+    }
+  }
+
+  private void blocks(MechServer service) throws UserException, IOException {
+    MechSim session = service.createSession("speed", "", null);
+    session.loadModel(Pendulum.file(), new ModelFile[0]);
+    IMechSimRemote run = session.createSimulation(AS_IN_FILE, null);
+    run.start();
+    ResultCursor cursor = run.openResults(new String[0]);
+    throughput("blocks of 1 MiB, while the run goes on", cursor, 0);
+    for (int rows : new int[] {0, 0, 1000, 100}) {
+      cursor.seekRow(0);
+      throughput("blocks of " + (rows == 0 ? "1 MiB" : rows + " rows"), cursor, rows);
+    }
+    cursor.seekRow(0);
+    ResultBlockHolder block = new ResultBlockHolder();
+    long start = System.nanoTime();
+    for (int i = 0; i < PINGS; i++) {
+      cursor.nextBlock(1, 0, block);
+    }
+    line("step by step, one row a call", (System.nanoTime() - start) * 1e-3 / PINGS, "µs per row");
+    session.destroy();
+  }
+
+  private void throughput(String what, ResultCursor cursor, int maxRows) throws UserException {
+    ResultBlockHolder block = new ResultBlockHolder();
+    long bytes = 0;
+    long start = System.nanoTime();
+    do {
+      cursor.nextBlock(maxRows, 1000, block);
+      bytes += 8L * block.value.values.length;
+    } while (!block.value.endOfData);
+    line(what, bytes * 1e3 / (System.nanoTime() - start), "MB/s");
+  }
+
+  private void line(String what, double value, String unit) {
+    report.add(String.format(Locale.ROOT, "| %s | %.3g %s |", what, value, unit));
+  }
+}
