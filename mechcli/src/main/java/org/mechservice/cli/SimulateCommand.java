@@ -137,13 +137,16 @@ final class SimulateCommand implements Callable<Integer> {
     return kept ? "; rows up to " + files.reached() + " are in " + files : "";
   }
 
+  /** Prints the report now: after an interrupt the process ends as soon as the run is closed. */
   private void print(Map<String, Object> report, RunNews news) {
+    PrintWriter out = spec.commandLine().getOut();
     if (json) {
-      spec.commandLine().getOut().println(JsonText.write(report));
+      out.println(JsonText.write(report));
     } else if (!quiet) {
       news.warnings().forEach(warning -> err().println(warning));
-      spec.commandLine().getOut().print(ReportText.format(report));
+      out.print(ReportText.format(report));
     }
+    out.flush();
   }
 
   private int tell(Outcome outcome, ResultFiles files) {

@@ -1,0 +1,176 @@
+package org.mechservice.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HexFormat;
+import java.security.MessageDigest;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The commands on the paper's pendulum, with an embedded server and real CORBA between. */
+class WholeWayTest {
+  private static final String MODEL = "../examples/pendulum/pendulum.xml";
+
+  private final Path folder;
+  private final StringWriter out = new StringWriter();
+  private final StringWriter err = new StringWriter();
+
+  WholeWayTest(@TempDir Path folder) {
+    this.folder = folder;
+  }
+
+  private int mech(String... words) {
+    return Mech.run(new PrintWriter(out), new PrintWriter(err), words);
+  }
+
+  private String file(String name) {
+    return folder.resolve(name).toString();
+  }
+
+  @Test
+  void remoteAndLocalRunsWriteTheSameBytes() {
+    mech("simulate", MODEL, "--quiet", "--columns", "all", "--out", file("remote.csv"));
+    mech("simulate", MODEL, "--quiet", "--columns", "all", "--out", file("local.csv"), "--mode", "local");
+    assertThat(err.toString()).isEmpty();
+    assertThat(out.toString()).isEmpty();
+    assertThat(folder.resolve("local.csv"))
+        .isNotEmptyFile()
+        .hasSameBinaryContentAs(folder.resolve("remote.csv"));
+  }
+
+  @Test
+  void reportsOfRemoteAndLocalRunsDifferOnlyInWhatTheirModesBring() {
+    assertThat(mech("simulate", MODEL, "--json")).isZero();
+    Set<String> remote = JsonParser.parseString(out.toString()).getAsJsonObject().keySet();
+    out.getBuffer().setLength(0);
+    assertThat(mech("simulate", MODEL, "--json", "--mode", "local")).isZero();
+    Set<String> local = JsonParser.parseString(out.toString()).getAsJsonObject().keySet();
+    assertThat(difference(remote, local)).containsExactlyInAnyOrder("tR");
+    assertThat(difference(local, remote))
+        .containsExactlyInAnyOrder(
+            "t2c", "t2s", "tL", "modelJarBytes", "modelClassBytes", "runtimeJarBytes");
+  }
+
+  private static Set<String> difference(Set<String> some, Set<String> others) {
+    return some.stream().filter(key -> !others.contains(key)).collect(Collectors.toSet());
+  }
+
+  @Test
+  void reportHasTheHashOfTheFileWritten() throws Exception {
+    mech("simulate", MODEL, "--json", "--out", file("r.csv"));
+    JsonObject report = JsonParser.parseString(out.toString()).getAsJsonObject();
+    byte[] hash =
+        MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(folder.resolve("r.csv")));
+    assertThat(report.get("resultsSha256").getAsString()).isEqualTo(HexFormat.of().formatHex(hash));
+  }
+
+  @ValueSource(strings = {"remote", "local"})
+  @ParameterizedTest
+  void runThatFailsKeepsItsRowsAndSaysWhere(String mode) {
+    // No step is small enough for this tolerance once the pendulum moves fast.
+    int status =
+        mech(
+            "simulate", MODEL, "--mode", mode, "--rtol", "1e-15", "--atol", "1e-300", "--json",
+            "--out", file("r.csv"));
+    assertThat(status).isEqualTo(ExitStatus.SIMULATION_FAILED);
+    assertThat(err.toString())
+        .startsWith("N-0")
+        .endsWith(" Rows up to there are in " + file("r.csv") + ".\n")
+        .hasLineCount(1);
+    assertThat(JsonParser.parseString(out.toString()).getAsJsonObject().get("outcome").getAsString())
+        .isEqualTo("failed");
+    assertThat(folder.resolve("r.csv")).isNotEmptyFile();
+  }
+
+  @ValueSource(strings = {"simulate", "check", "build"})
+  @ParameterizedTest
+  void brokenModelIsToldWithItsPlaceAndNothingIsWritten(String command) throws IOException {
+    Path model = folder.resolve("bad.xml");
+    Files.writeString(
+        model, Files.readString(Path.of(MODEL)).replace("body1 name=\"bar4\"", "body1 name=\"no\""));
+    String target = command.equals("build") ? "-o" : command.equals("check") ? "" : "--out";
+    String[] words =
+        target.isEmpty()
+            ? new String[] {command, model.toString()}
+            : new String[] {command, model.toString(), target, file("result.csv")};
+    assertThat(mech(words)).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).containsPattern("^" + model + ":\\d+:\\d+: M-\\d{3} ");
+    assertThat(out.toString()).isEmpty();
+    try (Stream<Path> files = Files.list(folder)) {
+      assertThat(files).containsExactly(model);
+    }
+  }
+
+  @Test
+  void missingModelIsNamed() {
+    assertThat(mech("simulate", file("none.xml"))).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString().strip()).isEqualTo("S-042 there is no file " + file("none.xml"));
+  }
+
+  @Test
+  void optionTheServerRefusesIsBadInput() {
+    assertThat(mech("simulate", MODEL, "--integrator", "euler")).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).startsWith("S-").contains("euler").hasLineCount(1);
+  }
+
+  @Test
+  void checkTellsTheTreeAndAnswersInJsonToo() {
+    assertThat(mech("check", MODEL)).isZero();
+    assertThat(out.toString()).contains("Degrees of freedom: 5");
+    out.getBuffer().setLength(0);
+    assertThat(mech("check", MODEL, "--json")).isZero();
+    assertThat(JsonParser.parseString(out.toString()).isJsonObject()).isTrue();
+  }
+
+  @Test
+  void buildPrintsSizesAndWritesTheSource() throws IOException {
+    assertThat(mech("build", MODEL, "-o", file("p.jar"), "--source", file("source"))).isZero();
+    assertThat(out.toString())
+        .contains(Long.toString(Files.size(folder.resolve("p.jar"))))
+        .contains("model classes, compressed", "runtime JAR (needed)", "left out");
+    try (Stream<Path> sources = Files.walk(folder.resolve("source"))) {
+      assertThat(sources.filter(file -> file.toString().endsWith(".java"))).hasSize(1);
+    }
+  }
+
+  @Test
+  void modelClassesNeedJavaBaseAndTheSharedApiAlone() {
+    mech("build", MODEL, "-o", file("p.jar"));
+    JavaClasses model = new ClassFileImporter().importPath(folder.resolve("p.jar"));
+    assertThat(model).isNotEmpty();
+    Set<String> packages =
+        model.stream()
+            .flatMap(type -> type.getDirectDependenciesFromSelf().stream())
+            .map(dependency -> dependency.getTargetClass().getBaseComponentType())
+            .filter(type -> !type.isPrimitive() && !model.contain(type.getName()))
+            .map(JavaClass::getPackageName)
+            .collect(Collectors.toSet());
+    assertThat(packages)
+        .allMatch(
+            name ->
+                name.equals("java.lang")
+                    || name.startsWith("org.mechservice.solver.api")
+                    || name.startsWith("org.mechservice.solver.spatial"));
+  }
+
+  @Test
+  void standaloneJarNeedsNoRuntime() {
+    assertThat(mech("build", MODEL, "-o", file("p.jar"), "--standalone")).isZero();
+    assertThat(out.toString()).contains("runtime JAR (not needed)");
+  }
+}
