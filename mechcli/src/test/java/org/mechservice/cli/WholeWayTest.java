@@ -12,8 +12,8 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.HexFormat;
 import java.security.MessageDigest;
+import java.util.HexFormat;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -45,7 +45,16 @@ class WholeWayTest {
   @Test
   void remoteAndLocalRunsWriteTheSameBytes() {
     mech("simulate", MODEL, "--quiet", "--columns", "all", "--out", file("remote.csv"));
-    mech("simulate", MODEL, "--quiet", "--columns", "all", "--out", file("local.csv"), "--mode", "local");
+    mech(
+        "simulate",
+        MODEL,
+        "--quiet",
+        "--columns",
+        "all",
+        "--out",
+        file("local.csv"),
+        "--mode",
+        "local");
     assertThat(err.toString()).isEmpty();
     assertThat(out.toString()).isEmpty();
     assertThat(folder.resolve("local.csv"))
@@ -85,14 +94,24 @@ class WholeWayTest {
     // No step is small enough for this tolerance once the pendulum moves fast.
     int status =
         mech(
-            "simulate", MODEL, "--mode", mode, "--rtol", "1e-15", "--atol", "1e-300", "--json",
-            "--out", file("r.csv"));
+            "simulate",
+            MODEL,
+            "--mode",
+            mode,
+            "--rtol",
+            "1e-15",
+            "--atol",
+            "1e-300",
+            "--json",
+            "--out",
+            file("r.csv"));
     assertThat(status).isEqualTo(ExitStatus.SIMULATION_FAILED);
     assertThat(err.toString())
         .startsWith("N-0")
         .endsWith(" Rows up to there are in " + file("r.csv") + ".\n")
         .hasLineCount(1);
-    assertThat(JsonParser.parseString(out.toString()).getAsJsonObject().get("outcome").getAsString())
+    assertThat(
+            JsonParser.parseString(out.toString()).getAsJsonObject().get("outcome").getAsString())
         .isEqualTo("failed");
     assertThat(folder.resolve("r.csv")).isNotEmptyFile();
   }
@@ -102,7 +121,8 @@ class WholeWayTest {
   void brokenModelIsToldWithItsPlaceAndNothingIsWritten(String command) throws IOException {
     Path model = folder.resolve("bad.xml");
     Files.writeString(
-        model, Files.readString(Path.of(MODEL)).replace("body1 name=\"bar4\"", "body1 name=\"no\""));
+        model,
+        Files.readString(Path.of(MODEL)).replace("body1 name=\"bar4\"", "body1 name=\"no\""));
     String target = command.equals("build") ? "-o" : command.equals("check") ? "" : "--out";
     String[] words =
         target.isEmpty()
