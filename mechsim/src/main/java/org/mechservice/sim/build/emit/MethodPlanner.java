@@ -11,10 +11,10 @@ import org.mechservice.sim.symbolic.Scalar;
 /**
  * Writes the methods of a plan, given which section goes into which method ("chunk").
  *
- * <p>A value computed in one chunk and used in a later one goes through the workspace, even if it is
- * used once. What a chunk takes from there it loads into a local variable, which gives it its name
- * again; so it does with a component of the state that it uses more than once, lest a write to one
- * array force another to be read again.
+ * <p>A value computed in one chunk and used in a later one goes through the workspace, even if it
+ * is used once. What a chunk takes from there it loads into a local variable, which gives it its
+ * name again; so it does with a component of the state that it uses more than once, lest a write to
+ * one array force another to be read again.
  */
 final class MethodPlanner {
   /** Fewer inputs than this are put out one by one. */
