@@ -3,6 +3,7 @@ package org.mechservice.examples;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalDate;
@@ -12,6 +13,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -26,6 +28,7 @@ class SetUpTimesIT {
 
   @TempDir Path directory;
   private final List<String> page = new ArrayList<>();
+  private int modelsMade;
 
   @Test
   void setUpTimesSizesAndCostAreWrittenDown() throws IOException {
@@ -42,49 +45,64 @@ class SetUpTimesIT {
     line("# Set-up times, sizes and cost of the five-bar pendulum");
     line("");
     line(
-        "Measured on %s by `mvn verify -Psoak`: %s %s, %d cores, Java %s. Times in ms, median (least to largest) of %d runs.",
+        "Measured on %s by `mvn verify -Psoak`: %s %s, %d cores at load %.1f, Java %s. Times in ms, median (least to largest) of %d runs.",
         LocalDate.now(ZoneOffset.UTC),
         System.getProperty("os.name"),
         System.getProperty("os.arch"),
         Runtime.getRuntime().availableProcessors(),
+        ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage(),
         System.getProperty("java.version"),
         RUNS);
     line("");
   }
 
-  private void setUpTimes() {
+  private void setUpTimes() throws IOException {
     int port = Service.freePort();
     List<Report> cold = repeat(() -> simulate());
     List<Report> coldLocal = repeat(() -> simulate("--mode", "local"));
     Terminal.Running server = Service.startServer(directory, port);
     try (server) {
-      warmUp(port);
-      List<Report> warm = repeat(() -> simulate("--server", Service.url(port)));
-      List<Report> warmLocal =
-          repeat(() -> simulate("--mode", "local", "--server", Service.url(port)));
+      String[] remote = {"--server", Service.url(port)};
+      String[] local = {"--server", Service.url(port), "--mode", "local"};
+      List<Path> toWarmUp = newModels(WARM_UP_RUNS);
+      toWarmUp.forEach(model -> simulate(model, remote));
+      toWarmUp.forEach(model -> simulate(model, local));
+      List<Report> fresh = newModels(RUNS).stream().map(model -> simulate(model, remote)).toList();
+      List<Report> freshLocal =
+          newModels(RUNS).stream().map(model -> simulate(model, local)).toList();
+      List<Report> again = repeat(() -> simulate(toWarmUp.get(0), remote));
+      List<Report> againLocal = repeat(() -> simulate(toWarmUp.get(0), local));
       line("Cold: a new process with an embedded server for every run. Warm: a new client process");
-      line("for every run on a server that has served %d runs. Paper: on a", 2 * WARM_UP_RUNS);
-      line("400-500 MHz Pentium.");
+      line(
+          "for every run, on a server that has served %d runs, with a model new to it or",
+          2 * WARM_UP_RUNS);
+      line("known to it. Paper: on a 400-500 MHz Pentium.");
       line("");
-      line("| | | cold | warm | paper |");
-      line("|---|---|---|---|---|");
-      row("t1c", "file sent and treated, seen by the client", cold, warm, "100");
-      row("t1s", "of which in the server", cold, warm, "80");
-      row("tcc", "compiling, in the server", cold, warm, "210");
-      row("tR", "set-up of a remote run", cold, warm, "380");
-      row("t2c", "JARs made and fetched, seen by the client", coldLocal, warmLocal, "220");
-      row("t2s", "of which in the server", coldLocal, warmLocal, "110");
-      row("tL", "set-up of a local run", coldLocal, warmLocal, "620");
-      row("wallTime", "the run itself, 3 s of motion", cold, warm, "140");
+      line("| | | cold | warm, new model | warm, known model | paper |");
+      line("|---|---|---|---|---|---|");
+      row("t1c", "file sent and treated, seen by the client", "100", cold, fresh, again);
+      row("t1s", "of which in the server", "80", cold, fresh, again);
+      row("tcc", "compiling, in the server", "210", cold, fresh, again);
+      row("tR", "set-up of a remote run", "380", cold, fresh, again);
+      row("t2c", "JARs seen by the client", "220", coldLocal, freshLocal, againLocal);
+      row("t2s", "of which in the server", "110", coldLocal, freshLocal, againLocal);
+      row("tL", "set-up of a local run", "620", coldLocal, freshLocal, againLocal);
+      row("wallTime", "the run itself, 3 s of motion", "140", cold, fresh, again);
       line("");
     }
   }
 
-  private void warmUp(int port) {
-    for (int i = 0; i < WARM_UP_RUNS; i++) {
-      simulate("--server", Service.url(port));
-      simulate("--mode", "local", "--server", Service.url(port));
+  /** Returns pendulums that no server has seen, each with another gravity in its last digits. */
+  private List<Path> newModels(int count) throws IOException {
+    String pendulum = Files.readString(WorkingTree.PENDULUM);
+    List<Path> models = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      Path model = Files.createTempFile(directory, "pendulum", ".xml");
+      String gravity = "gz=\"-9.81" + String.format(Locale.ROOT, "%05d", ++modelsMade) + "\"";
+      Files.writeString(model, pendulum.replace("gz=\"-9.81\"", gravity));
+      models.add(model);
     }
+    return models;
   }
 
   private void sizes() throws IOException {
@@ -137,8 +155,11 @@ class SetUpTimesIT {
   }
 
   private Report simulate(String... options) {
-    List<String> command =
-        new ArrayList<>(List.of("simulate", WorkingTree.PENDULUM.toString(), "--json"));
+    return simulate(WorkingTree.PENDULUM, options);
+  }
+
+  private Report simulate(Path model, String... options) {
+    List<String> command = new ArrayList<>(List.of("simulate", model.toString(), "--json"));
     command.addAll(Arrays.asList(options));
     return Report.printedBy(new Terminal(directory).mech(command.toArray(String[]::new)));
   }
@@ -147,10 +168,13 @@ class SetUpTimesIT {
     return IntStream.range(0, RUNS).mapToObj(i -> run.get()).toList();
   }
 
-  private void row(String key, String meaning, List<Report> cold, List<Report> warm, String paper) {
-    line(
-        "| %s | %s | %s | %s | %s |",
-        key, meaning, milliseconds(key, cold), milliseconds(key, warm), paper);
+  @SafeVarargs
+  private final void row(String key, String meaning, String paper, List<Report>... cases) {
+    String times =
+        Arrays.stream(cases)
+            .map(reports -> milliseconds(key, reports))
+            .collect(Collectors.joining(" | "));
+    line("| %s | %s | %s | %s |", key, meaning, times, paper);
   }
 
   private static String milliseconds(String key, List<Report> reports) {
