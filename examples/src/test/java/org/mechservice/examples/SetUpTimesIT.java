@@ -72,24 +72,28 @@ class SetUpTimesIT {
           newModels(RUNS).stream().map(model -> simulate(model, local)).toList();
       List<Report> again = repeat(() -> simulate(toWarmUp.get(0), remote));
       List<Report> againLocal = repeat(() -> simulate(toWarmUp.get(0), local));
-      line("Cold: a new process with an embedded server for every run. Warm: a new client process");
-      line(
-          "for every run, on a server that has served %d runs, with a model new to it or",
-          2 * WARM_UP_RUNS);
-      line("known to it. Paper: on a 400-500 MHz Pentium.");
-      line("");
-      line("| | | cold | warm, new model | warm, known model | paper |");
-      line("|---|---|---|---|---|---|");
-      row("t1c", "file sent and treated, seen by the client", "100", cold, fresh, again);
-      row("t1s", "of which in the server", "80", cold, fresh, again);
-      row("tcc", "compiling, in the server", "210", cold, fresh, again);
-      row("tR", "set-up of a remote run", "380", cold, fresh, again);
-      row("t2c", "JARs seen by the client", "220", coldLocal, freshLocal, againLocal);
-      row("t2s", "of which in the server", "110", coldLocal, freshLocal, againLocal);
-      row("tL", "set-up of a local run", "620", coldLocal, freshLocal, againLocal);
-      row("wallTime", "the run itself, 3 s of motion", "140", cold, fresh, again);
-      line("");
+      table(List.of(cold, fresh, again), List.of(coldLocal, freshLocal, againLocal));
     }
+  }
+
+  private void table(List<List<Report>> remoteRuns, List<List<Report>> localRuns) {
+    line("Cold: a new process with an embedded server for every run. Warm: a new client process");
+    line(
+        "for every run, on a server that has served %d runs, with a model new to it or",
+        2 * WARM_UP_RUNS);
+    line("known to it. Paper: on a 400-500 MHz Pentium.");
+    line("");
+    line("| | | cold | warm, new model | warm, known model | paper |");
+    line("|---|---|---|---|---|---|");
+    row("t1c", "file sent and treated, seen by the client", "100", remoteRuns);
+    row("t1s", "of which in the server", "80", remoteRuns);
+    row("tcc", "compiling, in the server", "210", remoteRuns);
+    row("tR", "set-up of a remote run", "380", remoteRuns);
+    row("t2c", "JARs seen by the client", "220", localRuns);
+    row("t2s", "of which in the server", "110", localRuns);
+    row("tL", "set-up of a local run", "620", localRuns);
+    row("wallTime", "the run itself, 3 s of motion", "140", remoteRuns);
+    line("");
   }
 
   /** Returns pendulums that no server has seen, each with another gravity in its last digits. */
@@ -168,10 +172,9 @@ class SetUpTimesIT {
     return IntStream.range(0, RUNS).mapToObj(i -> run.get()).toList();
   }
 
-  @SafeVarargs
-  private final void row(String key, String meaning, String paper, List<Report>... cases) {
+  private void row(String key, String meaning, String paper, List<List<Report>> cases) {
     String times =
-        Arrays.stream(cases)
+        cases.stream()
             .map(reports -> milliseconds(key, reports))
             .collect(Collectors.joining(" | "));
     line("| %s | %s | %s | %s |", key, meaning, times, paper);
