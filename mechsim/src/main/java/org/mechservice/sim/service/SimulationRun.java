@@ -260,8 +260,9 @@ final class SimulationRun implements Runnable, ResultSink {
 
   private void finish(SimState end, String text) {
     endedAt = System.nanoTime();
-    spool.end();
+    // In this order: who has read the last row finds the state and the events of the end.
     become(end, text);
+    spool.end();
     if (destroyed) {
       spool.close();
     }

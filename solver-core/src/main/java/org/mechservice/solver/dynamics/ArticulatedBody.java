@@ -25,7 +25,11 @@ import org.mechservice.solver.spatial.Vector3;
  * <p>Immutable; give each thread its own {@link Workspace}. Does not hold loops: see closure.
  */
 public final class ArticulatedBody {
-  /** A pivot this small against what it was formed from counts as zero (NUMERICS §2). */
+  /**
+   * A pivot this small against the inertia of all that lies beyond the joint, taken as one rigid
+   * body, counts as zero (NUMERICS §2): at gimbal lock, say, the joints between leave nothing of it
+   * but rounding.
+   */
   private static final double SINGULAR = 64 * Math.ulp(1.0);
 
   private final TreeGeometry tree;
@@ -66,10 +70,18 @@ public final class ArticulatedBody {
     /** U = Iᴬ S, 6 per link. */
     private final double[] projected;
 
-    /** D = Sᵀ U, and D before the children were projected. */
+    /** D = Sᵀ U. */
     private final double[] pivot;
 
-    private final double[] unprojectedPivot;
+    /**
+     * Mass, first moment (3 per link) and twice the trace of the second moment, which is the trace
+     * of the inertia, of all bodies beyond a joint taken as one: what a pivot is judged by; kg,
+     * kg·m, kg·m².
+     */
+    private final double[] rigidMass;
+
+    private final double[] rigidMoment;
+    private final double[] rigidTrace;
 
     /** u = τ − Sᵀ p. */
     private final double[] residual;
@@ -89,7 +101,9 @@ public final class ArticulatedBody {
       product = new double[6 * n];
       projected = new double[6 * n];
       pivot = new double[n];
-      unprojectedPivot = new double[n];
+      rigidMass = new double[n];
+      rigidMoment = new double[3 * n];
+      rigidTrace = new double[n];
       residual = new double[n];
       acceleration = new double[6 * n];
     }
@@ -113,7 +127,8 @@ public final class ArticulatedBody {
     }
     for (int link = tree.linkCount - 1; link >= 0; link--) {
       formPivot(w, link, tau[tree.coordinate[link]]);
-      if (!(w.pivot[link] > SINGULAR * w.unprojectedPivot[link])) {
+      double rigid = tree.slides[link] ? w.rigidMass[link] : w.rigidTrace[link];
+      if (!(w.pivot[link] > SINGULAR * rigid)) {
         return tree.joint[link];
       }
       if (tree.parent[link] != TreeGeometry.ROOT) {
@@ -157,7 +172,11 @@ public final class ArticulatedBody {
     for (int i = 2 * at; i < 2 * at + 6; i++) {
       w.product[i] *= rate;
     }
-    w.unprojectedPivot[link] = 0;
+    w.rigidMass[link] = tree.mass[link];
+    w.rigidTrace[link] = w.inertiaJ[9 * link] + w.inertiaJ[9 * link + 4] + w.inertiaJ[9 * link + 8];
+    for (int i = at; i < at + 3; i++) {
+      w.rigidMoment[i] = tree.mass[link] * tree.centerOfMass[i];
+    }
   }
 
   /** J = I_c − m [c]×[c]×, H = m [c]×, M = m 1. */
@@ -214,7 +233,6 @@ public final class ArticulatedBody {
     }
     int moving = tree.slides[link] ? at + 3 : at;
     w.pivot[link] = dot(tree.axisInChild, 3 * link, w.projected, moving);
-    w.unprojectedPivot[link] += w.pivot[link];
     w.residual[link] = tau - dot(tree.axisInChild, 3 * link, w.bias, moving);
   }
 
@@ -225,7 +243,7 @@ public final class ArticulatedBody {
     projectBias(w, link, perPivot);
     rotateToParent(w, link);
     shiftToParent(w, link);
-    addUnprojectedPivot(w, link, perPivot);
+    addRigidToParent(w, link);
   }
 
   private static void rankOneDown(Workspace w, int link, double perPivot) {
@@ -263,18 +281,11 @@ public final class ArticulatedBody {
     congruence(r, 9 * link, w.inertiaM, 9 * link, w.inertiaM, 9 * link, w.work, 0);
     rotateInPlace(r, 9 * link, w.bias, 6 * link, w.work);
     rotateInPlace(r, 9 * link, w.bias, 6 * link + 3, w.work);
-    rotateUnprojected(w, link);
   }
 
   private static void rotateInPlace(double[] r, int ir, double[] v, int iv, double[] work) {
     apply(r, ir, v, iv, work, 0);
     System.arraycopy(work, 0, v, iv, 3);
-  }
-
-  /** Leaves U in parent axes in work 18 … 23, for the parent's unprojected pivot. */
-  private static void rotateUnprojected(Workspace w, int link) {
-    apply(w.motion.rotation, 9 * link, w.projected, 6 * link, w.work, 18);
-    apply(w.motion.rotation, 9 * link, w.projected, 6 * link + 3, w.work, 21);
   }
 
   /**
@@ -310,17 +321,19 @@ public final class ArticulatedBody {
     addCross(p, 3 * link, w.bias, 6 * link + 3, w.bias, 6 * parent);
   }
 
-  /** D before projection = D + Σ over the children of (S_parentᵀ X* U)² / D. */
-  private void addUnprojectedPivot(Workspace w, int link, double perPivot) {
+  /** With the link's point at p: m, R h + m p, tr J + 4 pᵀ R h + 2 m pᵀ p. */
+  private void addRigidToParent(Workspace w, int link) {
     int parent = tree.parent[link];
-    double along;
-    if (tree.slides[parent]) {
-      along = dot(tree.axisInChild, 3 * parent, w.work, 21);
-    } else {
-      addCross(w.motion.position, 3 * link, w.work, 21, w.work, 18);
-      along = dot(tree.axisInChild, 3 * parent, w.work, 18);
+    double[] p = w.motion.position;
+    double[] h = w.work;
+    double m = w.rigidMass[link];
+    apply(w.motion.rotation, 9 * link, w.rigidMoment, 3 * link, h, 0);
+    w.rigidMass[parent] += m;
+    w.rigidTrace[parent] +=
+        w.rigidTrace[link] + 4 * dot(p, 3 * link, h, 0) + 2 * m * dot(p, 3 * link, p, 3 * link);
+    for (int i = 0; i < 3; i++) {
+      w.rigidMoment[3 * parent + i] += h[i] + m * p[3 * link + i];
     }
-    w.unprojectedPivot[parent] += along * along * perPivot;
   }
 
   /** A' = X A_p + c, a = (u − Uᵀ A') / D, A = A' + S a. */

@@ -140,6 +140,31 @@ class ArticulatedBodyTest {
     assertThat(singularJoint(chain)).isEqualTo(ExplicitModel.REGULAR);
   }
 
+  /**
+   * Three turning joints about x, y, x with massless bodies between them; at a middle angle of 0
+   * the outer axes coincide.
+   */
+  @Test
+  void gimbalLockIsNamed() {
+    assertThat(singularJoint(gimbal(0))).isEqualTo(0);
+    assertThat(singularJoint(gimbal(1e-9))).isEqualTo(0);
+    assertThat(singularJoint(gimbal(1e-3))).isEqualTo(ExplicitModel.REGULAR);
+  }
+
+  private static Mechanism gimbal(double middle) {
+    Vector3[] axes = {new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(1, 0, 0)};
+    Body[] bodies = {massless("outer"), massless("inner"), bar("rotor")};
+    double[] q = {0.7, middle, -0.4};
+    List<Joint> joints = new ArrayList<>();
+    for (int i = 0; i < 3; i++) {
+      Attachment attachment =
+          new Attachment(i - 1, Vector3.ZERO, i, Vector3.ZERO, Rotation.IDENTITY);
+      joints.add(new Revolute("j" + i, attachment, axes[i], q[i], 0, Origin.NONE));
+    }
+    Root root = new Root("ground", Vector3.ZERO, Rotation.IDENTITY);
+    return new Mechanism("gimbal", root, new Vector3(0, 0, -9.81), List.of(bodies), joints);
+  }
+
   @Test
   void evaluationAllocatesNothing() {
     Mechanism tree = RandomTrees.tree(50, 20);
@@ -174,7 +199,7 @@ class ArticulatedBodyTest {
 
   private static Body bar(String name) {
     return new Body(
-        name, 1, new Vector3(0.5, 0, 0), new InertiaTensor(0, 0.1, 0.1, 0, 0, 0), Origin.NONE);
+        name, 1, new Vector3(0.5, 0, 0), new InertiaTensor(0.02, 0.1, 0.1, 0, 0, 0), Origin.NONE);
   }
 
   private static Body massless(String name) {
