@@ -12,9 +12,10 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.HexFormat;
 import java.security.MessageDigest;
+import java.util.HexFormat;
 import java.util.Set;
+import java.util.jar.JarFile;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -45,7 +46,16 @@ class WholeWayTest {
   @Test
   void remoteAndLocalRunsWriteTheSameBytes() {
     mech("simulate", MODEL, "--quiet", "--columns", "all", "--out", file("remote.csv"));
-    mech("simulate", MODEL, "--quiet", "--columns", "all", "--out", file("local.csv"), "--mode", "local");
+    mech(
+        "simulate",
+        MODEL,
+        "--quiet",
+        "--columns",
+        "all",
+        "--out",
+        file("local.csv"),
+        "--mode",
+        "local");
     assertThat(err.toString()).isEmpty();
     assertThat(out.toString()).isEmpty();
     assertThat(folder.resolve("local.csv"))
@@ -81,18 +91,19 @@ class WholeWayTest {
 
   @ValueSource(strings = {"remote", "local"})
   @ParameterizedTest
-  void runThatFailsKeepsItsRowsAndSaysWhere(String mode) {
-    // No step is small enough for this tolerance once the pendulum moves fast.
+  void runThatFailsKeepsItsRowsAndSaysWhere(String mode) throws IOException {
+    // Velocities whose squares are beyond the range of numbers come within the first step.
+    Path model = folder.resolve("heavy.xml");
+    Files.writeString(model, Files.readString(Path.of(MODEL)).replace("-9.81", "-1e300"));
     int status =
-        mech(
-            "simulate", MODEL, "--mode", mode, "--rtol", "1e-15", "--atol", "1e-300", "--json",
-            "--out", file("r.csv"));
+        mech("simulate", model.toString(), "--mode", mode, "--json", "--out", file("r.csv"));
     assertThat(status).isEqualTo(ExitStatus.SIMULATION_FAILED);
     assertThat(err.toString())
         .startsWith("N-0")
         .endsWith(" Rows up to there are in " + file("r.csv") + ".\n")
         .hasLineCount(1);
-    assertThat(JsonParser.parseString(out.toString()).getAsJsonObject().get("outcome").getAsString())
+    assertThat(
+            JsonParser.parseString(out.toString()).getAsJsonObject().get("outcome").getAsString())
         .isEqualTo("failed");
     assertThat(folder.resolve("r.csv")).isNotEmptyFile();
   }
@@ -102,7 +113,8 @@ class WholeWayTest {
   void brokenModelIsToldWithItsPlaceAndNothingIsWritten(String command) throws IOException {
     Path model = folder.resolve("bad.xml");
     Files.writeString(
-        model, Files.readString(Path.of(MODEL)).replace("body1 name=\"bar4\"", "body1 name=\"no\""));
+        model,
+        Files.readString(Path.of(MODEL)).replace("body1 name=\"bar4\"", "body1 name=\"no\""));
     String target = command.equals("build") ? "-o" : command.equals("check") ? "" : "--out";
     String[] words =
         target.isEmpty()
@@ -114,6 +126,15 @@ class WholeWayTest {
     try (Stream<Path> files = Files.list(folder)) {
       assertThat(files).containsExactly(model);
     }
+  }
+
+  @ValueSource(strings = {"remote", "local"})
+  @ParameterizedTest
+  void toleranceBelowTheArithmeticIsBadInput(String mode) {
+    String[] words = {"simulate", MODEL, "--mode", mode, "--rtol", "1e-15", "--out", file("r.csv")};
+    assertThat(mech(words)).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).startsWith("S-0").contains("1.0E-15").hasLineCount(1);
+    assertThat(folder).isEmptyDirectory();
   }
 
   @Test
@@ -149,9 +170,9 @@ class WholeWayTest {
   }
 
   @Test
-  void modelClassesNeedJavaBaseAndTheSharedApiAlone() {
+  void modelClassesNeedJavaBaseAndTheSolverAlone() throws IOException {
     mech("build", MODEL, "-o", file("p.jar"));
-    JavaClasses model = new ClassFileImporter().importPath(folder.resolve("p.jar"));
+    JavaClasses model = new ClassFileImporter().importJar(new JarFile(file("p.jar")));
     assertThat(model).isNotEmpty();
     Set<String> packages =
         model.stream()
@@ -160,12 +181,8 @@ class WholeWayTest {
             .filter(type -> !type.isPrimitive() && !model.contain(type.getName()))
             .map(JavaClass::getPackageName)
             .collect(Collectors.toSet());
-    assertThat(packages)
-        .allMatch(
-            name ->
-                name.equals("java.lang")
-                    || name.startsWith("org.mechservice.solver.api")
-                    || name.startsWith("org.mechservice.solver.spatial"));
+    packages.removeAll(ModuleLayer.boot().findModule("java.base").orElseThrow().getPackages());
+    assertThat(packages).isSubsetOf("org.mechservice.solver.api", "org.mechservice.solver.spatial");
   }
 
   @Test
