@@ -86,9 +86,9 @@ final class ResultFiles implements ResultSink, AutoCloseable {
     return "t=" + time + " s";
   }
 
-  /** Returns a sentence that names the files, or nothing if there are none. */
+  /** Returns a sentence that names the files, or nothing if there are no rows in any. */
   String whereRowsAre() {
-    return files.isEmpty() ? "" : " Rows up to there are in " + this + ".";
+    return files.isEmpty() || rows == 0 ? "" : " Rows up to there are in " + this + ".";
   }
 
   /**

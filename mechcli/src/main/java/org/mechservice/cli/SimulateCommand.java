@@ -119,14 +119,18 @@ final class SimulateCommand implements Callable<Integer> {
     ProgressDisplay display = ProgressDisplay.of(news, !quiet && !json);
     try {
       result = run.toEnd(files);
-    } catch (ServiceException lost) {
-      err().println(lost.getMessage() + keptRows(files));
-      return FailureReport.status(lost);
+    } catch (ServiceException e) {
+      int status = FailureReport.status(e);
+      // Rows that came before a server was lost are good; what bad input left is not.
+      err().println(e.getMessage() + (status == ExitStatus.SERVER ? keptRows(files) : ""));
+      return status;
     } finally {
       display.close();
     }
     Map<String, Object> report = new LinkedHashMap<>(result.report());
-    files.keep().ifPresent(hash -> report.put("resultsSha256", hash));
+    if (files.rows() > 0) {
+      files.keep().ifPresent(hash -> report.put("resultsSha256", hash));
+    }
     print(report, news);
     return tell(result.outcome(), files);
   }

@@ -10,7 +10,7 @@ public final class InvalidModelException extends ServiceException {
   private final transient List<ModelMessage> messages;
 
   InvalidModelException(String code, String text, List<ModelMessage> messages) {
-    super(code, messages.isEmpty() ? text : joined(messages));
+    super(code, messages.isEmpty() ? coded(code, text) : joined(messages));
     this.messages = List.copyOf(messages);
   }
 

@@ -7,7 +7,7 @@ public final class InvalidOptionException extends ServiceException {
   private final String option;
 
   InvalidOptionException(String code, String text, String option) {
-    super(code, text);
+    super(code, coded(code, text));
     this.option = option;
   }
 

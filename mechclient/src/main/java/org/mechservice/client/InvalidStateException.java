@@ -7,7 +7,7 @@ public final class InvalidStateException extends ServiceException {
   private final RunState state;
 
   InvalidStateException(String code, String text, RunState state) {
-    super(code, text);
+    super(code, coded(code, text));
     this.state = state;
   }
 

@@ -8,6 +8,6 @@ public final class JarRefusedException extends ServiceException {
   private static final long serialVersionUID = 1L;
 
   JarRefusedException(String code, String text) {
-    super(code, text);
+    super(code, coded(code, text));
   }
 }

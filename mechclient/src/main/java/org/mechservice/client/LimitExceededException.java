@@ -9,7 +9,7 @@ public final class LimitExceededException extends ServiceException {
   private final long requested;
 
   LimitExceededException(String code, String text, String limit, long allowed, long requested) {
-    super(code, text);
+    super(code, coded(code, text));
     this.limit = limit;
     this.allowed = allowed;
     this.requested = requested;

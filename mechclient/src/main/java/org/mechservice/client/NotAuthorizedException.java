@@ -5,6 +5,6 @@ public final class NotAuthorizedException extends ServiceException {
   private static final long serialVersionUID = 1L;
 
   NotAuthorizedException(String code, String text) {
-    super(code, text);
+    super(code, coded(code, text));
   }
 }

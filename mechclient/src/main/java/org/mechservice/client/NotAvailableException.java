@@ -5,6 +5,6 @@ public final class NotAvailableException extends ServiceException {
   private static final long serialVersionUID = 1L;
 
   NotAvailableException(String code, String text) {
-    super(code, text);
+    super(code, coded(code, text));
   }
 }

@@ -5,6 +5,6 @@ public final class NotFoundException extends ServiceException {
   private static final long serialVersionUID = 1L;
 
   NotFoundException(String code, String text) {
-    super(code, text);
+    super(code, coded(code, text));
   }
 }

@@ -101,6 +101,7 @@ public final class RemoteRun implements PreparedRun {
    * Returns how the run ended.
    *
    * @throws InvalidStateException if it has not ended
+   * @throws InvalidOptionException if the solver refused the run's settings
    */
   public RunResult result() {
     RunState state = progress().state();
@@ -131,7 +132,11 @@ public final class RemoteRun implements PreparedRun {
     };
   }
 
+  /** Settings that the solver itself refuses are not a failure of the simulation. */
   private static Failure failure(FailureRecord said) {
+    if (said.code.startsWith("S-")) {
+      throw new InvalidOptionException(said.code, said.text, "");
+    }
     return new Failure(
         said.code, said.text, said.simTime, said.stepSize, said.stepOrder, said.part, said.advice);
   }

@@ -7,7 +7,7 @@ public final class ServerFailureException extends ServiceException {
   private final String incident;
 
   ServerFailureException(String code, String text, String incident) {
-    super(code, incident.isEmpty() ? text : text + " (incident " + incident + ")");
+    super(code, coded(code, incident.isEmpty() ? text : text + " (incident " + incident + ")"));
     this.incident = incident;
   }
 

@@ -7,7 +7,7 @@ public final class ServerLostException extends ServiceException {
   private final String address;
 
   ServerLostException(String code, String text, String address) {
-    super(code, text);
+    super(code, coded(code, text));
     this.address = address;
   }
 

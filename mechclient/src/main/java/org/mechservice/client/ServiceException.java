@@ -24,9 +24,14 @@ public abstract sealed class ServiceException extends RuntimeException
 
   private final String code;
 
-  ServiceException(String code, String text) {
-    super(text.contains(code) ? text : code + " " + text);
+  ServiceException(String code, String message) {
+    super(message);
     this.code = code;
+  }
+
+  /** Returns the text as a message that begins with its code. */
+  static String coded(String code, String text) {
+    return text.startsWith(code) ? text : code + " " + text;
   }
 
   /** Returns the code a message begins with, or another one if it has none. */

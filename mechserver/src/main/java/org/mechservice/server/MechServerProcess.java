@@ -17,7 +17,6 @@ import org.mechservice.orb.ServiceKey;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.service.Journal;
-import org.mechservice.solver.api.Solver;
 
 /** The process behind {@code mech server}, and the embedded server of the command line. */
 public final class MechServerProcess implements AutoCloseable {
@@ -31,28 +30,21 @@ public final class MechServerProcess implements AutoCloseable {
   private final AtomicBoolean closing = new AtomicBoolean();
 
   private MechServerProcess(
-      ServerSettings settings, ServiceOrb orb, ServerTuning tuning, Solver solver) {
+      ServerSettings settings, ServiceOrb orb, ServerTuning tuning, OwnHost host) {
     this.orb = orb;
     Journal journal = new Journal("server");
     directory = new HostDirectory(tuning, orb.outbound(), journal);
     server = new MechServerServant(settings.name(), directory, tuning);
     ownHost =
         settings.localCapacity() > 0
-            ? Optional.of(
-                new SimHost(
-                    orb,
-                    settings.name(),
-                    settings.localCapacity(),
-                    tuning.limits(),
-                    solver,
-                    this::close))
+            ? Optional.of(host.open(orb, settings, tuning.limits(), this::close))
             : Optional.empty();
     ownHost.ifPresent(
-        host ->
+        own ->
             directory.add(
                 new KnownHost(
-                    host.getInfo(),
-                    GuardedServant.of(MechSimHostOperations.class, host, () -> {}),
+                    own.getInfo(),
+                    GuardedServant.of(MechSimHostOperations.class, own, () -> {}),
                     true,
                     orb.endpoint())));
     publish(new MechAdminServant(server, directory, tuning, journal, this::shutDown));
@@ -78,14 +70,14 @@ public final class MechServerProcess implements AutoCloseable {
    * @throws IllegalArgumentException with code S-004 if the address cannot be listened on
    */
   public static MechServerProcess start(ServerSettings settings) {
-    return start(settings, ServerTuning.DEFAULT, SimHost.installedSolver());
+    return start(settings, ServerTuning.DEFAULT, OwnHost.INSTALLED);
   }
 
-  static MechServerProcess start(ServerSettings settings, ServerTuning tuning, Solver solver) {
+  static MechServerProcess start(ServerSettings settings, ServerTuning tuning, OwnHost host) {
     ServiceOrb orb =
         ServiceOrb.server(new ListenAddress(settings.listenAddress(), settings.port()));
     try {
-      return new MechServerProcess(settings, orb, tuning, solver);
+      return new MechServerProcess(settings, orb, tuning, host);
     } catch (RuntimeException e) {
       orb.close();
       throw e;

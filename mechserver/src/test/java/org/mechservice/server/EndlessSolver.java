@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.concurrent.locks.LockSupport;
+import org.mechservice.sim.host.SimHost;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Outcome;
@@ -17,6 +18,17 @@ import org.mechservice.solver.simulation.Simulation;
 
 /** Puts out one row after the other until it is stopped. */
 final class EndlessSolver implements Solver {
+  /** A host that runs its models with this solver. */
+  static final OwnHost HOST =
+      (orb, settings, limits, shutdown) ->
+          new SimHost(
+              orb,
+              settings.name(),
+              settings.localCapacity(),
+              limits,
+              new EndlessSolver(),
+              shutdown);
+
   private static final long PAUSE_NANOS = 100_000;
 
   @Override

@@ -35,7 +35,7 @@ final class Farm implements AutoCloseable {
   Farm(int ownCapacity, ServerTuning tuning) {
     server =
         MechServerProcess.start(
-            new ServerSettings("own", "127.0.0.1", 0, ownCapacity), tuning, new EndlessSolver());
+            new ServerSettings("own", "127.0.0.1", 0, ownCapacity), tuning, EndlessSolver.HOST);
     parts.push(server::close);
     service = orb.connect(server.url());
     admin = orb.connectAdmin(server.url());

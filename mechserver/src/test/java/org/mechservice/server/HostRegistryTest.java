@@ -112,7 +112,7 @@ class HostRegistryTest {
   @Test
   void hostRegistersAgainAtARestartedServer() throws Exception {
     ServerSettings settings = new ServerSettings("own", "127.0.0.1", 0, 1);
-    MechServerProcess first = MechServerProcess.start(settings, Farm.BRISK, new EndlessSolver());
+    MechServerProcess first = MechServerProcess.start(settings, Farm.BRISK, EndlessSolver.HOST);
     int port = Integer.parseInt(first.url().replaceAll(".*:(\\d+)/.*", "$1"));
     try (SimHostProcess host =
             SimHostProcess.start(new HostSettings(first.url(), "h", "127.0.0.1", 0, 1));
@@ -120,7 +120,7 @@ class HostRegistryTest {
       first.close();
       try (MechServerProcess second =
           MechServerProcess.start(
-              new ServerSettings("own", "127.0.0.1", port, 1), Farm.BRISK, new EndlessSolver())) {
+              new ServerSettings("own", "127.0.0.1", port, 1), Farm.BRISK, EndlessSolver.HOST)) {
         Eventually.holds(
             () ->
                 Arrays.stream(orb.connectAdmin(second.url()).listHosts())

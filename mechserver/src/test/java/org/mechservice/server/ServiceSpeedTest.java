@@ -23,6 +23,8 @@ import org.mechservice.idl.NameValue;
 import org.mechservice.idl.ResultBlockHolder;
 import org.mechservice.idl.ResultCursor;
 import org.mechservice.orb.ServiceOrb;
+import org.mechservice.sim.host.SimHost;
+import org.mechservice.sim.service.HostLimits;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.RunReport;
@@ -66,6 +68,11 @@ class ServiceSpeedTest {
             "fast");
       };
 
+  private static SimHost fastHost(
+      ServiceOrb orb, ServerSettings settings, HostLimits limits, Runnable shutdown) {
+    return new SimHost(orb, settings.name(), settings.localCapacity(), limits, FAST, shutdown);
+  }
+
   @Test
   void serviceIsMeasured() throws Exception {
     report.add("# Speed of the service over loopback\n");
@@ -80,7 +87,9 @@ class ServiceSpeedTest {
     report.add("| what | measured |\n|---|---|");
     try (MechServerProcess server =
             MechServerProcess.start(
-                new ServerSettings("own", "127.0.0.1", 0, 2), ServerTuning.DEFAULT, FAST);
+                new ServerSettings("own", "127.0.0.1", 0, 2),
+                ServerTuning.DEFAULT,
+                ServiceSpeedTest::fastHost);
         ServiceOrb orb = ServiceOrb.client()) {
       MechServer service = orb.connect(server.url());
       setUp(service, "cold");
