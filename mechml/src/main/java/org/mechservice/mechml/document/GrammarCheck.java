@@ -2,8 +2,10 @@ package org.mechservice.mechml.document;
 
 import java.util.Collection;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.mechservice.mechml.diagnosis.Diagnostics;
@@ -40,31 +42,48 @@ final class GrammarCheck {
 
   private void checkAttributes(Element element) {
     Map<String, Grammar.AttributeRule> rules = grammar.attributes(element.name());
-    Set<String> misspelt = new HashSet<>();
+    Set<String> lacking = lacking(element, rules);
     for (Attribute attribute : element.attributes()) {
       if (diagnostics.isFull()) {
         return;
       }
       Grammar.AttributeRule rule = rules.get(attribute.name());
       if (rule == null) {
-        unknownAttribute(element, attribute.name(), rules.keySet());
-        Nearest.of(attribute.name(), rules.keySet()).ifPresent(misspelt::add);
+        Optional<String> meant = meant(attribute.name(), rules.keySet(), lacking);
+        unknownAttribute(element, attribute.name(), rules.keySet(), meant);
+        meant.ifPresent(lacking::remove);
       } else if (!rule.choices().isEmpty() && !rule.choices().contains(attribute.value())) {
         notInList(element, attribute, rule);
       }
     }
-    rules.forEach(
-        (name, rule) -> {
-          if (rule.required() && element.attribute(name).isEmpty() && !misspelt.contains(name)) {
-            error(
-                MessageCode.MISSING_ATTRIBUTE,
-                element,
-                Phrase.of("attribute %s is missing", Quoted.of(name)));
-          }
-        });
+    for (String name : lacking) {
+      error(
+          MessageCode.MISSING_ATTRIBUTE,
+          element,
+          Phrase.of("attribute %s is missing", Quoted.of(name)));
+    }
   }
 
-  private void unknownAttribute(Element element, String name, Collection<String> known) {
+  private static Set<String> lacking(Element element, Map<String, Grammar.AttributeRule> rules) {
+    Set<String> lacking = new LinkedHashSet<>();
+    rules.forEach(
+        (name, rule) -> {
+          if (rule.required() && element.attribute(name).isEmpty()) {
+            lacking.add(name);
+          }
+        });
+    return lacking;
+  }
+
+  /** A name like no other stands for the one required attribute that is lacking. */
+  private static Optional<String> meant(
+      String name, Collection<String> known, Collection<String> lacking) {
+    Optional<String> nearest = Nearest.of(name, known);
+    return nearest.isEmpty() && lacking.size() == 1 ? lacking.stream().findFirst() : nearest;
+  }
+
+  private void unknownAttribute(
+      Element element, String name, Collection<String> known, Optional<String> meant) {
     if (LaterLanguage.hasAttribute(element.name(), name)) {
       error(
           MessageCode.NOT_IN_THIS_VERSION,
@@ -72,7 +91,7 @@ final class GrammarCheck {
           Phrase.of("attribute %s is not available; %s", Quoted.of(name), LaterLanguage.PRESENT));
     } else {
       String hint =
-          Nearest.of(name, known)
+          meant
               .map(n -> "; did you mean " + Quoted.of(n) + "?")
               .orElse(known.isEmpty() ? "; it has none" : "; it has " + String.join(", ", known));
       error(
