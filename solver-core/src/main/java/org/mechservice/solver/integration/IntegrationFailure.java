@@ -33,6 +33,10 @@ public record IntegrationFailure(
     TOLERANCE_TOO_TIGHT,
     /** The right-hand side is not finite, also after the step was reduced repeatedly. */
     NOT_FINITE,
+    /** The iteration of an implicit method does not converge, however small the step. */
+    NO_CONVERGENCE,
+    /** The matrix of that iteration is singular to working precision, however small the step. */
+    SINGULAR_MATRIX,
     /** The number of steps allowed is used up. */
     TOO_MANY_STEPS
   }
