@@ -11,22 +11,10 @@ import org.mechservice.solver.integration.IntegrationFailure.Cause;
  * until the error test passes and all values are finite, accepts it, and chooses k and h anew.
  */
 abstract class AdamsPece implements Integrator {
-  /** Tries in a row with values that are not finite before the integrator gives up. */
-  private static final int NOT_FINITE_TRIES = 10;
-
   /** Share of the interval that the first step may cover: a start at rest says nothing about f. */
   private static final double FIRST_SHARE_OF_INTERVAL = 0.1;
 
-  private static final int ALL_FINITE = -1;
   private static final double UNIT_ROUNDOFF = Math.ulp(1.0);
-
-  /** What a try of a step came to. */
-  private enum Attempt {
-    PASSED,
-    TOO_INACCURATE,
-    NOT_FINITE,
-    STOPPED
-  }
 
   private final IntegratorSettings settings;
   private final ErrorNorm norm;
@@ -35,19 +23,10 @@ abstract class AdamsPece implements Integrator {
   private final AdamsOrderControl control = new AdamsOrderControl();
   private final AdamsInterpolant interpolant = new AdamsInterpolant();
   private final StiffnessMonitor stiffness = new StiffnessMonitor();
-  private final RecentSteps recentSteps = new RecentSteps();
+  private final Progress progress = new Progress();
 
-  private OdeSystem system = new NoUnknowns();
+  private RightHandSide equations = RightHandSide.none();
   private AdamsHistory history = new AdamsHistory(new double[0], new double[0], false);
-  private Optional<IntegrationFailure> failure = Optional.empty();
-  private boolean running;
-
-  /** End, start, size and order of the last accepted step. */
-  private double time;
-
-  private double previousTime;
-  private double lastSize;
-  private int lastOrder;
 
   /** Size and end of the step being tried. */
   private double h;
@@ -59,11 +38,7 @@ abstract class AdamsPece implements Integrator {
 
   private boolean prepared;
 
-  private int notFiniteInARow;
   private int notFiniteComponent;
-  private long steps;
-  private long rejectedSteps;
-  private long evaluations;
 
   /**
    * @throws IllegalArgumentException if a setting is out of range
@@ -93,42 +68,30 @@ abstract class AdamsPece implements Integrator {
   public final StepResult start(OdeSystem system, double t0, double[] y0, double tEnd) {
     IntegratorSettings.requireUsable(t0, tEnd, y0, system.dimension());
     double[] tolerances = settings.absoluteTolerances(y0.length);
-    this.system = system;
+    equations = new RightHandSide(system, settings.stop());
     clear(t0);
     norm.begin(settings.relativeTolerance(), tolerances);
     norm.weigh(y0);
     bounds.begin(t0, tEnd, settings.maxStep());
     double[] derivative = new double[y0.length];
-    system.derivative(t0, y0.clone(), derivative);
-    evaluations = 1;
+    equations.evaluateAlways(t0, y0.clone(), derivative);
     history = new AdamsHistory(y0, derivative, compensates(roundOff(y0)));
-    int component = firstNotFinite(derivative);
-    if (component != ALL_FINITE) {
-      return fail(Cause.NOT_FINITE, component);
+    if (!finite(derivative)) {
+      return fail(Cause.NOT_FINITE, notFiniteComponent);
     }
-    running = t0 != tEnd;
     h = firstStep(derivative, tEnd - t0);
-    return running ? StepResult.ADVANCED : StepResult.REACHED_END;
+    return progress.goOn(t0 == tEnd);
   }
 
   private void clear(double t0) {
     coefficients.clear();
     control.begin(settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER));
     stiffness.clear();
-    recentSteps.clear();
-    failure = Optional.empty();
-    running = false;
-    time = t0;
-    previousTime = t0;
+    progress.begin(t0);
     triedTime = t0;
-    lastSize = 0;
-    lastOrder = 0;
     h = 0;
     begun = false;
     prepared = false;
-    notFiniteInARow = 0;
-    steps = 0;
-    rejectedSteps = 0;
   }
 
   private double firstStep(double[] derivative, double interval) {
@@ -142,21 +105,20 @@ abstract class AdamsPece implements Integrator {
 
   @Override
   public final StepResult step() {
-    requireRunning();
+    progress.requireRunning();
     beginStep();
     if (roundOff(history.state()) > 0.5) {
       return fail(Cause.TOLERANCE_TOO_TIGHT, norm.largest(history.state()));
     }
-    while (steps + rejectedSteps < settings.maxSteps()) {
+    while (progress.tries() < settings.maxSteps()) {
       prepare();
-      Attempt attempt = attempt();
+      Attempt attempt = tryStep();
       if (attempt == Attempt.STOPPED) {
         return StepResult.STOPPED;
       }
       if (attempt == Attempt.PASSED) {
         accept();
-        running = !bounds.reachedAt(time);
-        return running ? StepResult.ADVANCED : StepResult.REACHED_END;
+        return progress.goOn(bounds.reachedAt(progress.time()));
       }
       Optional<Cause> cause = reject(attempt);
       if (cause.isPresent()) {
@@ -171,7 +133,7 @@ abstract class AdamsPece implements Integrator {
     if (!begun) {
       norm.weigh(history.state());
       control.beginStep();
-      h = bounds.bounded(time, h);
+      h = bounds.bounded(progress.time(), h);
       begun = true;
     }
   }
@@ -179,13 +141,13 @@ abstract class AdamsPece implements Integrator {
   private void prepare() {
     if (!prepared) {
       coefficients.prepare(h, control.order());
-      triedTime = bounds.endOf(time, h);
+      triedTime = bounds.endOf(progress.time(), h);
       prepared = true;
     }
   }
 
   /** Predict, evaluate, estimate, correct, evaluate. */
-  private Attempt attempt() {
+  private Attempt tryStep() {
     int k = control.order();
     history.predict(h, k, coefficients.beta, coefficients.g);
     if (!evaluate(history.predicted)) {
@@ -209,14 +171,8 @@ abstract class AdamsPece implements Integrator {
     int k = control.order();
     history.accept(k);
     coefficients.accept(h, k);
-    recentSteps.record(time, h, k, control.error());
+    progress.accepted(h, triedTime, k, control.error());
     stiffness.record(k, control.error());
-    previousTime = time;
-    time = triedTime;
-    lastSize = h;
-    lastOrder = k;
-    steps++;
-    notFiniteInARow = 0;
     h *= control.accept(Math.abs(h), coefficients.equalSteps(), history, norm);
     begun = false;
     prepared = false;
@@ -225,11 +181,9 @@ abstract class AdamsPece implements Integrator {
   /** Reduces the step; returns a cause if that is not possible. */
   private Optional<Cause> reject(Attempt attempt) {
     boolean notFinite = attempt == Attempt.NOT_FINITE;
-    recentSteps.record(time, h, control.order(), notFinite ? Double.NaN : control.error());
-    rejectedSteps++;
-    notFiniteInARow = notFinite ? notFiniteInARow + 1 : 0;
-    double smallest = bounds.smallest(time);
-    if (notFiniteInARow == NOT_FINITE_TRIES || Math.abs(h) <= smallest) {
+    progress.rejected(h, control.order(), notFinite ? Double.NaN : control.error(), attempt);
+    double smallest = bounds.smallest(progress.time());
+    if (progress.notFiniteTooOften() || Math.abs(h) <= smallest) {
       return Optional.of(notFinite ? Cause.NOT_FINITE : Cause.STEP_TOO_SMALL);
     }
     double factor = notFinite ? control.rejectNotFinite() : control.reject();
@@ -240,12 +194,7 @@ abstract class AdamsPece implements Integrator {
 
   /** Evaluates f at the end of the step being tried; returns false if told to stop instead. */
   private boolean evaluate(double[] y) {
-    if (settings.stop().getAsBoolean()) {
-      return false;
-    }
-    system.derivative(triedTime, y, history.derivative);
-    evaluations++;
-    return true;
+    return equations.evaluate(triedTime, y, history.derivative);
   }
 
   /** Returns the norm of the rounding errors that a state of this size cannot avoid. */
@@ -255,17 +204,8 @@ abstract class AdamsPece implements Integrator {
 
   /** Returns whether all components are finite; if not, remembers the first that is not. */
   private boolean finite(double[] x) {
-    notFiniteComponent = firstNotFinite(x);
-    return notFiniteComponent == ALL_FINITE;
-  }
-
-  private static int firstNotFinite(double[] x) {
-    for (int l = 0; l < x.length; l++) {
-      if (!Double.isFinite(x[l])) {
-        return l;
-      }
-    }
-    return ALL_FINITE;
+    notFiniteComponent = RightHandSide.firstNotFinite(x);
+    return notFiniteComponent < 0;
   }
 
   private int limitingComponent(Attempt attempt) {
@@ -273,70 +213,49 @@ abstract class AdamsPece implements Integrator {
   }
 
   private StepResult fail(Cause cause, int component) {
-    running = false;
-    int order = h == 0 ? 0 : control.order();
-    failure =
-        Optional.of(new IntegrationFailure(cause, time, h, order, component, recentSteps.list()));
-    return StepResult.FAILED;
-  }
-
-  private void requireRunning() {
-    if (!running) {
-      throw new IllegalStateException(
-          failure.isPresent()
-              ? "the integration failed at t = " + time + "; start a new one"
-              : "nothing to integrate: the end is reached, or start was not called");
-    }
+    return progress.fail(cause, h, control.order(), component, norm);
   }
 
   @Override
   public final double time() {
-    return time;
+    return progress.time();
   }
 
   @Override
   public final double previousTime() {
-    return previousTime;
+    return progress.previousTime();
   }
 
   @Override
   public final double stepSize() {
-    return lastSize;
+    return progress.stepSize();
   }
 
   @Override
   public final int order() {
-    return lastOrder;
+    return progress.order();
   }
 
   @Override
   public final void interpolate(double t, double[] y, double[] yDot) {
-    if (!((previousTime <= t && t <= time) || (time <= t && t <= previousTime))) {
-      throw new IllegalArgumentException(
-          "t = " + t + " lies outside the last step, " + previousTime + " to " + time);
-    }
-    interpolant.evaluate(t - time, lastOrder, coefficients.psi, history, y, yDot);
+    progress.requireInLastStep(t);
+    interpolant.evaluate(t - progress.time(), progress.order(), coefficients.psi, history, y, yDot);
   }
 
   @Override
   public final IntegrationStatistics statistics() {
     return new IntegrationStatistics(
-        steps, rejectedSteps, evaluations, stiffness.suspectsStiffness());
+        progress.steps(),
+        progress.rejectedSteps(),
+        equations.evaluations(),
+        0,
+        0,
+        0,
+        stiffness.suspectsStiffness());
   }
 
   @Override
   public final IntegrationFailure failure() {
-    return failure.orElseThrow(() -> new IllegalStateException("the integration has not failed"));
-  }
-
-  /** Stands in until a problem is given. */
-  private static final class NoUnknowns implements OdeSystem {
-    @Override
-    public int dimension() {
-      return 0;
-    }
-
-    @Override
-    public void derivative(double t, double[] y, double[] yDot) {}
+    return progress.failure();
   }
 }

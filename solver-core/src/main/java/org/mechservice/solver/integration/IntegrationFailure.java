@@ -9,8 +9,10 @@ import java.util.List;
  * @param time where it stands
  * @param stepSize step tried last, signed; 0 at the start
  * @param order order tried last; 0 at the start
- * @param worstComponent index of the component that limited the step or was not finite; −1 if none
- *     can be named
+ * @param worstComponent index of the component that limited the step, was not finite, or left no
+ *     pivot in the matrix; −1 if none can be named
+ * @param allowedError error per step that the tolerances allow in that component; 0 if none is
+ *     named
  * @param lastSteps the last accepted and rejected steps, oldest first, at most ten
  */
 public record IntegrationFailure(
@@ -19,6 +21,7 @@ public record IntegrationFailure(
     double stepSize,
     int order,
     int worstComponent,
+    double allowedError,
     List<StepRecord> lastSteps) {
 
   public IntegrationFailure {
@@ -33,6 +36,10 @@ public record IntegrationFailure(
     TOLERANCE_TOO_TIGHT,
     /** The right-hand side is not finite, also after the step was reduced repeatedly. */
     NOT_FINITE,
+    /** The iteration of an implicit method does not converge, however small the step. */
+    NO_CONVERGENCE,
+    /** The matrix of that iteration is singular to working precision, however small the step. */
+    SINGULAR_MATRIX,
     /** The number of steps allowed is used up. */
     TOO_MANY_STEPS
   }
@@ -43,8 +50,10 @@ public record IntegrationFailure(
    * @param time where it started
    * @param stepSize signed
    * @param order order used
-   * @param error estimated local error over the tolerance; accepted if at most 1; NaN if a value
-   *     was not finite
+   * @param error estimated local error over the tolerance; accepted if at most 1; NaN if the try
+   *     did not get as far as an estimate
+   * @param attempt what became of it
    */
-  public record StepRecord(double time, double stepSize, int order, double error) {}
+  public record StepRecord(
+      double time, double stepSize, int order, double error, Attempt attempt) {}
 }

@@ -4,10 +4,21 @@ package org.mechservice.solver.integration;
  * What an integration cost so far.
  *
  * @param steps accepted steps
- * @param rejectedSteps steps that failed the error test or met values that are not finite
- * @param evaluations evaluations of the right-hand side
+ * @param rejectedSteps steps that failed the error test, met values that are not finite, or whose
+ *     equations could not be solved
+ * @param evaluations evaluations of the right-hand side, those for Jacobians by differences
+ *     included
+ * @param jacobians Jacobians formed; 0, like the next two, for methods that solve no equations
+ * @param factorisations matrices factored
+ * @param solutions systems of linear equations solved
  * @param stiffnessSuspected whether the steps look as if stability, not accuracy, limited them: an
  *     implicit method might take far fewer
  */
 public record IntegrationStatistics(
-    long steps, long rejectedSteps, long evaluations, boolean stiffnessSuspected) {}
+    long steps,
+    long rejectedSteps,
+    long evaluations,
+    long jacobians,
+    long factorisations,
+    long solutions,
+    boolean stiffnessSuspected) {}

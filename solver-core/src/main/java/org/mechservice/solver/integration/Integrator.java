@@ -16,8 +16,7 @@ package org.mechservice.solver.integration;
  */
 public interface Integrator {
   /**
-   * Begins a problem; evaluates f once and chooses the first step. Whatever was begun before is
-   * forgotten.
+   * Begins a problem; evaluates f once. Whatever was begun before is forgotten.
    *
    * @param system the right-hand side
    * @param t0 start

@@ -1,8 +1,8 @@
 package org.mechservice.solver.integration;
 
 /**
- * Norm of ode113: the largest component counts, the error allowed is max(rtol |y_i|, atol_i).
- * Shampine and Reichelt 1997.
+ * Norm of ode113 and ode15s: the largest component counts, the error allowed is max(rtol |y_i|,
+ * atol_i). Shampine and Reichelt 1997.
  */
 final class MaximumNorm implements ErrorNorm {
   private double relativeTolerance;
@@ -20,6 +20,19 @@ final class MaximumNorm implements ErrorNorm {
   public void weigh(double[] y) {
     for (int l = 0; l < weight.length; l++) {
       weight[l] = 1 / Math.max(relativeTolerance * Math.abs(y[l]), absoluteTolerance[l]);
+    }
+  }
+
+  /**
+   * Sets the error allowed in each component by the larger of two states.
+   *
+   * @param y1 not modified
+   * @param y2 not modified
+   */
+  void weigh(double[] y1, double[] y2) {
+    for (int l = 0; l < weight.length; l++) {
+      double size = Math.max(Math.abs(y1[l]), Math.abs(y2[l]));
+      weight[l] = 1 / Math.max(relativeTolerance * size, absoluteTolerance[l]);
     }
   }
 

@@ -11,6 +11,7 @@ final class RecentSteps {
   private final double[] stepSize = new double[KEPT];
   private final int[] order = new int[KEPT];
   private final double[] error = new double[KEPT];
+  private final Attempt[] attempt = new Attempt[KEPT];
   private long recorded;
 
   void clear() {
@@ -18,12 +19,13 @@ final class RecentSteps {
   }
 
   /** Takes note of a step; for the arguments see {@link IntegrationFailure.StepRecord}. */
-  void record(double time, double stepSize, int order, double error) {
+  void record(double time, double stepSize, int order, double error, Attempt attempt) {
     int slot = (int) (recorded % KEPT);
     this.time[slot] = time;
     this.stepSize[slot] = stepSize;
     this.order[slot] = order;
     this.error[slot] = error;
+    this.attempt[slot] = attempt;
     recorded++;
   }
 
@@ -33,7 +35,8 @@ final class RecentSteps {
     for (long i = Math.max(0, recorded - KEPT); i < recorded; i++) {
       int slot = (int) (i % KEPT);
       steps.add(
-          new IntegrationFailure.StepRecord(time[slot], stepSize[slot], order[slot], error[slot]));
+          new IntegrationFailure.StepRecord(
+              time[slot], stepSize[slot], order[slot], error[slot], attempt[slot]));
     }
     return List.copyOf(steps);
   }

@@ -2,15 +2,17 @@ package org.mechservice.solver.integration;
 
 /**
  * Bounds of the MATLAB ODE Suite: at most a tenth of the interval unless the user says otherwise,
- * at least 16 units in the last place of t, and the last step ends exactly at the end, to which it
- * is stretched by up to a tenth. Shampine and Reichelt 1997.
+ * at least 16 units of round-off of t, and the last step ends exactly at the end, to which it is
+ * stretched by up to a tenth. Shampine and Reichelt 1997.
  */
 final class StepsToEnd implements StepBounds {
   /** A step is stretched by at most this factor to reach the end. */
   private static final double STRETCH = 1.1;
 
   private static final double LARGEST_SHARE_OF_INTERVAL = 0.1;
-  private static final double SMALLEST_ULPS = 16;
+
+  /** Smallest step in units of u |t|, where u = 2⁻⁵². */
+  private static final double SMALLEST_ROUNDOFFS = 16;
 
   private double tEnd;
   private double largest;
@@ -27,7 +29,7 @@ final class StepsToEnd implements StepBounds {
 
   @Override
   public double smallest(double t) {
-    return SMALLEST_ULPS * Math.max(Math.ulp(t), Double.MIN_NORMAL);
+    return SMALLEST_ROUNDOFFS * Math.max(Math.ulp(1.0) * Math.abs(t), Double.MIN_NORMAL);
   }
 
   @Override

@@ -41,6 +41,21 @@ final class FailureText {
               failure,
               state(model, failure.worstComponent()),
               "Loosen the relative or the absolute tolerance.");
+      case NO_CONVERGENCE ->
+          failure(
+              "N-006",
+              "The equations of an implicit step cannot be solved at any step size.",
+              failure,
+              state(model, failure.worstComponent()),
+              "Look for a force that jumps or has a vertical slope there; tighten the tolerances if"
+                  + " it does not.");
+      case SINGULAR_MATRIX ->
+          failure(
+              "N-007",
+              "The matrix of an implicit step is singular at every step size.",
+              failure,
+              state(model, failure.worstComponent()),
+              "Check the values that act on this joint for huge ones.");
       case TOO_MANY_STEPS ->
           failure(
               "N-005",

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.solver.integration.suite.DetestA3;
 import org.mechservice.solver.integration.suite.SuiteProblem;
 
-class DeTest extends IntegratorContract {
+class DeTest extends AdamsContract {
   @Override
   Integrator create(IntegratorSettings settings) {
     return new De(settings);

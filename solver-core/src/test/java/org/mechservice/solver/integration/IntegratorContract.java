@@ -49,16 +49,22 @@ abstract class IntegratorContract {
 
   abstract Integrator create(IntegratorSettings settings);
 
-  private Integrator create(double tolerance) {
+  /** Returns how many tolerances the error of y' = y cos t may have become at t = 20. */
+  abstract double accumulation();
+
+  /** Returns by how much a step shrinks in which something was not finite. */
+  abstract double notFiniteReduction();
+
+  final Integrator create(double tolerance) {
     return create(new IntegratorSettings(tolerance, tolerance));
   }
 
-  private static IntegratorSettings withFirstStep(double initialStep) {
+  static IntegratorSettings withFirstStep(double initialStep) {
     return new IntegratorSettings(
         1e-6, List.of(1e-6), UNBOUNDED, initialStep, 0, Long.MAX_VALUE, () -> false);
   }
 
-  private static IntegratorSettings withMaxOrder(double tolerance, int maxOrder) {
+  static IntegratorSettings withMaxOrder(double tolerance, int maxOrder) {
     return new IntegratorSettings(
         tolerance, List.of(tolerance), UNBOUNDED, 0, maxOrder, Long.MAX_VALUE, () -> false);
   }
@@ -85,8 +91,12 @@ abstract class IntegratorContract {
   }
 
   @ParameterizedTest
-  @ValueSource(ints = {1, 2, 3, 4, 5, 6})
+  @ValueSource(ints = {1, 2, 3, 4, 5})
   void stepsGrowWithTheRootOfTheToleranceThatTheOrderSays(int order) {
+    assertStepsGrowWithTheRootOfTheTolerance(order);
+  }
+
+  final void assertStepsGrowWithTheRootOfTheTolerance(int order) {
     // Local error ~ h^(k+1): 1e4 times tighter means 10^(4/(k+1)) times the steps. The start and
     // the jumps of the step size by factors leave 25 %.
     long loose = Run.of(create(withMaxOrder(1e-4, order)), SMOOTH).statistics().steps();
@@ -132,19 +142,6 @@ abstract class IntegratorContract {
     return new IntegratorSettings(1e-10, tolerances, UNBOUNDED, 0, 0, Long.MAX_VALUE, () -> false);
   }
 
-  @Test
-  void roundOffDoesNotAccumulateAtTightTolerances() {
-    // 100 000 steps of 1e-3, each adding 1e-4 to a million: added plainly, every sum is wrong by up
-    // to half an ulp in the same direction, some 1e-6 in the end. Carried along, it stays at an
-    // ulp.
-    Ode steady = new Ode(1, (t, y, yDot) -> yDot[0] = 0.1);
-    IntegratorSettings settings =
-        new IntegratorSettings(5e-14, List.of(5e-14), 1e-3, 0, 0, Long.MAX_VALUE, () -> false);
-    Run run = Run.of(create(settings), steady, 0, new double[] {1e6}, 100);
-    assertThat(run.statistics().steps()).isGreaterThanOrEqualTo(100_000);
-    assertThat(run.atEnd()[0]).isCloseTo(1e6 + 10, within(4 * Math.ulp(1e6)));
-  }
-
   // Dense output
 
   @ParameterizedTest
@@ -174,7 +171,11 @@ abstract class IntegratorContract {
   @ParameterizedTest
   @ValueSource(doubles = {1e-4, 1e-6, 1e-8})
   void checkpointsOfTheSuiteAreMetAsWellAsAStepEndThere(double tolerance) {
-    for (SuiteProblem problem : SuiteProblem.nonstiff()) {
+    assertCheckpointsAreMet(SuiteProblem.nonstiff(), tolerance);
+  }
+
+  final void assertCheckpointsAreMet(List<SuiteProblem> problems, double tolerance) {
+    for (SuiteProblem problem : problems) {
       double t = problem.reference().checkpointTime();
       Integrator integrator = create(Run.settings(problem, tolerance));
       integrator.start(problem, 0, problem.reference().initialState(), problem.reference().end());
@@ -287,8 +288,7 @@ abstract class IntegratorContract {
     Run back = Run.of(create(1e-9), SMOOTH, 20, forth, 0);
     assertThat(back.result()).isEqualTo(StepResult.REACHED_END);
     assertThat(back.integrator().stepSize()).isNegative();
-    // The error at the end is one to two digits above the tolerance.
-    assertThat(back.atEnd()[0]).isCloseTo(1, within(1e-7));
+    assertThat(back.atEnd()[0]).isCloseTo(1, within(accumulation() * 1e-9));
   }
 
   @Test
@@ -319,7 +319,8 @@ abstract class IntegratorContract {
     // Doubling from 1e-30 to 1e-1 takes 97 steps; the order then grows from 1 again.
     assertThat(run.statistics().steps())
         .isLessThan(Run.of(create(1e-6), SMOOTH).statistics().steps() + 120);
-    assertThat(run.atEnd()[0]).isCloseTo(SMOOTH.reference().atEnd()[0], within(1e-4));
+    assertThat(run.atEnd()[0])
+        .isCloseTo(SMOOTH.reference().atEnd()[0], within(accumulation() * 1e-6));
   }
 
   @Test
@@ -328,7 +329,8 @@ abstract class IntegratorContract {
     Run run = Run.of(create(withFirstStep(1e-30)), shifted, 1e6, new double[] {1}, 1e6 + 20);
     assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
     // 1e6 holds its fraction to 1e-10, which shifts cos t by as much: invisible at 1e-4.
-    assertThat(run.atEnd()[0]).isCloseTo(SMOOTH.reference().atEnd()[0], within(1e-4));
+    assertThat(run.atEnd()[0])
+        .isCloseTo(SMOOTH.reference().atEnd()[0], within(accumulation() * 1e-6));
   }
 
   @Test
@@ -438,7 +440,10 @@ abstract class IntegratorContract {
     assertThat(tries).hasSize(10);
     assertThat(run.statistics().rejectedSteps()).isEqualTo(10);
     for (int i = 1; i < tries.size(); i++) {
-      assertThat(tries.get(i).stepSize()).isEqualTo(0.25 * tries.get(i - 1).stepSize());
+      assertThat(tries.get(i).stepSize())
+          .isEqualTo(notFiniteReduction() * tries.get(i - 1).stepSize());
+      assertThat(tries.get(i).attempt()).isEqualTo(Attempt.NOT_FINITE);
+      assertThat(tries.get(i).error()).isNaN();
     }
   }
 
@@ -455,7 +460,8 @@ abstract class IntegratorContract {
                     count.incrementAndGet() == evaluation ? Double.NaN : y[0] * StrictMath.cos(t));
     Run run = Run.of(create(1e-8), blinking, 0, new double[] {1}, 20);
     assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
-    assertThat(run.atEnd()[0]).isCloseTo(SMOOTH.reference().atEnd()[0], within(1e-6));
+    assertThat(run.atEnd()[0])
+        .isCloseTo(SMOOTH.reference().atEnd()[0], within(accumulation() * 1e-8));
   }
 
   @ParameterizedTest
@@ -471,15 +477,19 @@ abstract class IntegratorContract {
 
   @Test
   void blowUpInFiniteTimeIsReportedWhereItHappens() {
-    // y' = y², pole at t = 1 (suite: blowup). The pole of the numerical solution lies off by a few
-    // times the tolerance.
+    // y' = y², pole at t = 1 (suite: blowup). The pole of the numerical solution lies off by some
+    // tolerances.
     Ode blowUp = new Ode(1, (t, y, yDot) -> yDot[0] = y[0] * y[0]);
     Run run = Run.of(create(1e-6), blowUp, 0, new double[] {1}, 2);
     assertThat(run.result()).isEqualTo(StepResult.FAILED);
     IntegrationFailure failure = run.integrator().failure();
     assertThat(failure.cause())
-        .isIn(IntegrationFailure.Cause.STEP_TOO_SMALL, IntegrationFailure.Cause.NOT_FINITE);
-    assertThat(failure.time()).isCloseTo(1, within(1e-5));
+        .isIn(
+            IntegrationFailure.Cause.STEP_TOO_SMALL,
+            IntegrationFailure.Cause.NOT_FINITE,
+            IntegrationFailure.Cause.NO_CONVERGENCE);
+    assertThat(failure.time()).isCloseTo(1, within(0.1 * accumulation() * 1e-6));
+    assertThat(failure.allowedError()).isPositive();
     assertThat(failure.worstComponent()).isZero();
     assertThat(failure.lastSteps()).hasSize(10);
     assertThat(run.atEnd()[0]).isFinite();

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.solver.integration.suite.DetestA3;
 import org.mechservice.solver.integration.suite.SuiteProblem;
 
-class Ode113Test extends IntegratorContract {
+class Ode113Test extends AdamsContract {
   @Override
   Integrator create(IntegratorSettings settings) {
     return new Ode113(settings);

@@ -1,6 +1,7 @@
 package org.mechservice.solver.integration.suite;
 
 import java.util.List;
+import java.util.stream.Stream;
 import org.mechservice.solver.integration.OdeSystem;
 
 /** A problem of the integrator suite: autonomous data that a test can integrate and judge. */
@@ -31,8 +32,24 @@ public interface SuiteProblem extends OdeSystem {
         new SixLinkChain());
   }
 
+  /** Returns the stiff problems, new. */
+  static List<SuiteProblem> stiff() {
+    return List.of(
+        new Robertson(),
+        new Hires(),
+        new StiffVanDerPol(),
+        new Brusselator(),
+        new ProtheroRobinson(),
+        new Flame(),
+        new DampedOscillator(),
+        new StiffChain());
+  }
+
   /** Returns a new problem by its name. */
   static SuiteProblem named(String name) {
-    return nonstiff().stream().filter(p -> p.name().equals(name)).findFirst().orElseThrow();
+    return Stream.concat(nonstiff().stream(), stiff().stream())
+        .filter(p -> p.name().equals(name))
+        .findFirst()
+        .orElseThrow();
   }
 }

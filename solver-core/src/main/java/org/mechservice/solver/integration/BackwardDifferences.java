@@ -1,0 +1,173 @@
+package org.mechservice.solver.integration;
+
+import java.util.Arrays;
+
+/**
+ * State and backward differences of a stiff method, and what a step makes of them.
+ *
+ * <p>∇^m y_n = ∇^{m−1} y_n − ∇^{m−1} y_{n−1} over steps of size h describe the polynomial of degree
+ * k through the last k + 1 points. A step with the correction d that the equations demand:
+ *
+ * <pre>
+ * predict  y* = y_n + Σ_{m≤k} ∇^m y_n;  ψ = Σ_{m≤k} γ_m ∇^m y_n / ((1 − κ_k) γ_k)
+ * correct  y_{n+1} = y* + d
+ * accept   ∇^{k+2} = d − ∇^{k+1};  ∇^{k+1} = d;  ∇^m ← ∇^m + ∇^{m+1}, m = k … 1
+ * </pre>
+ *
+ * <p>For another step size r h the same polynomial is written with other differences, D* = D (R(r)
+ * U). Nothing accepted is overwritten before {@link #accept}, so a rejected or interrupted step
+ * leaves no trace. Shampine and Reichelt 1997, §2.
+ */
+final class BackwardDifferences {
+  private static final int LENGTH = BackwardFormulas.HIGHEST_ORDER + 3;
+
+  /** y*, length n. */
+  final double[] predicted;
+
+  /** ψ, length n. */
+  final double[] psi;
+
+  /** d, the backward difference of order k + 1 of y_{n+1}, length n. */
+  final double[] correction;
+
+  private final RescalingMatrix rescaling = new RescalingMatrix();
+
+  /** y_n and y_{n+1}, length n. */
+  private double[] state;
+
+  private double[] corrected;
+
+  /** ∇^1 … ∇^{k+2} at the last accepted step, each of length n; counted from 1. */
+  private double[][] accepted;
+
+  /** Those of the step being tried: the same array until they are rescaled. */
+  private double[][] tried;
+
+  /** Where differences are rescaled to. */
+  private double[][] spare;
+
+  /**
+   * Begins with ∇y = h y' for h = 1.
+   *
+   * @param y0 state at the start; not modified
+   * @param derivative0 f at the start; not modified
+   */
+  BackwardDifferences(double[] y0, double[] derivative0) {
+    int n = y0.length;
+    predicted = new double[n];
+    psi = new double[n];
+    correction = new double[n];
+    state = y0.clone();
+    corrected = new double[n];
+    accepted = new double[LENGTH][n];
+    tried = accepted;
+    spare = new double[LENGTH][n];
+    System.arraycopy(derivative0, 0, accepted[1], 0, n);
+  }
+
+  /** Returns the state of the last accepted step; not to be modified. */
+  double[] state() {
+    return state;
+  }
+
+  /** Returns the corrected state of the step being tried; not to be modified. */
+  double[] corrected() {
+    return corrected;
+  }
+
+  /** Returns ∇^m at the last accepted step; not to be modified. */
+  double[] accepted(int m) {
+    return accepted[m];
+  }
+
+  /** Returns ∇^m as the step being tried has it; not to be modified. */
+  double[] tried(int m) {
+    return tried[m];
+  }
+
+  /**
+   * Writes the differences of orders up to k for another step size.
+   *
+   * @param ratio new size over old
+   */
+  void rescale(double ratio, int k) {
+    double[][] target = tried == accepted ? spare : tried;
+    rescaling.prepare(ratio, k);
+    for (int m = 1; m <= k; m++) {
+      rescaleInto(target[m], m, k);
+    }
+    if (tried == accepted) {
+      System.arraycopy(accepted[k + 1], 0, target[k + 1], 0, state.length);
+      tried = target;
+    }
+  }
+
+  /**
+   * A difference depends on those of its own and higher orders only: the target may be D itself.
+   */
+  private void rescaleInto(double[] target, int m, int k) {
+    double own = rescaling.element(m, m);
+    double[] difference = tried[m];
+    for (int l = 0; l < target.length; l++) {
+      target[l] = own * difference[l];
+    }
+    for (int i = m + 1; i <= k; i++) {
+      double other = rescaling.element(i, m);
+      double[] higher = tried[i];
+      for (int l = 0; l < target.length; l++) {
+        target[l] += other * higher[l];
+      }
+    }
+  }
+
+  /** Forms y* and ψ; the iteration starts from d = 0. */
+  void predict(int k, BackwardFormulas formulas) {
+    Arrays.fill(predicted, 0);
+    Arrays.fill(psi, 0);
+    for (int m = 1; m <= k; m++) {
+      double share = formulas.gamma(m) / formulas.leading(k);
+      double[] difference = tried[m];
+      for (int l = 0; l < predicted.length; l++) {
+        predicted[l] += difference[l];
+        psi[l] += share * difference[l];
+      }
+    }
+    for (int l = 0; l < predicted.length; l++) {
+      predicted[l] += state[l];
+    }
+    Arrays.fill(correction, 0);
+    System.arraycopy(predicted, 0, corrected, 0, predicted.length);
+  }
+
+  /** Adds to d and y_{n+1}. */
+  void correct(double[] change) {
+    for (int l = 0; l < change.length; l++) {
+      correction[l] += change[l];
+      corrected[l] = predicted[l] + correction[l];
+    }
+  }
+
+  /** Accepts the corrected state and forms its differences up to order k + 2. */
+  void accept(int k) {
+    double[] next = tried[k + 1];
+    double[] afterNext = tried[k + 2];
+    for (int l = 0; l < correction.length; l++) {
+      afterNext[l] = correction[l] - next[l];
+      next[l] = correction[l];
+    }
+    for (int m = k; m >= 1; m--) {
+      double[] difference = tried[m];
+      double[] above = tried[m + 1];
+      for (int l = 0; l < difference.length; l++) {
+        difference[l] += above[l];
+      }
+    }
+    if (tried != accepted) {
+      spare = accepted;
+      accepted = tried;
+    }
+    double[] freed = state;
+    state = corrected;
+    corrected = freed;
+  }
+}

@@ -1,0 +1,141 @@
+package org.mechservice.solver.integration;
+
+/**
+ * Error estimates of a stiff step and what follows from them: order and size of the next.
+ *
+ * <p>The error of order k, in units of the tolerance, is C_k ‖∇^{k+1} y_{n+1}‖; it passes if at
+ * most 1. The step for order k that would just pass is h / error^{1/(k+1)}, less a safety factor;
+ * since a change costs a factorisation and spoils the differences, step and order stay as they are
+ * for at least k + 2 steps, and longer unless a longer step is to be had. Shampine and Reichelt
+ * 1997, §2; the safety factors are those of the program described there.
+ */
+final class BackwardOrderControl {
+  /** Safety factors of a step after an accepted one, by change of order. */
+  private static final double SAFETY_BELOW = 1.3;
+
+  private static final double SAFETY_SAME = 1.2;
+  private static final double SAFETY_ABOVE = 1.4;
+
+  private static final double LARGEST_GROWTH = 10;
+
+  /** Shares of the step that would just pass, after the first failure of a step. */
+  private static final double RETRY_SAME = 0.833;
+
+  private static final double RETRY_BELOW = 0.769;
+  private static final double SMALLEST_RETRY = 0.1;
+
+  private static final double RETRY_AGAIN = 0.5;
+
+  private final BackwardFormulas formulas;
+  private int highestOrder;
+  private int order;
+  private int equalSteps;
+  private boolean failedBefore;
+  private double error;
+
+  BackwardOrderControl(BackwardFormulas formulas) {
+    this.formulas = formulas;
+  }
+
+  /** Begins a problem with order 1. */
+  void begin(int highestOrder) {
+    this.highestOrder = highestOrder;
+    order = 1;
+    equalSteps = 0;
+    failedBefore = false;
+    error = 0;
+  }
+
+  /** Returns the order k to use. */
+  int order() {
+    return order;
+  }
+
+  /** Returns the error estimated last. */
+  double error() {
+    return error;
+  }
+
+  /** Begins a step. */
+  void beginStep() {
+    failedBefore = false;
+  }
+
+  /** Takes note that size or order has changed. */
+  void rescaled() {
+    equalSteps = 0;
+  }
+
+  /** Estimates the error from the correction. */
+  void estimate(BackwardDifferences differences, ErrorNorm norm) {
+    error = formulas.errorConstant(order) * norm.of(differences.correction);
+  }
+
+  /** Chooses the order after a failed error test and returns the factor for the step. */
+  double reject(BackwardDifferences differences, ErrorNorm norm) {
+    if (failedBefore) {
+      return RETRY_AGAIN;
+    }
+    failedBefore = true;
+    double factor = Math.max(SMALLEST_RETRY, RETRY_SAME * passing(error, order));
+    if (order > 1) {
+      double errorBelow =
+          formulas.errorConstant(order - 1)
+              * norm.ofSum(differences.tried(order), differences.correction);
+      double below = Math.max(SMALLEST_RETRY, RETRY_BELOW * passing(errorBelow, order - 1));
+      if (below > factor) {
+        order--;
+        return Math.min(1, below);
+      }
+    }
+    return factor;
+  }
+
+  /** Chooses the order after an accepted step and returns the factor for the step. */
+  double accept(BackwardDifferences differences, ErrorNorm norm) {
+    int k = order;
+    equalSteps = Math.min(equalSteps + 1, k + 2);
+    if (equalSteps < k + 2) {
+      return 1;
+    }
+    double best = growth(error, k, SAFETY_SAME);
+    if (k > 1) {
+      double below = growth(errorOf(k - 1, differences, norm), k - 1, SAFETY_BELOW);
+      if (below > best) {
+        best = below;
+        order = k - 1;
+      }
+    }
+    if (k < highestOrder) {
+      double above = growth(errorOf(k + 1, differences, norm), k + 1, SAFETY_ABOVE);
+      if (above > best) {
+        best = above;
+        order = k + 1;
+      }
+    }
+    return best;
+  }
+
+  /** Error of the accepted step had its order been j. */
+  private double errorOf(int j, BackwardDifferences differences, ErrorNorm norm) {
+    return formulas.errorConstant(j) * norm.of(differences.accepted(j + 1));
+  }
+
+  /** Returns by how much a step of order j may grow; 1 if it may not. */
+  private static double growth(double error, int j, double safety) {
+    double enlarged = error;
+    for (int i = 0; i <= j; i++) {
+      enlarged *= safety;
+    }
+    if (!(enlarged < 1)) {
+      return 1;
+    }
+    return Math.min(LARGEST_GROWTH, passing(error, j) / safety);
+  }
+
+  /** Returns the factor for a step of order j at which its error would be 1, error^(−1/(j+1)). */
+  private static double passing(double error, int j) {
+    // StrictMath.pow allocates its tables at every call on JDK 17.
+    return StrictMath.exp(-StrictMath.log(error) / (j + 1));
+  }
+}

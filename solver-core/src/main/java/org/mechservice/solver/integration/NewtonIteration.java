@@ -1,0 +1,154 @@
+package org.mechservice.solver.integration;
+
+/**
+ * Simplified Newton iteration for the correction d of a step.
+ *
+ * <pre>
+ * (I − hγ J) δ = hγ f(t_{n+1}, y* + d) − (ψ + d);  d ← d + δ;    hγ = h / ((1 − κ_k) γ_k)
+ * </pre>
+ *
+ * <p>With the rate ρ at which ‖δ‖ falls, the error left after an iteration is about ‖δ‖ ρ / (1 −
+ * ρ). It is accepted below half the tolerance; after the first iteration, where only a rate of
+ * earlier steps is known, below a twentieth. A rate above 0.9, or one too slow for four iterations,
+ * ends it. A rate is trusted only as long as the factors it was measured with: kept longer it would
+ * let steps pass that have not converged. Shampine and Reichelt 1997, §2.
+ */
+final class NewtonIteration {
+  private static final int ITERATIONS = 4;
+
+  /** Error left, in units of the tolerance, that is accepted. */
+  private static final double ACCURACY = 0.5;
+
+  private static final double ACCURACY_BY_OLD_RATE = 0.05;
+  private static final double SLOWEST_RATE = 0.9;
+
+  /** Share of the rate that is remembered from iteration to iteration. */
+  private static final double MEMORY = 0.9;
+
+  /** A change this small relative to y is round-off. */
+  private static final double ROUNDOFF = 100 * Math.ulp(1.0);
+
+  private final double[] derivative;
+  private final double[] change;
+
+  private double rate;
+  private boolean rateKnown;
+  private boolean begun;
+  private int iteration;
+  private double lastSize;
+  private double negligible;
+
+  NewtonIteration(int dimension) {
+    derivative = new double[dimension];
+    change = new double[dimension];
+  }
+
+  /** Forgets the rate: the matrix was factored anew. */
+  void forgetRate() {
+    rateKnown = false;
+  }
+
+  /** Returns whether an iteration is under way that was stopped. */
+  boolean begun() {
+    return begun;
+  }
+
+  /** Begins at the prediction. */
+  void begin(BackwardDifferences differences, ErrorNorm norm) {
+    begun = true;
+    iteration = 0;
+    negligible = ROUNDOFF * norm.of(differences.predicted);
+  }
+
+  /** Iterates to the end, or until stopped; the next call then goes on. */
+  Attempt iterate(
+      RightHandSide equations,
+      double t,
+      double hGamma,
+      IterationMatrix matrix,
+      BackwardDifferences differences,
+      ErrorNorm norm) {
+    while (true) {
+      if (!equations.evaluate(t, differences.corrected(), derivative)) {
+        return Attempt.STOPPED;
+      }
+      iteration++;
+      formResidual(hGamma, differences);
+      matrix.solve(change);
+      differences.correct(change);
+      double size = norm.of(change);
+      if (!Double.isFinite(size) || !Double.isFinite(negligible)) {
+        return end(Attempt.NOT_FINITE);
+      }
+      if (converged(size)) {
+        return end(Attempt.PASSED);
+      }
+      if (hopeless(size)) {
+        return end(Attempt.NOT_CONVERGING);
+      }
+      lastSize = size;
+    }
+  }
+
+  /** δ of the iteration before its equations are solved: hγ f − (ψ + d). */
+  private void formResidual(double hGamma, BackwardDifferences differences) {
+    double[] psi = differences.psi;
+    double[] correction = differences.correction;
+    for (int l = 0; l < change.length; l++) {
+      change[l] = hGamma * derivative[l] - (psi[l] + correction[l]);
+    }
+  }
+
+  private Attempt end(Attempt attempt) {
+    begun = false;
+    return attempt;
+  }
+
+  private boolean converged(double size) {
+    if (size <= negligible) {
+      return true;
+    }
+    if (iteration == 1) {
+      return rateKnown && errorLeft(size) <= ACCURACY_BY_OLD_RATE;
+    }
+    if (diverges(size)) {
+      return false;
+    }
+    rate = Math.max(rateKnown ? MEMORY * rate : 0, size / lastSize);
+    rateKnown = true;
+    return errorLeft(size) <= ACCURACY;
+  }
+
+  private boolean hopeless(double size) {
+    if (iteration == 1) {
+      return false;
+    }
+    if (diverges(size) || iteration == ITERATIONS) {
+      return true;
+    }
+    double predicted = errorLeft(size);
+    for (int i = iteration; i < ITERATIONS; i++) {
+      predicted *= rate;
+    }
+    return predicted > ACCURACY;
+  }
+
+  private boolean diverges(double size) {
+    return size > SLOWEST_RATE * lastSize;
+  }
+
+  private double errorLeft(double size) {
+    return size * rate / (1 - rate);
+  }
+
+  /** Returns the change δ of the last iteration; not to be modified. */
+  double[] change() {
+    return change;
+  }
+
+  /** Returns the first component of f, or else of δ, that was not finite. */
+  int notFiniteComponent() {
+    int component = RightHandSide.firstNotFinite(derivative);
+    return component < 0 ? RightHandSide.firstNotFinite(change) : component;
+  }
+}

@@ -1,0 +1,128 @@
+package org.mechservice.solver.integration;
+
+import java.util.Optional;
+import org.mechservice.solver.integration.IntegrationFailure.Cause;
+
+/** How far an integration has come, what it has tried, and why it cannot go on. */
+final class Progress {
+  /** Tries in a row with values that are not finite before the integrator gives up. */
+  private static final int NOT_FINITE_TRIES = 10;
+
+  private final RecentSteps recentSteps = new RecentSteps();
+  private Optional<IntegrationFailure> failure = Optional.empty();
+  private boolean running;
+
+  /** End, start, size and order of the last accepted step. */
+  private double time;
+
+  private double previousTime;
+  private double stepSize;
+  private int order;
+
+  private int notFiniteInARow;
+  private long steps;
+  private long rejectedSteps;
+
+  /** Begins a problem that is not yet ready to be advanced. */
+  void begin(double t0) {
+    recentSteps.clear();
+    failure = Optional.empty();
+    running = false;
+    time = t0;
+    previousTime = t0;
+    stepSize = 0;
+    order = 0;
+    notFiniteInARow = 0;
+    steps = 0;
+    rejectedSteps = 0;
+  }
+
+  /** Makes the problem ready unless its end is reached; returns the result of the step so far. */
+  StepResult goOn(boolean endReached) {
+    running = !endReached;
+    return running ? StepResult.ADVANCED : StepResult.REACHED_END;
+  }
+
+  /** Takes note of an accepted step. */
+  void accepted(double h, double end, int order, double error) {
+    recentSteps.record(time, h, order, error, Attempt.PASSED);
+    previousTime = time;
+    time = end;
+    stepSize = h;
+    this.order = order;
+    notFiniteInARow = 0;
+    steps++;
+  }
+
+  /** Takes note of a rejected step. */
+  void rejected(double h, int order, double error, Attempt attempt) {
+    recentSteps.record(time, h, order, error, attempt);
+    notFiniteInARow = attempt == Attempt.NOT_FINITE ? notFiniteInARow + 1 : 0;
+    rejectedSteps++;
+  }
+
+  /** Returns whether so many tries in a row were not finite that shorter steps will not help. */
+  boolean notFiniteTooOften() {
+    return notFiniteInARow >= NOT_FINITE_TRIES;
+  }
+
+  /** Ends the integration; for the arguments see {@link IntegrationFailure}. */
+  StepResult fail(Cause cause, double h, int order, int component, ErrorNorm norm) {
+    running = false;
+    double allowed = component < 0 ? 0 : 1 / norm.weight(component);
+    failure =
+        Optional.of(
+            new IntegrationFailure(
+                cause, time, h, h == 0 ? 0 : order, component, allowed, recentSteps.list()));
+    return StepResult.FAILED;
+  }
+
+  void requireRunning() {
+    if (!running) {
+      throw new IllegalStateException(
+          failure.isPresent()
+              ? "the integration failed at t = " + time + "; start a new one"
+              : "nothing to integrate: the end is reached, or start was not called");
+    }
+  }
+
+  void requireInLastStep(double t) {
+    if (!((previousTime <= t && t <= time) || (time <= t && t <= previousTime))) {
+      throw new IllegalArgumentException(
+          "t = " + t + " lies outside the last step, " + previousTime + " to " + time);
+    }
+  }
+
+  double time() {
+    return time;
+  }
+
+  double previousTime() {
+    return previousTime;
+  }
+
+  double stepSize() {
+    return stepSize;
+  }
+
+  int order() {
+    return order;
+  }
+
+  long steps() {
+    return steps;
+  }
+
+  long rejectedSteps() {
+    return rejectedSteps;
+  }
+
+  /** Returns the number of steps tried. */
+  long tries() {
+    return steps + rejectedSteps;
+  }
+
+  IntegrationFailure failure() {
+    return failure.orElseThrow(() -> new IllegalStateException("the integration has not failed"));
+  }
+}

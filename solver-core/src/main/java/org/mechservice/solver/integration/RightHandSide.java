@@ -1,0 +1,70 @@
+package org.mechservice.solver.integration;
+
+import java.util.function.BooleanSupplier;
+
+/** The problem as its integrator sees it: counted, and not evaluated after the stop signal. */
+final class RightHandSide {
+  private static final int ALL_FINITE = -1;
+
+  private final OdeSystem system;
+  private final BooleanSupplier stop;
+  private long evaluations;
+
+  RightHandSide(OdeSystem system, BooleanSupplier stop) {
+    this.system = system;
+    this.stop = stop;
+  }
+
+  OdeSystem system() {
+    return system;
+  }
+
+  /** Returns whether the stop signal is given. */
+  boolean stopped() {
+    return stop.getAsBoolean();
+  }
+
+  /** Evaluates f unless told to stop; returns whether it did. */
+  boolean evaluate(double t, double[] y, double[] yDot) {
+    if (stopped()) {
+      return false;
+    }
+    evaluateAlways(t, y, yDot);
+    return true;
+  }
+
+  /** Evaluates f. */
+  void evaluateAlways(double t, double[] y, double[] yDot) {
+    system.derivative(t, y, yDot);
+    evaluations++;
+  }
+
+  long evaluations() {
+    return evaluations;
+  }
+
+  /** Returns the first component that is not finite; −1 if all are. */
+  static int firstNotFinite(double[] x) {
+    for (int l = 0; l < x.length; l++) {
+      if (!Double.isFinite(x[l])) {
+        return l;
+      }
+    }
+    return ALL_FINITE;
+  }
+
+  /** Stands in until a problem is given. */
+  static RightHandSide none() {
+    OdeSystem nothing =
+        new OdeSystem() {
+          @Override
+          public int dimension() {
+            return 0;
+          }
+
+          @Override
+          public void derivative(double t, double[] y, double[] yDot) {}
+        };
+    return new RightHandSide(nothing, () -> false);
+  }
+}

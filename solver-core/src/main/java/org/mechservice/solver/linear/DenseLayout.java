@@ -1,0 +1,43 @@
+package org.mechservice.solver.linear;
+
+/**
+ * All elements, row after row: A_ij at i n + j.
+ *
+ * @param dimension n, not negative
+ */
+public record DenseLayout(int dimension) implements MatrixLayout {
+  /**
+   * @throws IllegalArgumentException if the dimension is negative
+   */
+  public DenseLayout {
+    if (dimension < 0) {
+      throw new IllegalArgumentException(
+          "the dimension of a matrix is " + dimension + "; it must not be negative");
+    }
+  }
+
+  @Override
+  public int length() {
+    return dimension * dimension;
+  }
+
+  @Override
+  public int firstRow(int column) {
+    return 0;
+  }
+
+  @Override
+  public int lastRow(int column) {
+    return dimension - 1;
+  }
+
+  @Override
+  public int index(int row, int column) {
+    return row * dimension + column;
+  }
+
+  @Override
+  public int columnDistance() {
+    return Math.max(1, dimension);
+  }
+}

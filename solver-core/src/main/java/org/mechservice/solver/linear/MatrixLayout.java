@@ -1,0 +1,30 @@
+package org.mechservice.solver.linear;
+
+/** Which elements of a square matrix may differ from zero and where in a flat array they are. */
+public interface MatrixLayout {
+  /** Returns n, the number of rows and of columns. */
+  int dimension();
+
+  /** Returns the length of the array. */
+  int length();
+
+  /** Returns the first row of a column that may differ from zero. */
+  int firstRow(int column);
+
+  /** Returns the last row of a column that may differ from zero. */
+  int lastRow(int column);
+
+  /**
+   * Returns the place of an element in the array.
+   *
+   * @param row from {@code firstRow(column)} to {@code lastRow(column)}
+   * @param column from 0 to n − 1
+   */
+  int index(int row, int column);
+
+  /**
+   * Returns the smallest distance d ≥ 1 such that the columns j, j + d, j + 2d, … have no row in
+   * common, for every j; n if there is none.
+   */
+  int columnDistance();
+}

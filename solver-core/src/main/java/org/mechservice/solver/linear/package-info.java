@@ -1,0 +1,21 @@
+/**
+ * Systems of linear equations A x = b, solved by factors that are formed once and used for many
+ * right-hand sides. Nothing here allocates memory after construction.
+ *
+ * <table>
+ * <caption>Which solver for which matrix</caption>
+ * <tr><th>class</th><th>matrix</th><th>factors</th><th>solution</th></tr>
+ * <tr><td>{@link org.mechservice.solver.linear.DenseLu}</td><td>n × n, no structure used</td>
+ * <td>⅔ n³ operations</td><td>2 n²</td></tr>
+ * <tr><td>{@link org.mechservice.solver.linear.BandLu}</td><td>l diagonals below, u above the main
+ * one</td><td>2 n l (l + u)</td><td>2 n (2l + u)</td></tr>
+ * </table>
+ *
+ * <p>A solver says where in a flat array it wants each element, by its {@link
+ * org.mechservice.solver.linear.MatrixLayout}; whoever fills the matrix need not know more of it.
+ * Both work by Gaussian elimination with row interchanges (Golub and Van Loan, <i>Matrix
+ * Computations</i>, ch. 3 and 4): a pivot that is exactly zero is reported with its column, and how
+ * many digits the equations may cost is told by {@link
+ * org.mechservice.solver.linear.LinearSolver#reciprocalCondition}.
+ */
+package org.mechservice.solver.linear;
