@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -77,7 +79,9 @@ class ServiceSpeedTest {
   void serviceIsMeasured() throws Exception {
     report.add("# Speed of the service over loopback\n");
     report.add(
-        "JDK "
+        "Measured on "
+            + LocalDate.now(ZoneOffset.UTC)
+            + " by `mvn verify -Psoak`: JDK "
             + Runtime.version()
             + ", "
             + System.getProperty("os.name")
