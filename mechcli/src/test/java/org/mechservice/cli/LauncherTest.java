@@ -49,6 +49,7 @@ class LauncherTest {
         *XshowSettings*) echo '    java.home = /some/jdk' >&2 ;;
         -version) echo 'openjdk version "17.0.15" 2025-04-15' >&2 ;;
         --list-modules) echo 'java.base@17'; echo 'jdk.compiler@17' ;;
+        *ArchiveClassesAtExit*) echo archive >mechcli/target/mech.jsa ;;
         *) echo "started: $*" ;;
       esac
       """;
@@ -119,6 +120,27 @@ class LauncherTest {
   }
 
   @Test
+  void startsWithTheArchiveOfTheBuild() throws Exception {
+    String archive = "-XX:SharedArchiveFile=" + house.toRealPath() + "/mechcli/target/mech.jsa";
+    assertThat(start(house.resolve("mech"), "check", "m.xml").out).contains(archive);
+  }
+
+  @Test
+  void startsWithoutAnArchiveWhereNoneCanBeMade() throws Exception {
+    program("java", JDK.replace("echo archive >mechcli/target/mech.jsa", "exit 1"));
+    Ended mech = start(house.resolve("mech"), "check", "m.xml");
+    assertThat(mech.out).startsWith("started").doesNotContain("SharedArchiveFile");
+    assertThat(mech.err).hasLineCount(1);
+  }
+
+  @Test
+  void serversRunWithTheMachinesOwnSettings() throws Exception {
+    assertThat(start(house.resolve("mech"), "check", "m.xml").out).contains("UseSerialGC");
+    assertThat(start(house.resolve("mech"), "server").out).doesNotContain("UseSerialGC");
+    assertThat(start(house.resolve("mech"), "simhost").out).doesNotContain("UseSerialGC");
+  }
+
+  @Test
   void findsItsHouseThroughSymbolicLinks() throws Exception {
     Path near = house.resolve("near");
     Files.createSymbolicLink(near, Path.of("mech"));
@@ -180,7 +202,7 @@ class LauncherTest {
   private record Ended(int status, String out, String err) {}
 
   private Ended start(Path script, String... words) throws Exception {
-    ProcessBuilder builder = new ProcessBuilder(script.toString());
+    ProcessBuilder builder = new ProcessBuilder(script.toString()).directory(house.toFile());
     builder.command().addAll(List.of(words));
     builder.environment().clear();
     builder.environment().put("PATH", bin.toString());
