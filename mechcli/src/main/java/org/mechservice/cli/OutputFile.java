@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.util.UUID;
 
 /** Writes whole files; one that cannot be completed is not seen under its name. */
 final class OutputFile {
@@ -19,7 +20,8 @@ final class OutputFile {
     requireUsable(target);
     Path file = target.toAbsolutePath();
     Path folder = file.getParent();
-    Path growing = Files.createTempFile(folder, "." + file.getFileName() + "-", ".part");
+    // Not a temporary file of the JDK's making: those are readable for their owner only.
+    Path growing = folder.resolve("." + file.getFileName() + "-" + UUID.randomUUID() + ".part");
     try {
       Files.write(growing, content);
       Files.move(growing, file, StandardCopyOption.REPLACE_EXISTING);

@@ -1,7 +1,12 @@
 package org.mechservice.solver.integration;
 
-/** Measures vectors in units of the error allowed: a local error of norm 1 just passes. */
-sealed interface ErrorNorm permits MaximumNorm, EuclideanNorm {
+/**
+ * Measures vectors in units of the error allowed: a local error of norm 1 just passes.
+ *
+ * <p>Not sealed: a class file names what its type permits, and a JAR of one method would carry all
+ * of them.
+ */
+interface ErrorNorm {
   /**
    * Begins a problem.
    *

@@ -1,7 +1,12 @@
 package org.mechservice.solver.integration;
 
-/** Where steps may end: the smallest, the largest, and what happens at the end of the problem. */
-sealed interface StepBounds permits StepsToEnd, StepsPastEnd {
+/**
+ * Where steps may end: the smallest, the largest, and what happens at the end of the problem.
+ *
+ * <p>Not sealed: a class file names what its type permits, and a JAR of one method would carry all
+ * of them.
+ */
+interface StepBounds {
   /**
    * Begins a problem.
    *
