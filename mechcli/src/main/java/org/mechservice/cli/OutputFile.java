@@ -19,9 +19,9 @@ final class OutputFile {
   static void write(Path target, byte[] content) throws IOException {
     requireUsable(target);
     Path file = target.toAbsolutePath();
-    Path folder = file.getParent();
     // Not a temporary file of the JDK's making: those are readable for their owner only.
-    Path growing = folder.resolve("." + file.getFileName() + "-" + UUID.randomUUID() + ".part");
+    Path growing =
+        file.resolveSibling("." + file.getFileName() + "-" + UUID.randomUUID() + ".part");
     try {
       Files.write(growing, content);
       Files.move(growing, file, StandardCopyOption.REPLACE_EXISTING);
