@@ -41,6 +41,8 @@ import org.omg.PortableServer.Servant;
  * thread is left after {@link #close()}.
  */
 public final class ServiceOrb implements AutoCloseable {
+  private static final long CLOSING_MILLIS = 20_000;
+
   private final ORB orb;
   private final ObjectAdapters adapters;
   private final Endpoint endpoint;
@@ -239,9 +241,28 @@ public final class ServiceOrb implements AutoCloseable {
   @Override
   public void close() {
     if (closed.compareAndSet(false, true)) {
-      orb.shutdown(true);
-      orb.destroy();
+      Thread closing = new Thread(this::shutDown, "mechservice-orb-close");
+      closing.setDaemon(true);
+      closing.start();
+      awaitEnd(closing);
       outbound.forget();
+    }
+  }
+
+  private void shutDown() {
+    orb.shutdown(true);
+    orb.destroy();
+  }
+
+  /**
+   * Waits, but not for ever: a call that arrives while the ORB closes can end uncounted, and the
+   * ORB would wait for it without end.
+   */
+  private static void awaitEnd(Thread closing) {
+    try {
+      closing.join(CLOSING_MILLIS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
     }
   }
 }
