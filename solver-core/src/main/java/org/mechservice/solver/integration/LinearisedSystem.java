@@ -1,0 +1,35 @@
+package org.mechservice.solver.integration;
+
+/**
+ * A residual system that knows its own linear algebra: it keeps ∂F/∂y and ∂F/∂y' in whatever form
+ * suits it and solves with (hγ ∂F/∂y + ∂F/∂y'). A mechanism reduces the 2n equations of [q; v] to n
+ * this way and eliminates along its tree (NUMERICS §2).
+ *
+ * <p>The derivatives stay those of the last {@link #linearise} while hγ changes; each change of hγ
+ * costs a {@link #factor}.
+ */
+public interface LinearisedSystem extends ResidualSystem {
+  /**
+   * Evaluates and keeps ∂F/∂y and ∂F/∂y'.
+   *
+   * @return false if one of them is not finite
+   */
+  boolean linearise(double t, double[] y, double[] yDot);
+
+  /**
+   * Factors hγ ∂F/∂y + ∂F/∂y'.
+   *
+   * @return false if the matrix is singular
+   */
+  boolean factor(double hGamma);
+
+  /**
+   * Solves (hγ ∂F/∂y + ∂F/∂y') d = r with the last factors.
+   *
+   * @param r right-hand side at entry, d at return
+   */
+  void solve(double[] r);
+
+  /** Returns the component at whose column the last {@link #factor} failed. */
+  int singularComponent();
+}
