@@ -137,6 +137,11 @@ public final class Mechanism {
     return jointOfBody[body];
   }
 
+  /** Returns whether a joint's coordinates follow prescribed motions and are no states. */
+  public boolean isDriven(int joint) {
+    return false;
+  }
+
   /** Returns where the positions of joint {@code joint} begin in q. */
   public int positionOffset(int joint) {
     return positionOffset[joint];
