@@ -32,11 +32,11 @@ class ArchitectureTest {
           "expression",
           "mechanism",
           "compact",
+          "integration",
           "kinematics",
           "force",
-          "integration",
-          "dynamics",
           "closure",
+          "dynamics",
           "analysis",
           "simulation",
           "standalone");
@@ -77,11 +77,11 @@ class ArchitectureTest {
         "expression",
         "mechanism",
         "compact",
+        "integration",
         "kinematics",
         "force",
-        "integration",
-        "dynamics",
         "closure",
+        "dynamics",
         "analysis",
         "simulation"
       })
