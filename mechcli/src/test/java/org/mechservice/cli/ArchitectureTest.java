@@ -35,8 +35,8 @@ class ArchitectureTest {
           "integration",
           "kinematics",
           "force",
-          "closure",
           "dynamics",
+          "closure",
           "analysis",
           "simulation",
           "standalone");
@@ -80,8 +80,8 @@ class ArchitectureTest {
         "integration",
         "kinematics",
         "force",
-        "closure",
         "dynamics",
+        "closure",
         "analysis",
         "simulation"
       })
