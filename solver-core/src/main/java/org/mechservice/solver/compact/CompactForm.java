@@ -4,7 +4,12 @@ import java.util.List;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Parameter;
+import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.Root;
+import org.mechservice.solver.mechanism.StartRole;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.spatial.Vector3;
 
 /** A mechanism as bytes and back, the same to the last bit. */
@@ -19,6 +24,11 @@ public final class CompactForm {
         .write(mechanism.gravity())
         .write(mechanism.bodies())
         .write(mechanism.joints())
+        .write(mechanism.motions())
+        .write(mechanism.startRoles())
+        .write(mechanism.closures())
+        .write(mechanism.forces())
+        .write(mechanism.parameters())
         .bytes();
   }
 
@@ -35,7 +45,12 @@ public final class CompactForm {
         (Root) reader.read(),
         (Vector3) reader.read(),
         list(reader, Body.class),
-        list(reader, Joint.class));
+        list(reader, Joint.class),
+        list(reader, PrescribedMotion.class),
+        list(reader, StartRole.class),
+        list(reader, LoopClosure.class),
+        list(reader, ForceElement.class),
+        list(reader, Parameter.class));
   }
 
   private static <T> List<T> list(RecordReader reader, Class<T> type) {
