@@ -40,6 +40,11 @@ public record IntegrationFailure(
     NO_CONVERGENCE,
     /** The matrix of that iteration is singular to working precision, however small the step. */
     SINGULAR_MATRIX,
+    /**
+     * The components that follow from others cannot be found, or there is no way to the manifold of
+     * the solution, however small the step.
+     */
+    NOT_COMPLETED,
     /** The number of steps allowed is used up. */
     TOO_MANY_STEPS
   }

@@ -56,6 +56,14 @@ final class FailureText {
               failure,
               state(model, failure.worstComponent()),
               "Check the values that act on this joint for huge ones.");
+      case NOT_COMPLETED ->
+          failure(
+              "N-020",
+              "The loops cannot be closed at any step size: no position fits the independent"
+                  + " coordinates.",
+              failure,
+              "",
+              "The mechanism locks or branches there; check its dimensions, or end the run before.");
       case TOO_MANY_STEPS ->
           failure(
               "N-005",
