@@ -55,24 +55,33 @@ final class AdamsHistory {
   private final boolean compensated;
 
   /**
-   * @param y0 state at the start; not modified
-   * @param derivative0 f at the start; not modified
+   * @param dimension n
    * @param compensated whether to carry the round-off along
    */
-  AdamsHistory(double[] y0, double[] derivative0, boolean compensated) {
-    int n = y0.length;
+  AdamsHistory(int dimension, boolean compensated) {
     this.compensated = compensated;
-    predicted = new double[n];
-    derivative = derivative0.clone();
-    discrepancy = new double[n];
-    differences = new double[LENGTH][n];
-    extrapolated = new double[LENGTH][n];
-    state = y0.clone();
-    stateCarry = new double[n];
-    corrected = new double[n];
-    correctedCarry = new double[n];
-    predictedCarry = new double[n];
-    System.arraycopy(derivative0, 0, differences[1], 0, n);
+    predicted = new double[dimension];
+    derivative = new double[dimension];
+    discrepancy = new double[dimension];
+    differences = new double[LENGTH][dimension];
+    extrapolated = new double[LENGTH][dimension];
+    state = new double[dimension];
+    stateCarry = new double[dimension];
+    corrected = new double[dimension];
+    correctedCarry = new double[dimension];
+    predictedCarry = new double[dimension];
+  }
+
+  /** Forgets the history and places the state; the derivative is to be written next. */
+  void begin(double[] y) {
+    System.arraycopy(y, 0, state, 0, state.length);
+    Arrays.fill(stateCarry, 0);
+  }
+
+  /** Takes the derivative for that of the state just placed: φ_1 = y'. */
+  void beginDerivative() {
+    System.arraycopy(derivative, 0, differences[1], 0, derivative.length);
+    Arrays.fill(differences[2], 0);
   }
 
   /** Returns the state of the last accepted step; not to be modified. */

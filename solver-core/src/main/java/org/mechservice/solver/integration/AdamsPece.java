@@ -27,7 +27,10 @@ abstract class AdamsPece implements Integrator {
 
   private RightHandSide equations = RightHandSide.none();
   private Manifold manifold = new Manifold(equations.system());
-  private AdamsHistory history = new AdamsHistory(new double[0], new double[0], false);
+  private AdamsHistory history = new AdamsHistory(0, false);
+
+  /** End of the problem. */
+  private double tEnd;
 
   /** Size and end of the step being tried. */
   private double h;
@@ -70,49 +73,72 @@ abstract class AdamsPece implements Integrator {
     IntegratorSettings.requireUsable(t0, tEnd, y0, system.dimension());
     double[] tolerances = settings.absoluteTolerances(y0.length);
     equations = new RightHandSide(system, settings.stop());
+    equations.breakpoints().begin(system, t0, tEnd);
     manifold = new Manifold(system);
-    clear(t0);
     norm.begin(settings.relativeTolerance(), tolerances);
+    norm.weigh(y0);
+    history = new AdamsHistory(y0.length, compensates(roundOff(y0)));
     bounds.begin(t0, tEnd, settings.maxStep());
-    double[] state = y0.clone();
-    boolean complete = manifold.complete(t0, state);
-    weigh(state);
-    double[] derivative = new double[y0.length];
-    equations.evaluateAlways(t0, state.clone(), derivative);
-    history = new AdamsHistory(state, derivative, compensates(roundOff(state)));
-    if (!complete) {
-      return fail(Cause.NOT_COMPLETED, -1);
-    }
-    if (!finite(derivative)) {
-      return fail(Cause.NOT_FINITE, notFiniteComponent);
-    }
-    h = firstStep(derivative, tEnd - t0);
-    return progress.goOn(t0 == tEnd);
-  }
-
-  private void clear(double t0) {
-    coefficients.clear();
-    control.begin(settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER));
+    this.tEnd = tEnd;
     stiffness.clear();
     progress.begin(t0);
-    triedTime = t0;
+    return beginAt(t0, y0, settings.initialStep());
+  }
+
+  @Override
+  public final StepResult restart(double t, double[] y) {
+    progress.requireInLastStep(t);
+    IntegratorSettings.requireUsable(y, history.state().length);
+    if (equations.breakpoints().reachedAt(t)) {
+      equations.breakpoints().pass();
+    }
+    return beginAnew(t, y);
+  }
+
+  private StepResult beginAnew(double t, double[] y) {
+    stiffness.beginAgain();
+    progress.beginAgain(t);
+    return beginAt(t, y, 0);
+  }
+
+  /** Begins at order 1, with a step of the given size or, if that is 0, of the method's choice. */
+  private StepResult beginAt(double t, double[] y, double initialStep) {
+    coefficients.clear();
+    control.begin(settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER));
+    bounds.stopAt(equations.breakpoints().next());
+    triedTime = t;
     h = 0;
     begun = false;
     prepared = false;
+    history.begin(y);
+    boolean complete = manifold.complete(t, history.state());
+    weigh(history.state());
+    equations.evaluateAlways(t, history.state(), history.derivative);
+    history.beginDerivative();
+    if (!complete) {
+      return fail(Cause.NOT_COMPLETED, -1);
+    }
+    if (!finite(history.derivative)) {
+      return fail(Cause.NOT_FINITE, notFiniteComponent);
+    }
+    h = Math.copySign(initialStep > 0 ? initialStep : firstStepFrom(t), tEnd - t);
+    return progress.goOn(bounds.reachedAt(t));
   }
 
-  private double firstStep(double[] derivative, double interval) {
-    double size =
-        settings.initialStep() > 0
-            ? settings.initialStep()
-            : Math.min(
-                FIRST_SHARE_OF_INTERVAL * Math.abs(interval), firstStep(norm.of(derivative)));
-    return Math.copySign(size, interval);
+  private double firstStepFrom(double t) {
+    return Math.min(
+        FIRST_SHARE_OF_INTERVAL * Math.abs(tEnd - t), firstStep(norm.of(history.derivative)));
   }
 
   @Override
   public final StepResult step() {
     progress.requireRunning();
+    if (equations.breakpoints().reachedAt(progress.time())) {
+      StepResult result = passBreakpoint();
+      if (result != StepResult.ADVANCED) {
+        return result;
+      }
+    }
     beginStep();
     if (roundOff(history.state()) > 0.5) {
       return fail(Cause.TOLERANCE_TOO_TIGHT, norm.largest(history.state()));
@@ -133,6 +159,15 @@ abstract class AdamsPece implements Integrator {
       }
     }
     return fail(Cause.TOO_MANY_STEPS, norm.largest(history.discrepancy));
+  }
+
+  /** Begins anew on the other side of a jump. */
+  private StepResult passBreakpoint() {
+    if (equations.stopped()) {
+      return StepResult.STOPPED;
+    }
+    equations.breakpoints().pass();
+    return beginAnew(progress.time(), history.state());
   }
 
   /** Sets weights and bounds of a step; one that was stopped is taken up where it stood. */

@@ -45,6 +45,12 @@ public record IntegrationFailure(
      * the solution, however small the step.
      */
     NOT_COMPLETED,
+    /** Events follow each other ever closer, or no farther apart than round-off. */
+    EVENTS_ACCUMULATE,
+    /**
+     * An event function is not finite, or the state at which to evaluate it cannot be completed.
+     */
+    EVENT_NOT_FINITE,
     /** The number of steps allowed is used up. */
     TOO_MANY_STEPS
   }
