@@ -22,13 +22,18 @@ interface ErrorNorm {
    */
   void weigh(double[] y);
 
+  /**
+   * Leaves a component out until the next {@link #weigh}; it is then only required to be finite.
+   */
+  void leaveOut(int component);
+
   /** Returns the norm of a vector; NaN or infinite if a component is. */
   double of(double[] x);
 
   /** Returns the norm of the sum of two vectors. */
   double ofSum(double[] x1, double[] x2);
 
-  /** Returns the reciprocal of the error allowed in a component. */
+  /** Returns the reciprocal of the error allowed in a component; 0 if it is left out. */
   double weight(int component);
 
   /** Returns the component that contributes most to the norm of a vector; −1 if there is none. */
@@ -37,7 +42,7 @@ interface ErrorNorm {
     double most = -1;
     for (int l = 0; l < x.length; l++) {
       double part = Math.abs(x[l]) * weight(l);
-      if (part > most) {
+      if (part > most && weight(l) > 0) {
         most = part;
         largest = l;
       }

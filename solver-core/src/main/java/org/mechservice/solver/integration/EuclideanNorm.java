@@ -24,6 +24,11 @@ final class EuclideanNorm implements ErrorNorm {
   }
 
   @Override
+  public void leaveOut(int component) {
+    weight[component] = 0;
+  }
+
+  @Override
   public double of(double[] x) {
     double sum = 0;
     for (int l = 0; l < weight.length; l++) {

@@ -37,6 +37,11 @@ final class MaximumNorm implements ErrorNorm {
   }
 
   @Override
+  public void leaveOut(int component) {
+    weight[component] = 0;
+  }
+
+  @Override
   public double of(double[] x) {
     double norm = 0;
     for (int l = 0; l < weight.length; l++) {
