@@ -70,7 +70,7 @@ abstract class AdamsPece implements Integrator {
     double[] tolerances = settings.absoluteTolerances(y0.length);
     equations = new RightHandSide(system, settings.stop());
     clear(t0);
-    norm.begin(settings.relativeTolerance(), tolerances);
+    norm.begin(settings.relativeTolerance(), tolerances, SystemTraits.of(system));
     norm.weigh(y0);
     bounds.begin(t0, tEnd, settings.maxStep());
     double[] derivative = new double[y0.length];

@@ -10,6 +10,8 @@ public enum Attempt {
   NOT_CONVERGING,
   /** The matrix of that iteration was singular. */
   SINGULAR_MATRIX,
+  /** No state was found that also fits the system's own conditions, its loops for instance. */
+  OFF_MANIFOLD,
   /** Something was not finite. */
   NOT_FINITE,
   /** The stop signal was given; the try is taken up again. */

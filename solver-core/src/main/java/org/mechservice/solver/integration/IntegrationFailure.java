@@ -40,6 +40,15 @@ public record IntegrationFailure(
     NO_CONVERGENCE,
     /** The matrix of that iteration is singular to working precision, however small the step. */
     SINGULAR_MATRIX,
+    /**
+     * No state fits the system's own conditions, its loops for instance, however small the step.
+     */
+    OFF_MANIFOLD,
+    /**
+     * No consistent initial values were found for a system in residual form; the component is the
+     * row of the residual that is worst.
+     */
+    INCONSISTENT_START,
     /** The number of steps allowed is used up. */
     TOO_MANY_STEPS
   }

@@ -56,6 +56,20 @@ final class FailureText {
               failure,
               state(model, failure.worstComponent()),
               "Check the values that act on this joint for huge ones.");
+      case OFF_MANIFOLD ->
+          failure(
+              "N-010",
+              "No state fits the conditions that the loops of the mechanism set.",
+              failure,
+              state(model, failure.worstComponent()),
+              "Look for a position in which the mechanism locks or reaches the end of its range.");
+      case INCONSISTENT_START ->
+          failure(
+              "N-011",
+              "No accelerations and multipliers were found that obey the equations at the start.",
+              failure,
+              state(model, failure.worstComponent()),
+              "Check the initial state, masses and inertias, and constraints that contradict.");
       case TOO_MANY_STEPS ->
           failure(
               "N-005",
