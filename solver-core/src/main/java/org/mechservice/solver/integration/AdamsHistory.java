@@ -13,6 +13,7 @@ import java.util.Arrays;
  * predict   φ*_i = β_i φ_i;  p = y + h Σ_{i≤k} g_i φ*_i;  φ^p_i = Σ_{j=i..k} φ*_j
  * evaluate  d = f(t + h, p) − φ^p_1
  * correct   y ← p + h g_{k+1} d                      one order higher: local extrapolation
+ * carry     round-off of y, unless y was moved meanwhile
  * evaluate  φ_{k+1} = f(t + h, y) − φ^p_1;  φ_i = φ^p_i + φ_{k+1}, i ≤ k
  * </pre>
  *
@@ -141,20 +142,21 @@ final class AdamsHistory {
 
   /** Forms the corrected state; {@code weight} is h g_{k+1}. */
   void correct(double weight) {
-    if (compensated) {
-      correctCompensated(weight);
-      return;
-    }
+    // Without compensation the carry stays 0.
     for (int l = 0; l < corrected.length; l++) {
-      corrected[l] = predicted[l] + weight * discrepancy[l];
+      corrected[l] = predicted[l] + (weight * discrepancy[l] - predictedCarry[l]);
     }
   }
 
-  private void correctCompensated(double weight) {
+  /** Keeps the round-off of the corrected state, of those components that were not moved since. */
+  void carry(double weight) {
+    if (!compensated) {
+      return;
+    }
     for (int l = 0; l < corrected.length; l++) {
       double increment = weight * discrepancy[l] - predictedCarry[l];
-      corrected[l] = predicted[l] + increment;
-      correctedCarry[l] = (corrected[l] - predicted[l]) - increment;
+      boolean moved = corrected[l] != predicted[l] + increment;
+      correctedCarry[l] = moved ? 0 : (corrected[l] - predicted[l]) - increment;
     }
   }
 
@@ -172,6 +174,18 @@ final class AdamsHistory {
     double[] freedCarry = stateCarry;
     stateCarry = correctedCarry;
     correctedCarry = freedCarry;
+  }
+
+  /** Multiplies some components of the accepted state and of all its differences by a factor. */
+  void scale(int start, int size, double factor) {
+    for (int l = start; l < start + size; l++) {
+      state[l] *= factor;
+      stateCarry[l] *= factor;
+      derivative[l] *= factor;
+      for (int i = 1; i < LENGTH; i++) {
+        differences[i][l] *= factor;
+      }
+    }
   }
 
   private static void add(double[] x1, double[] x2, double[] sum) {

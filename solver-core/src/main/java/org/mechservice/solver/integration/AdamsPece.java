@@ -26,6 +26,7 @@ abstract class AdamsPece implements Integrator {
   private final Progress progress = new Progress();
 
   private RightHandSide equations = RightHandSide.none();
+  private Manifold manifold = new Manifold(equations.system());
   private AdamsHistory history = new AdamsHistory(new double[0], new double[0], false);
 
   /** Size and end of the step being tried. */
@@ -69,13 +70,19 @@ abstract class AdamsPece implements Integrator {
     IntegratorSettings.requireUsable(t0, tEnd, y0, system.dimension());
     double[] tolerances = settings.absoluteTolerances(y0.length);
     equations = new RightHandSide(system, settings.stop());
+    manifold = new Manifold(system);
     clear(t0);
-    norm.begin(settings.relativeTolerance(), tolerances, SystemTraits.of(system));
-    norm.weigh(y0);
+    norm.begin(settings.relativeTolerance(), tolerances, manifold);
     bounds.begin(t0, tEnd, settings.maxStep());
+    double[] state = y0.clone();
+    boolean complete = manifold.complete(t0, state);
+    norm.weigh(state);
     double[] derivative = new double[y0.length];
-    equations.evaluateAlways(t0, y0.clone(), derivative);
-    history = new AdamsHistory(y0, derivative, compensates(roundOff(y0)));
+    equations.evaluateAlways(t0, state.clone(), derivative);
+    history = new AdamsHistory(state, derivative, compensates(roundOff(state)));
+    if (!complete) {
+      return fail(Cause.NOT_COMPLETED, -1);
+    }
     if (!finite(derivative)) {
       return fail(Cause.NOT_FINITE, notFiniteComponent);
     }
@@ -146,10 +153,13 @@ abstract class AdamsPece implements Integrator {
     }
   }
 
-  /** Predict, evaluate, estimate, correct, evaluate. */
+  /** Predict, complete, evaluate, estimate, correct, complete and project, evaluate. */
   private Attempt tryStep() {
     int k = control.order();
     history.predict(h, k, coefficients.beta, coefficients.g);
+    if (!manifold.complete(triedTime, history.predicted)) {
+      return Attempt.NOT_COMPLETED;
+    }
     if (!evaluate(history.predicted)) {
       return Attempt.STOPPED;
     }
@@ -158,13 +168,25 @@ abstract class AdamsPece implements Integrator {
     if (!(control.error() <= 1)) {
       return finite(history.derivative) ? Attempt.TOO_INACCURATE : Attempt.NOT_FINITE;
     }
-    history.correct(h * coefficients.g[k + 1]);
+    if (!correct(h * coefficients.g[k + 1])) {
+      return Attempt.NOT_COMPLETED;
+    }
     if (!evaluate(history.corrected())) {
       return Attempt.STOPPED;
     }
     return finite(history.corrected()) && finite(history.derivative)
         ? Attempt.PASSED
         : Attempt.NOT_FINITE;
+  }
+
+  /** Forms the corrected state, moved onto the manifold: f there enters the history. */
+  private boolean correct(double weight) {
+    double[] corrected = history.corrected();
+    history.correct(weight);
+    boolean found =
+        manifold.complete(triedTime, corrected) && manifold.project(triedTime, corrected);
+    history.carry(weight);
+    return found;
   }
 
   private void accept() {
@@ -174,22 +196,41 @@ abstract class AdamsPece implements Integrator {
     progress.accepted(h, triedTime, k, control.error());
     stiffness.record(k, control.error());
     h *= control.accept(Math.abs(h), coefficients.equalSteps(), history, norm);
+    scaleUnitGroups();
+    manifold.accepted(triedTime, history.state());
     begun = false;
     prepared = false;
   }
 
+  private void scaleUnitGroups() {
+    for (int group = 0; group < manifold.unitGroupCount(); group++) {
+      double factor = manifold.unitFactor(group, history.state());
+      if (factor != 1) {
+        history.scale(manifold.unitGroupStart(group), manifold.unitGroupSize(group), factor);
+      }
+    }
+  }
+
   /** Reduces the step; returns a cause if that is not possible. */
   private Optional<Cause> reject(Attempt attempt) {
-    boolean notFinite = attempt == Attempt.NOT_FINITE;
-    progress.rejected(h, control.order(), notFinite ? Double.NaN : control.error(), attempt);
+    boolean inaccurate = attempt == Attempt.TOO_INACCURATE;
+    progress.rejected(h, control.order(), inaccurate ? control.error() : Double.NaN, attempt);
     double smallest = bounds.smallest(progress.time());
     if (progress.notFiniteTooOften() || Math.abs(h) <= smallest) {
-      return Optional.of(notFinite ? Cause.NOT_FINITE : Cause.STEP_TOO_SMALL);
+      return Optional.of(cause(attempt));
     }
-    double factor = notFinite ? control.rejectNotFinite() : control.reject();
+    double factor = inaccurate ? control.reject() : control.rejectNotFinite();
     h = Math.copySign(Math.max(factor * Math.abs(h), smallest), h);
     prepared = false;
     return Optional.empty();
+  }
+
+  private static Cause cause(Attempt attempt) {
+    return switch (attempt) {
+      case NOT_FINITE -> Cause.NOT_FINITE;
+      case NOT_COMPLETED -> Cause.NOT_COMPLETED;
+      default -> Cause.STEP_TOO_SMALL;
+    };
   }
 
   /** Evaluates f at the end of the step being tried; returns false if told to stop instead. */
@@ -209,7 +250,11 @@ abstract class AdamsPece implements Integrator {
   }
 
   private int limitingComponent(Attempt attempt) {
-    return attempt == Attempt.NOT_FINITE ? notFiniteComponent : norm.largest(history.discrepancy);
+    return switch (attempt) {
+      case NOT_FINITE -> notFiniteComponent;
+      case NOT_COMPLETED -> -1;
+      default -> norm.largest(history.discrepancy);
+    };
   }
 
   private StepResult fail(Cause cause, int component) {

@@ -156,9 +156,9 @@ final class BackwardDifferences {
     }
   }
 
-  /** Multiplies neighbouring components, and all their differences, after an accepted step. */
-  void multiply(int start, int count, double factor) {
-    for (int l = start; l < start + count; l++) {
+  /** Multiplies some components of the accepted state and of all its differences by a factor. */
+  void scale(int start, int size, double factor) {
+    for (int l = start; l < start + size; l++) {
       state[l] *= factor;
       for (int m = 1; m < LENGTH; m++) {
         accepted[m][l] *= factor;

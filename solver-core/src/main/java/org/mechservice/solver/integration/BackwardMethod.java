@@ -77,7 +77,7 @@ abstract class BackwardMethod implements Integrator {
     RightHandSide rightHandSide = new RightHandSide(system, settings.stop());
     double[] y = y0.clone();
     double[] derivative = new double[y.length];
-    boolean fits = SystemTraits.of(system).complete(t0, y);
+    boolean fits = new Manifold(system).complete(t0, y);
     rightHandSide.evaluateAlways(t0, y, derivative);
     beginExplicit();
     begin(
@@ -87,7 +87,7 @@ abstract class BackwardMethod implements Integrator {
         derivative,
         tEnd);
     if (!fits) {
-      return fail(Cause.OFF_MANIFOLD, -1);
+      return fail(Cause.NOT_COMPLETED, -1);
     }
     int component = RightHandSide.firstNotFinite(derivative);
     return component < 0 ? progress.goOn(t0 == tEnd) : fail(Cause.NOT_FINITE, component);
@@ -111,7 +111,7 @@ abstract class BackwardMethod implements Integrator {
     differences = new BackwardDifferences(y0, slope0);
     firstStep = new FirstStep(slope0);
     norm.begin(
-        settings.relativeTolerance(), settings.absoluteTolerances(y0.length), equations.traits());
+        settings.relativeTolerance(), settings.absoluteTolerances(y0.length), equations.manifold());
     norm.weigh(y0);
     bounds.begin(t0, tEnd, settings.maxStep());
     direction = Math.signum(tEnd - t0);
@@ -268,19 +268,19 @@ abstract class BackwardMethod implements Integrator {
     equations.moveOn(hGamma(), differences);
     h *= control.accept(differences, norm);
     begun = false;
-    rescaleGroups();
-    if (equations.traits().accepted(triedTime, differences.state())) {
+    scaleUnitGroups();
+    if (equations.manifold().accepted(triedTime, differences.state())) {
       equations.demandNew();
     }
   }
 
-  /** Multiplies groups of components and their history as the system asks for. */
-  private void rescaleGroups() {
-    WeightGroups groups = equations.traits().groups();
-    for (int g = 0; g < groups.groupCount(); g++) {
-      double factor = groups.rescaling(g, differences.state());
+  /** Scales groups of norm one back, with their history. */
+  private void scaleUnitGroups() {
+    Manifold manifold = equations.manifold();
+    for (int group = 0; group < manifold.unitGroupCount(); group++) {
+      double factor = manifold.unitFactor(group, differences.state());
       if (factor != 1) {
-        differences.multiply(groups.groupStart(g), groups.groupSize(g), factor);
+        differences.scale(manifold.unitGroupStart(group), manifold.unitGroupSize(group), factor);
       }
     }
   }

@@ -172,7 +172,7 @@ final class ConsistentStart {
         yDot[l] = 0;
       }
     }
-    return equations.traits().complete(t0, y) ? Attempt.PASSED : Attempt.OFF_MANIFOLD;
+    return equations.manifold().complete(t0, y) ? Attempt.PASSED : Attempt.NOT_COMPLETED;
   }
 
   /** Returns the largest change in units of the error allowed. */

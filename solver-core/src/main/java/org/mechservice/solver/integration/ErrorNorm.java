@@ -12,10 +12,10 @@ interface ErrorNorm {
    *
    * @param relativeTolerance error allowed relative to a component
    * @param absoluteTolerance error allowed in a small component, per component; kept, not modified
-   * @param traits which components are tested and which share a weight; asked anew by {@link
+   * @param manifold which components are tested and which share a weight; asked anew by {@link
    *     #weigh}
    */
-  void begin(double relativeTolerance, double[] absoluteTolerance, SystemTraits traits);
+  void begin(double relativeTolerance, double[] absoluteTolerance, Manifold manifold);
 
   /**
    * Sets the error allowed in each component.
@@ -47,7 +47,7 @@ interface ErrorNorm {
     double most = -1;
     for (int l = 0; l < x.length; l++) {
       double part = Math.abs(x[l]) * weight(l);
-      if (part > most) {
+      if (part > most && weight(l) > 0) {
         most = part;
         largest = l;
       }

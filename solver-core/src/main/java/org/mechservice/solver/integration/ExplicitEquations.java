@@ -37,13 +37,13 @@ final class ExplicitEquations extends StepEquations {
    * @throws IllegalArgumentException if the problem's band is wider than its matrix
    */
   ExplicitEquations(RightHandSide rightHandSide, double[] smallSizes, double[] derivative0) {
-    super(SystemTraits.of(rightHandSide.system()));
+    super(new Manifold(rightHandSide.system()));
     this.rightHandSide = rightHandSide;
     LinearSolver solver = solverFor(rightHandSide.system());
     jacobian = new KeptJacobian(solver.layout());
-    differencing = new JacobianDifferences(solver.layout(), smallSizes, traits());
+    differencing = new JacobianDifferences(solver.layout(), smallSizes, manifold());
     differencing.knowValue(derivative0);
-    matrix = new IterationMatrix(solver, traits());
+    matrix = new IterationMatrix(solver, manifold());
     derivative = new double[derivative0.length];
   }
 
@@ -107,8 +107,8 @@ final class ExplicitEquations extends StepEquations {
     for (int l = 0; l < residual.length; l++) {
       residual[l] = hGamma * derivative[l] - (psi[l] + correction[l]);
     }
-    if (traits().completes()) {
-      traits().clearPassive(residual);
+    if (manifold().completes()) {
+      manifold().clearPassive(residual);
     }
     return true;
   }
@@ -153,16 +153,16 @@ final class ExplicitEquations extends StepEquations {
 
   /** f at a state whose passive components are made to fit first. */
   private final class CompletedFunction implements DifferencedFunction {
-    private final double[] completed = new double[traits().dimension()];
+    private final double[] completed = new double[manifold().dimension()];
     private double t;
 
     @Override
     public boolean evaluate(double[] x, double[] value) {
-      if (!traits().completes()) {
+      if (!manifold().completes()) {
         return rightHandSide.evaluate(t, x, value);
       }
       System.arraycopy(x, 0, completed, 0, x.length);
-      if (!traits().complete(t, completed)) {
+      if (!manifold().complete(t, completed)) {
         Arrays.fill(value, Double.NaN);
         return true;
       }

@@ -41,9 +41,10 @@ public record IntegrationFailure(
     /** The matrix of that iteration is singular to working precision, however small the step. */
     SINGULAR_MATRIX,
     /**
-     * No state fits the system's own conditions, its loops for instance, however small the step.
+     * The components that follow from others cannot be found, or there is no way to the manifold of
+     * the solution, however small the step.
      */
-    OFF_MANIFOLD,
+    NOT_COMPLETED,
     /**
      * No consistent initial values were found for a system in residual form; the component is the
      * row of the residual that is worst.

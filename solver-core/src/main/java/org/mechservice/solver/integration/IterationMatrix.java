@@ -15,17 +15,17 @@ import org.mechservice.solver.linear.MatrixLayout;
 final class IterationMatrix {
   private final LinearSolver solver;
   private final MatrixLayout layout;
-  private final SystemTraits traits;
+  private final Manifold manifold;
 
   /** Elements by the solver's layout. */
   private final double[] matrix;
 
   private int singularColumn;
 
-  IterationMatrix(LinearSolver solver, SystemTraits traits) {
+  IterationMatrix(LinearSolver solver, Manifold manifold) {
     this.solver = solver;
     this.layout = solver.layout();
-    this.traits = traits;
+    this.manifold = manifold;
     matrix = new double[layout.length()];
   }
 
@@ -59,7 +59,7 @@ final class IterationMatrix {
   }
 
   private boolean factor() {
-    if (traits.completes()) {
+    if (manifold.completes()) {
       uncouplePassive();
     }
     singularColumn = solver.factor(matrix);
@@ -69,7 +69,7 @@ final class IterationMatrix {
   private void uncouplePassive() {
     for (int j = 0; j < layout.dimension(); j++) {
       for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
-        if (!traits.independent(i) || !traits.independent(j)) {
+        if (!manifold.independent(i) || !manifold.independent(j)) {
           matrix[layout.index(i, j)] = i == j ? 1 : 0;
         }
       }

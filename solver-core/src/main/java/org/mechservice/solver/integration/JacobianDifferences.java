@@ -30,7 +30,7 @@ final class JacobianDifferences {
   private static final double ADAPTATION = 10;
 
   private final MatrixLayout layout;
-  private final SystemTraits traits;
+  private final Manifold manifold;
   private final double[] threshold;
 
   /** Share of each column, the one for the next Jacobian, and the increment δ, length n. */
@@ -68,8 +68,8 @@ final class JacobianDifferences {
    *
    * @param threshold size below which a component is negligible; kept, not modified
    */
-  JacobianDifferences(MatrixLayout layout, double[] threshold, SystemTraits traits) {
-    this(layout, threshold, traits, FIRST_SHARE);
+  JacobianDifferences(MatrixLayout layout, double[] threshold, Manifold manifold) {
+    this(layout, threshold, manifold, FIRST_SHARE);
     magnitude = new double[layout.dimension()];
     adapting = true;
   }
@@ -81,10 +81,10 @@ final class JacobianDifferences {
    * @param firstShare share of a component to begin with
    */
   JacobianDifferences(
-      MatrixLayout layout, double[] threshold, SystemTraits traits, double firstShare) {
+      MatrixLayout layout, double[] threshold, Manifold manifold, double firstShare) {
     int n = layout.dimension();
     this.layout = layout;
-    this.traits = traits;
+    this.manifold = manifold;
     this.threshold = threshold;
     share = new double[n];
     Arrays.fill(share, firstShare);
@@ -165,7 +165,7 @@ final class JacobianDifferences {
   /** Returns whether the group has a column to be differenced. */
   private boolean differenced(int group) {
     for (int j = group; j < share.length; j += layout.columnDistance()) {
-      if (traits.independent(j)) {
+      if (manifold.independent(j)) {
         return true;
       }
     }
@@ -201,7 +201,7 @@ final class JacobianDifferences {
     }
     for (int j = group; j < share.length; j += layout.columnDistance()) {
       moved[j] = x[j];
-      if (traits.independent(j)) {
+      if (manifold.independent(j)) {
         double change = writeColumn(j, jacobian);
         lost[j] = judge(j, share[j], change);
       } else {
@@ -215,7 +215,7 @@ final class JacobianDifferences {
   /** Moves the columns of the group; after a stop the same way again. */
   private void moveGroup(double[] x, int sign) {
     for (int j = group; j < share.length; j += layout.columnDistance()) {
-      if (traits.independent(j)) {
+      if (manifold.independent(j)) {
         move(j, x, sign, share[j]);
       }
     }

@@ -64,7 +64,7 @@ final class NewtonIteration {
       BackwardDifferences differences,
       ErrorNorm norm) {
     if (iteration == 0 && !complete(equations, t, differences)) {
-      return end(Attempt.OFF_MANIFOLD);
+      return end(Attempt.NOT_COMPLETED);
     }
     while (true) {
       if (!equations.evaluate(t, hGamma, differences, change)) {
@@ -78,7 +78,7 @@ final class NewtonIteration {
         return end(Attempt.NOT_FINITE);
       }
       if (!complete(equations, t, differences)) {
-        return end(Attempt.OFF_MANIFOLD);
+        return end(Attempt.NOT_COMPLETED);
       }
       if (converged(size)) {
         return end(Attempt.PASSED);
@@ -93,11 +93,11 @@ final class NewtonIteration {
   /** Makes the passive components fit the others; returns false if that is not possible. */
   private static boolean complete(
       StepEquations equations, double t, BackwardDifferences differences) {
-    SystemTraits traits = equations.traits();
-    if (!traits.completes()) {
+    Manifold manifold = equations.manifold();
+    if (!manifold.completes()) {
       return true;
     }
-    boolean fits = traits.complete(t, differences.corrected());
+    boolean fits = manifold.complete(t, differences.corrected());
     differences.takeOverCorrected();
     return fits;
   }

@@ -68,7 +68,7 @@ public final class Ode15sR extends BackwardMethod {
     begin(equations, t0, y, yDot, tEnd);
     ConsistentStart values =
         new ConsistentStart(equations, norm(), settings(), t0, y, yDot, tEnd - t0);
-    Attempt attempt = equations.traits().complete(t0, y) ? values.find() : Attempt.OFF_MANIFOLD;
+    Attempt attempt = equations.manifold().complete(t0, y) ? values.find() : Attempt.NOT_COMPLETED;
     if (attempt == Attempt.STOPPED) {
       return StepResult.STOPPED;
     }
@@ -80,7 +80,7 @@ public final class Ode15sR extends BackwardMethod {
   }
 
   private ResidualEquations equations(ResidualSystem system, double[] yDot) {
-    Residual residual = new Residual(system, SystemTraits.of(system), settings().stop());
+    Residual residual = new Residual(system, new Manifold(system), settings().stop());
     ResidualLinearisation linearisation =
         system instanceof LinearisedSystem own
             ? new OwnLinearisation(own, residual)
@@ -92,7 +92,7 @@ public final class Ode15sR extends BackwardMethod {
   private StepResult fail(Attempt attempt, ConsistentStart values) {
     return switch (attempt) {
       case NOT_FINITE -> fail(Cause.NOT_FINITE, values.worstRow());
-      case OFF_MANIFOLD -> fail(Cause.OFF_MANIFOLD, -1);
+      case NOT_COMPLETED -> fail(Cause.NOT_COMPLETED, -1);
       default -> fail(Cause.INCONSISTENT_START, values.worstRow());
     };
   }

@@ -4,12 +4,12 @@ package org.mechservice.solver.integration;
 final class OwnLinearisation implements ResidualLinearisation {
   private final LinearisedSystem system;
   private final Residual residual;
-  private final SystemTraits traits;
+  private final Manifold manifold;
 
   OwnLinearisation(LinearisedSystem system, Residual residual) {
     this.system = system;
     this.residual = residual;
-    traits = residual.traits();
+    manifold = residual.manifold();
   }
 
   @Override
@@ -26,7 +26,7 @@ final class OwnLinearisation implements ResidualLinearisation {
   /** The matrix for hγ = 0 is singular if there are algebraic components. */
   @Override
   public boolean factor(double hGamma) {
-    return (hGamma != 0 || !traits.anyAlgebraic()) && system.factor(hGamma);
+    return (hGamma != 0 || !manifold.anyAlgebraic()) && system.factor(hGamma);
   }
 
   @Override
@@ -37,14 +37,14 @@ final class OwnLinearisation implements ResidualLinearisation {
       }
     }
     system.solve(r);
-    if (traits.completes()) {
-      traits.clearPassive(r);
+    if (manifold.completes()) {
+      manifold.clearPassive(r);
     }
   }
 
   @Override
   public boolean algebraic(int component) {
-    return traits.algebraic(component);
+    return manifold.algebraic(component);
   }
 
   @Override

@@ -9,20 +9,20 @@ import java.util.function.BooleanSupplier;
  */
 final class Residual {
   private final ResidualSystem system;
-  private final SystemTraits traits;
+  private final Manifold manifold;
   private final BooleanSupplier stop;
   private final double[] completed;
   private long evaluations;
 
-  Residual(ResidualSystem system, SystemTraits traits, BooleanSupplier stop) {
+  Residual(ResidualSystem system, Manifold manifold, BooleanSupplier stop) {
     this.system = system;
-    this.traits = traits;
+    this.manifold = manifold;
     this.stop = stop;
-    completed = new double[traits.dimension()];
+    completed = new double[manifold.dimension()];
   }
 
-  SystemTraits traits() {
-    return traits;
+  Manifold manifold() {
+    return manifold;
   }
 
   /** Returns whether the stop signal is given. */
@@ -42,19 +42,19 @@ final class Residual {
   /** Evaluates F at a completed state. */
   void evaluateAlways(double t, double[] y, double[] yDot, double[] residual) {
     system.residual(t, y, yDot, residual);
-    if (traits.completes()) {
-      traits.clearPassive(residual);
+    if (manifold.completes()) {
+      manifold.clearPassive(residual);
     }
     evaluations++;
   }
 
   /** Evaluates F after making the passive components fit; NaN if that is not possible. */
   boolean evaluateCompleted(double t, double[] y, double[] yDot, double[] residual) {
-    if (!traits.completes()) {
+    if (!manifold.completes()) {
       return evaluate(t, y, yDot, residual);
     }
     System.arraycopy(y, 0, completed, 0, y.length);
-    if (traits.complete(t, completed)) {
+    if (manifold.complete(t, completed)) {
       return evaluate(t, completed, yDot, residual);
     }
     Arrays.fill(residual, Double.NaN);

@@ -35,7 +35,7 @@ final class ResidualEquations extends StepEquations {
    * @param slope y' at the start; kept and overwritten by that of later points
    */
   ResidualEquations(Residual residual, ResidualLinearisation linearisation, double[] slope) {
-    super(residual.traits());
+    super(residual.manifold());
     this.residual = residual;
     this.linearisation = linearisation;
     this.slope = slope;

@@ -11,7 +11,7 @@ import org.mechservice.solver.integration.IntegrationFailure.Cause;
  * they are.
  */
 abstract class StepEquations {
-  private final SystemTraits traits;
+  private final Manifold manifold;
   private final NewtonIteration newton;
 
   /** Whether new derivatives are asked for, and whether those kept are of the present point. */
@@ -27,9 +27,9 @@ abstract class StepEquations {
   private long factorisations;
   private long solutions;
 
-  StepEquations(SystemTraits traits) {
-    this.traits = traits;
-    newton = new NewtonIteration(traits.dimension());
+  StepEquations(Manifold manifold) {
+    this.manifold = manifold;
+    newton = new NewtonIteration(manifold.dimension());
   }
 
   /** Evaluates the derivatives at the start of the step. */
@@ -78,8 +78,8 @@ abstract class StepEquations {
   /** Takes note of the solution of an accepted step. */
   abstract void solved(double hGamma, BackwardDifferences differences);
 
-  final SystemTraits traits() {
-    return traits;
+  final Manifold manifold() {
+    return manifold;
   }
 
   /** Evaluates the derivatives where the step starts if new ones are wanted. */
@@ -152,8 +152,8 @@ abstract class StepEquations {
     if (attempt != Attempt.PASSED) {
       return attempt;
     }
-    if (!traits.project(t, differences.corrected())) {
-      return Attempt.OFF_MANIFOLD;
+    if (!manifold.project(t, differences.corrected())) {
+      return Attempt.NOT_COMPLETED;
     }
     differences.takeOverCorrected();
     notFiniteComponent = RightHandSide.firstNotFinite(differences.corrected());
@@ -186,8 +186,8 @@ abstract class StepEquations {
     if (attempt == Attempt.NOT_FINITE) {
       return Cause.NOT_FINITE;
     }
-    if (attempt == Attempt.OFF_MANIFOLD) {
-      return Cause.OFF_MANIFOLD;
+    if (attempt == Attempt.NOT_COMPLETED) {
+      return Cause.NOT_COMPLETED;
     }
     boolean singular = attempt == Attempt.SINGULAR_MATRIX || reciprocalCondition() < Math.ulp(1.0);
     return singular ? Cause.SINGULAR_MATRIX : Cause.NO_CONVERGENCE;
@@ -198,6 +198,7 @@ abstract class StepEquations {
     return switch (attempt) {
       case NOT_FINITE -> notFiniteComponent;
       case SINGULAR_MATRIX -> singularComponent();
+      case NOT_COMPLETED -> -1;
       default -> norm.largest(newton.change());
     };
   }

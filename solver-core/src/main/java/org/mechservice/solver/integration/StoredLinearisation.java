@@ -55,14 +55,14 @@ final class StoredLinearisation implements ResidualLinearisation {
     this.residual = residual;
     this.smallSizes = smallSizes;
     smallSlopes = smallSizes.clone();
-    SystemTraits traits = residual.traits();
+    Manifold manifold = residual.manifold();
     LinearSolver solver = new EquilibratedSolver(new DenseLu(n));
     fy = new KeptJacobian(solver.layout());
     fyDot = new KeptJacobian(solver.layout());
-    inState = new JacobianDifferences(solver.layout(), smallSizes, traits, SHARE_OF_STATE);
+    inState = new JacobianDifferences(solver.layout(), smallSizes, manifold, SHARE_OF_STATE);
     inDerivative =
-        new JacobianDifferences(solver.layout(), smallSlopes, traits, SHARE_OF_DERIVATIVE);
-    matrix = new IterationMatrix(solver, traits);
+        new JacobianDifferences(solver.layout(), smallSlopes, manifold, SHARE_OF_DERIVATIVE);
+    matrix = new IterationMatrix(solver, manifold);
     magnitude = new double[n];
     algebraic = new boolean[n];
   }
@@ -126,7 +126,7 @@ final class StoredLinearisation implements ResidualLinearisation {
     inState.knowMagnitude(magnitude);
     inDerivative.knowMagnitude(magnitude);
     for (int l = 0; l < algebraic.length && !formed; l++) {
-      algebraic[l] = residual.traits().algebraic(l) || fyDot.isZero(l);
+      algebraic[l] = residual.manifold().algebraic(l) || fyDot.isZero(l);
     }
     formed = true;
   }

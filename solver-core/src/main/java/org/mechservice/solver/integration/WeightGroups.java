@@ -16,19 +16,6 @@ public interface WeightGroups {
   int groupSize(int group);
 
   /**
-   * Returns the factor by which the components of a group, and their whole history, are multiplied
-   * after an accepted step: for a system that is homogeneous in them, such as Euler parameters
-   * whose norm has drifted, that changes nothing but their scale, and needs no restart.
-   *
-   * @param group from 0
-   * @param y state at the end of the step; not modified
-   * @return positive and finite; 1 to leave them as they are
-   */
-  default double rescaling(int group, double[] y) {
-    return 1;
-  }
-
-  /**
    * Returns the size beyond which a component does not loosen its own test, positive: a wheel that
    * has turned a thousand times is to be known to the same angle as one that has turned once.
    */

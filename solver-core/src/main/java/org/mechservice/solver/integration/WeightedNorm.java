@@ -11,23 +11,22 @@ abstract class WeightedNorm implements ErrorNorm {
   private double[] size = {};
   private double[] largestSize = {};
   private int dimension;
-  private SystemTraits traits = SystemTraits.of(RightHandSide.none().system());
+  private Manifold manifold = new Manifold(RightHandSide.none().system());
 
   /** Reciprocal of the error allowed, 0 where not tested. */
   double[] weight = {};
 
   @Override
-  public final void begin(
-      double relativeTolerance, double[] absoluteTolerance, SystemTraits traits) {
+  public final void begin(double relativeTolerance, double[] absoluteTolerance, Manifold manifold) {
     this.relativeTolerance = relativeTolerance;
     this.absoluteTolerance = absoluteTolerance;
-    this.traits = traits;
+    this.manifold = manifold;
     dimension = absoluteTolerance.length;
     weight = new double[dimension];
     size = new double[dimension];
     largestSize = new double[dimension];
     for (int l = 0; l < dimension; l++) {
-      largestSize[l] = traits.groups().largestSize(l);
+      largestSize[l] = manifold.groups().largestSize(l);
     }
   }
 
@@ -52,12 +51,12 @@ abstract class WeightedNorm implements ErrorNorm {
     for (int l = 0; l < dimension; l++) {
       double counted = Math.min(size[l], largestSize[l]);
       weight[l] =
-          traits.tested(l) ? 1 / allowed(relativeTolerance, counted, absoluteTolerance[l]) : 0;
+          manifold.tested(l) ? 1 / allowed(relativeTolerance, counted, absoluteTolerance[l]) : 0;
     }
   }
 
   private void weighGroups(double[] y1, double[] y2) {
-    WeightGroups groups = traits.groups();
+    WeightGroups groups = manifold.groups();
     for (int g = 0; g < groups.groupCount(); g++) {
       int start = groups.groupStart(g);
       int end = start + groups.groupSize(g);

@@ -56,13 +56,6 @@ final class FailureText {
               failure,
               state(model, failure.worstComponent()),
               "Check the values that act on this joint for huge ones.");
-      case OFF_MANIFOLD ->
-          failure(
-              "N-010",
-              "No state fits the conditions that the loops of the mechanism set.",
-              failure,
-              state(model, failure.worstComponent()),
-              "Look for a position in which the mechanism locks or reaches the end of its range.");
       case INCONSISTENT_START ->
           failure(
               "N-011",
@@ -70,6 +63,14 @@ final class FailureText {
               failure,
               state(model, failure.worstComponent()),
               "Check the initial state, masses and inertias, and constraints that contradict.");
+      case NOT_COMPLETED ->
+          failure(
+              "N-020",
+              "The loops cannot be closed at any step size: no position fits the independent"
+                  + " coordinates.",
+              failure,
+              "",
+              "The mechanism locks or branches there; check its dimensions, or end the run before.");
       case TOO_MANY_STEPS ->
           failure(
               "N-005",

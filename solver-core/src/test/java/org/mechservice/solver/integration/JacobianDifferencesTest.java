@@ -21,7 +21,7 @@ class JacobianDifferencesTest {
 
   private static JacobianDifferences differences(MatrixLayout layout, double[] threshold) {
     OdeSystem any = new Ode(threshold.length, (t, y, yDot) -> {});
-    return new JacobianDifferences(layout, threshold, SystemTraits.of(any));
+    return new JacobianDifferences(layout, threshold, new Manifold(any));
   }
 
   private static DifferencedFunction at0(OdeSystem ode) {
@@ -91,9 +91,9 @@ class JacobianDifferencesTest {
           value[0] = 1e8 * x[0] - 1e8;
           return true;
         };
-    SystemTraits traits = SystemTraits.of(new Ode(1, (t, y, yDot) -> {}));
+    Manifold manifold = new Manifold(new Ode(1, (t, y, yDot) -> {}));
     JacobianDifferences differences =
-        new JacobianDifferences(new DenseLayout(1), new double[] {1}, traits, 1e-8);
+        new JacobianDifferences(new DenseLayout(1), new double[] {1}, manifold, 1e-8);
     double[] derivative = new double[1];
     for (int i = 0; i < 10; i++) {
       form(differences, balance, new double[] {1}, derivative);
