@@ -32,7 +32,7 @@ final class ModelJars {
 
   /** Packs a model with its main class and the solver classes that it reaches. */
   static PackedJar standalone(CompiledModel model, String mechmlSha256) {
-    SortedMap<String, byte[]> own = StandaloneMain.compile(model);
+    SortedMap<String, byte[]> own = StandaloneMain.classFiles(model);
     String mainClass = StandaloneMain.className(model.generated());
     Map<String, String> manifest = new LinkedHashMap<>();
     manifest.put("Main-Class", mainClass);

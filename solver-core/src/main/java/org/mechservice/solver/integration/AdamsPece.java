@@ -26,7 +26,11 @@ abstract class AdamsPece implements Integrator {
   private final Progress progress = new Progress();
 
   private RightHandSide equations = RightHandSide.none();
-  private AdamsHistory history = new AdamsHistory(new double[0], new double[0], false);
+  private Manifold manifold = new Manifold(equations.system());
+  private AdamsHistory history = new AdamsHistory(0, false);
+
+  /** End of the problem. */
+  private double tEnd;
 
   /** Size and end of the step being tried. */
   private double h;
@@ -69,43 +73,72 @@ abstract class AdamsPece implements Integrator {
     IntegratorSettings.requireUsable(t0, tEnd, y0, system.dimension());
     double[] tolerances = settings.absoluteTolerances(y0.length);
     equations = new RightHandSide(system, settings.stop());
-    clear(t0);
-    norm.begin(settings.relativeTolerance(), tolerances);
+    equations.breakpoints().begin(system, t0, tEnd);
+    manifold = new Manifold(system);
+    norm.begin(settings.relativeTolerance(), tolerances, manifold);
     norm.weigh(y0);
+    history = new AdamsHistory(y0.length, compensates(roundOff(y0)));
     bounds.begin(t0, tEnd, settings.maxStep());
-    double[] derivative = new double[y0.length];
-    equations.evaluateAlways(t0, y0.clone(), derivative);
-    history = new AdamsHistory(y0, derivative, compensates(roundOff(y0)));
-    if (!finite(derivative)) {
-      return fail(Cause.NOT_FINITE, notFiniteComponent);
-    }
-    h = firstStep(derivative, tEnd - t0);
-    return progress.goOn(t0 == tEnd);
-  }
-
-  private void clear(double t0) {
-    coefficients.clear();
-    control.begin(settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER));
+    this.tEnd = tEnd;
     stiffness.clear();
     progress.begin(t0);
-    triedTime = t0;
+    return beginAt(t0, y0, settings.initialStep());
+  }
+
+  @Override
+  public final StepResult restart(double t, double[] y) {
+    progress.requireInLastStep(t);
+    IntegratorSettings.requireUsable(y, history.state().length);
+    if (equations.breakpoints().reachedAt(t)) {
+      equations.breakpoints().pass();
+    }
+    return beginAnew(t, y);
+  }
+
+  private StepResult beginAnew(double t, double[] y) {
+    stiffness.beginAgain();
+    progress.beginAgain(t);
+    return beginAt(t, y, 0);
+  }
+
+  /** Begins at order 1, with a step of the given size or, if that is 0, of the method's choice. */
+  private StepResult beginAt(double t, double[] y, double initialStep) {
+    coefficients.clear();
+    control.begin(settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER));
+    bounds.stopAt(equations.breakpoints().next());
+    triedTime = t;
     h = 0;
     begun = false;
     prepared = false;
+    history.begin(y);
+    boolean complete = manifold.complete(t, history.state());
+    norm.weigh(history.state());
+    equations.evaluateAlways(t, history.state(), history.derivative);
+    history.beginDerivative();
+    if (!complete) {
+      return fail(Cause.NOT_COMPLETED, -1);
+    }
+    if (!finite(history.derivative)) {
+      return fail(Cause.NOT_FINITE, notFiniteComponent);
+    }
+    h = Math.copySign(initialStep > 0 ? initialStep : firstStepFrom(t), tEnd - t);
+    return progress.goOn(bounds.reachedAt(t));
   }
 
-  private double firstStep(double[] derivative, double interval) {
-    double size =
-        settings.initialStep() > 0
-            ? settings.initialStep()
-            : Math.min(
-                FIRST_SHARE_OF_INTERVAL * Math.abs(interval), firstStep(norm.of(derivative)));
-    return Math.copySign(size, interval);
+  private double firstStepFrom(double t) {
+    return Math.min(
+        FIRST_SHARE_OF_INTERVAL * Math.abs(tEnd - t), firstStep(norm.of(history.derivative)));
   }
 
   @Override
   public final StepResult step() {
     progress.requireRunning();
+    if (equations.breakpoints().reachedAt(progress.time())) {
+      StepResult result = passBreakpoint();
+      if (result != StepResult.ADVANCED) {
+        return result;
+      }
+    }
     beginStep();
     if (roundOff(history.state()) > 0.5) {
       return fail(Cause.TOLERANCE_TOO_TIGHT, norm.largest(history.state()));
@@ -128,6 +161,15 @@ abstract class AdamsPece implements Integrator {
     return fail(Cause.TOO_MANY_STEPS, norm.largest(history.discrepancy));
   }
 
+  /** Begins anew on the other side of a jump. */
+  private StepResult passBreakpoint() {
+    if (equations.stopped()) {
+      return StepResult.STOPPED;
+    }
+    equations.breakpoints().pass();
+    return beginAnew(progress.time(), history.state());
+  }
+
   /** Sets weights and bounds of a step; one that was stopped is taken up where it stood. */
   private void beginStep() {
     if (!begun) {
@@ -146,10 +188,13 @@ abstract class AdamsPece implements Integrator {
     }
   }
 
-  /** Predict, evaluate, estimate, correct, evaluate. */
+  /** Predict, complete, evaluate, estimate, correct, complete and project, evaluate. */
   private Attempt tryStep() {
     int k = control.order();
     history.predict(h, k, coefficients.beta, coefficients.g);
+    if (!manifold.complete(triedTime, history.predicted)) {
+      return Attempt.NOT_COMPLETED;
+    }
     if (!evaluate(history.predicted)) {
       return Attempt.STOPPED;
     }
@@ -158,13 +203,25 @@ abstract class AdamsPece implements Integrator {
     if (!(control.error() <= 1)) {
       return finite(history.derivative) ? Attempt.TOO_INACCURATE : Attempt.NOT_FINITE;
     }
-    history.correct(h * coefficients.g[k + 1]);
+    if (!correct(h * coefficients.g[k + 1])) {
+      return Attempt.NOT_COMPLETED;
+    }
     if (!evaluate(history.corrected())) {
       return Attempt.STOPPED;
     }
     return finite(history.corrected()) && finite(history.derivative)
         ? Attempt.PASSED
         : Attempt.NOT_FINITE;
+  }
+
+  /** Forms the corrected state, moved onto the manifold: f there enters the history. */
+  private boolean correct(double weight) {
+    double[] corrected = history.corrected();
+    history.correct(weight);
+    boolean found =
+        manifold.complete(triedTime, corrected) && manifold.project(triedTime, corrected);
+    history.carry(weight);
+    return found;
   }
 
   private void accept() {
@@ -174,22 +231,41 @@ abstract class AdamsPece implements Integrator {
     progress.accepted(h, triedTime, k, control.error());
     stiffness.record(k, control.error());
     h *= control.accept(Math.abs(h), coefficients.equalSteps(), history, norm);
+    scaleUnitGroups();
+    manifold.accepted(triedTime, history.state());
     begun = false;
     prepared = false;
   }
 
+  private void scaleUnitGroups() {
+    for (int group = 0; group < manifold.unitGroupCount(); group++) {
+      double factor = manifold.unitFactor(group, history.state());
+      if (factor != 1) {
+        history.scale(manifold.unitGroupStart(group), manifold.unitGroupSize(group), factor);
+      }
+    }
+  }
+
   /** Reduces the step; returns a cause if that is not possible. */
   private Optional<Cause> reject(Attempt attempt) {
-    boolean notFinite = attempt == Attempt.NOT_FINITE;
-    progress.rejected(h, control.order(), notFinite ? Double.NaN : control.error(), attempt);
+    boolean inaccurate = attempt == Attempt.TOO_INACCURATE;
+    progress.rejected(h, control.order(), inaccurate ? control.error() : Double.NaN, attempt);
     double smallest = bounds.smallest(progress.time());
     if (progress.notFiniteTooOften() || Math.abs(h) <= smallest) {
-      return Optional.of(notFinite ? Cause.NOT_FINITE : Cause.STEP_TOO_SMALL);
+      return Optional.of(cause(attempt));
     }
-    double factor = notFinite ? control.rejectNotFinite() : control.reject();
+    double factor = inaccurate ? control.reject() : control.rejectNotFinite();
     h = Math.copySign(Math.max(factor * Math.abs(h), smallest), h);
     prepared = false;
     return Optional.empty();
+  }
+
+  private static Cause cause(Attempt attempt) {
+    return switch (attempt) {
+      case NOT_FINITE -> Cause.NOT_FINITE;
+      case NOT_COMPLETED -> Cause.NOT_COMPLETED;
+      default -> Cause.STEP_TOO_SMALL;
+    };
   }
 
   /** Evaluates f at the end of the step being tried; returns false if told to stop instead. */
@@ -209,7 +285,11 @@ abstract class AdamsPece implements Integrator {
   }
 
   private int limitingComponent(Attempt attempt) {
-    return attempt == Attempt.NOT_FINITE ? notFiniteComponent : norm.largest(history.discrepancy);
+    return switch (attempt) {
+      case NOT_FINITE -> notFiniteComponent;
+      case NOT_COMPLETED -> -1;
+      default -> norm.largest(history.discrepancy);
+    };
   }
 
   private StepResult fail(Cause cause, int component) {

@@ -30,6 +30,22 @@ public interface Integrator {
   StepResult start(OdeSystem system, double t0, double[] y0, double tEnd);
 
   /**
+   * Goes on from another state, or with equations that have changed, at a place inside or at the
+   * end of the last step: the history is forgotten, the order is 1, the step that of a start. The
+   * counters go on. Evaluates f once.
+   *
+   * @param t between {@link #previousTime()} and {@link #time()}, both included
+   * @param y state there; not modified
+   * @return {@link StepResult#ADVANCED}, {@link StepResult#REACHED_END} if that is the end, or
+   *     {@link StepResult#FAILED} if f is not finite there
+   * @throws IllegalArgumentException if {@code t} lies outside the last step, or if the state is
+   *     not finite or of the wrong length
+   */
+  default StepResult restart(double t, double[] y) {
+    throw new UnsupportedOperationException();
+  }
+
+  /**
    * Takes one accepted step, trying smaller ones and other orders as the error test asks.
    *
    * @return {@link StepResult#ADVANCED} while the end is not reached, {@link

@@ -90,9 +90,34 @@ public record IntegratorSettings(
     require(Double.isFinite(t0), "start", t0, "finite");
     require(Double.isFinite(tEnd), "end", tEnd, "finite");
     require(Double.isFinite(tEnd - t0), "interval", tEnd - t0, "finite");
+    requireUsable(y0, dimension);
+  }
+
+  /**
+   * Checks a state to begin from.
+   *
+   * @throws IllegalArgumentException naming what is wrong, its value and what it must be
+   */
+  static void requireUsable(double[] y0, int dimension) {
     require(y0.length == dimension, "length of the initial state", y0.length, "" + dimension);
     for (int i = 0; i < y0.length; i++) {
       require(Double.isFinite(y0[i]), "initial state's component " + i, y0[i], "finite");
+    }
+  }
+
+  /**
+   * Checks the derivative that a problem in residual form brings.
+   *
+   * @throws IllegalArgumentException naming what is wrong, its value and what it must be
+   */
+  static void requireUsableDerivative(double[] yDot0, int dimension) {
+    require(
+        yDot0.length == dimension,
+        "length of the initial derivative",
+        yDot0.length,
+        "" + dimension);
+    for (int i = 0; i < yDot0.length; i++) {
+      require(Double.isFinite(yDot0[i]), "initial derivative's component " + i, yDot0[i], "finite");
     }
   }
 

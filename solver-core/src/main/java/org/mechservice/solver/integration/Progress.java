@@ -37,6 +37,17 @@ final class Progress {
     rejectedSteps = 0;
   }
 
+  /** Goes back to a place inside the last step, from where there is no history; counters go on. */
+  void beginAgain(double t) {
+    failure = Optional.empty();
+    running = false;
+    time = t;
+    previousTime = t;
+    stepSize = 0;
+    order = 0;
+    notFiniteInARow = 0;
+  }
+
   /** Makes the problem ready unless its end is reached; returns the result of the step so far. */
   StepResult goOn(boolean endReached) {
     running = !endReached;

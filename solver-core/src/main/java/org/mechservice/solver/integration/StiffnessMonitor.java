@@ -27,6 +27,11 @@ final class StiffnessMonitor {
     verdict = false;
   }
 
+  /** Takes note that the history was forgotten: order and step start low anew. */
+  void beginAgain() {
+    beginCount();
+  }
+
   /**
    * Takes note of an accepted step.
    *

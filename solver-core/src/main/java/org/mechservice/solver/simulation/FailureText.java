@@ -56,6 +56,36 @@ final class FailureText {
               failure,
               state(model, failure.worstComponent()),
               "Check the values that act on this joint for huge ones.");
+      case INCONSISTENT_START ->
+          failure(
+              "N-011",
+              "No accelerations and multipliers were found that obey the equations at the start.",
+              failure,
+              state(model, failure.worstComponent()),
+              "Check the initial state, masses and inertias, and constraints that contradict.");
+      case NOT_COMPLETED ->
+          failure(
+              "N-020",
+              "The loops cannot be closed at any step size: no position fits the independent"
+                  + " coordinates.",
+              failure,
+              "",
+              "The mechanism locks or branches there; check its dimensions, or end the run before.");
+      case EVENTS_ACCUMULATE ->
+          failure(
+              "N-021",
+              "Events follow each other ever closer.",
+              failure,
+              "",
+              "End the run before, or let the state that changes come to rest: a bounce below a"
+                  + " certain speed, a switch without play.");
+      case EVENT_NOT_FINITE ->
+          failure(
+              "N-022",
+              "A quantity whose change of sign is an event is not finite.",
+              failure,
+              "",
+              "Check the expressions of the model's events.");
       case TOO_MANY_STEPS ->
           failure(
               "N-005",
