@@ -66,6 +66,13 @@ final class AdamsCoefficients {
     lastOrder = 0;
   }
 
+  /** Forgets the steps for those to come, but not what the last one is interpolated with. */
+  void beginAgain() {
+    equalSteps = 0;
+    lastSize = 0;
+    lastOrder = 0;
+  }
+
   /** Returns n_s, the number of steps of equal size, the one being tried included. */
   int equalSteps() {
     return equalSteps;

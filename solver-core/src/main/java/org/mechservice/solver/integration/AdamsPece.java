@@ -2,6 +2,7 @@ package org.mechservice.solver.integration;
 
 import java.util.Optional;
 import org.mechservice.solver.integration.IntegrationFailure.Cause;
+import org.mechservice.solver.integration.IntegratorSettings.Mode;
 
 /**
  * Adams methods of variable order and step in PECE form: predict, evaluate, correct, evaluate. The
@@ -23,6 +24,7 @@ abstract class AdamsPece implements Integrator {
   private final AdamsOrderControl control = new AdamsOrderControl();
   private final AdamsInterpolant interpolant = new AdamsInterpolant();
   private final StiffnessMonitor stiffness = new StiffnessMonitor();
+  private final JumpSearch jumps = new JumpSearch();
   private final Progress progress = new Progress();
 
   private RightHandSide equations = RightHandSide.none();
@@ -81,7 +83,7 @@ abstract class AdamsPece implements Integrator {
     bounds.begin(t0, tEnd, settings.maxStep());
     this.tEnd = tEnd;
     stiffness.clear();
-    progress.begin(t0);
+    progress.begin(t0, settings.relativeTolerance());
     return beginAt(t0, y0, settings.initialStep());
   }
 
@@ -105,6 +107,7 @@ abstract class AdamsPece implements Integrator {
   private StepResult beginAt(double t, double[] y, double initialStep) {
     coefficients.clear();
     control.begin(settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER));
+    jumps.clear();
     bounds.stopAt(equations.breakpoints().next());
     triedTime = t;
     h = 0;
@@ -205,7 +208,7 @@ abstract class AdamsPece implements Integrator {
     }
     history.compareDerivative();
     control.estimate(Math.abs(h), coefficients, history, norm);
-    if (!(control.error() <= 1)) {
+    if (!(control.error() <= 1) || jumps.inside(h, control.discrepancy())) {
       return finite(history.derivative) ? Attempt.TOO_INACCURATE : Attempt.NOT_FINITE;
     }
     if (!correct(h * coefficients.g[k + 1])) {
@@ -238,8 +241,30 @@ abstract class AdamsPece implements Integrator {
     h *= control.accept(Math.abs(h), coefficients.equalSteps(), history, norm);
     scaleUnitGroups();
     manifold.accepted(triedTime, history.state());
+    if (jumps.accepted(triedTime, Math.signum(h))) {
+      forgetHistory();
+    } else if (jumps.active()) {
+      h = towardsJump(h);
+    }
     begun = false;
     prepared = false;
+  }
+
+  /** Begins at order 1 behind a jump, where f is known. */
+  private void forgetHistory() {
+    stiffness.beginAgain();
+    coefficients.beginAgain();
+    control.begin(settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER));
+    h = Math.copySign(firstStepFrom(triedTime), h);
+  }
+
+  /** Returns the step that halves the stretch with a jump, or crosses it, no longer than given. */
+  private double towardsJump(double longest) {
+    double step = jumps.step(progress.time());
+    if (jumps.crossing()) {
+      control.fallToOrderOne();
+    }
+    return Math.abs(step) < Math.abs(longest) ? step : longest;
   }
 
   private void scaleUnitGroups() {
@@ -259,10 +284,18 @@ abstract class AdamsPece implements Integrator {
     if (progress.notFiniteTooOften() || Math.abs(h) <= smallest) {
       return Optional.of(cause(attempt));
     }
-    double factor = inaccurate ? control.reject() : control.rejectNotFinite();
-    h = Math.copySign(Math.max(factor * Math.abs(h), smallest), h);
+    double size = Math.abs(inaccurate ? retry() : control.rejectNotFinite() * h);
+    h = Math.copySign(Math.max(size, smallest), h);
     prepared = false;
     return Optional.empty();
+  }
+
+  /** Returns the step to try after one that failed the error test. */
+  private double retry() {
+    if (settings.mode() != Mode.FAITHFUL && Double.isFinite(control.error())) {
+      jumps.rejected(triedTime, control.error(), control.discrepancy());
+    }
+    return jumps.active() ? towardsJump(h) : control.reject() * h;
   }
 
   private static Cause cause(Attempt attempt) {

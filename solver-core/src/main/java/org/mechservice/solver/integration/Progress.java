@@ -19,12 +19,30 @@ final class Progress {
   private double stepSize;
   private int order;
 
+  /** Start, and end of the last step that was longer than places on the t axis are uncertain. */
+  private double start;
+
+  private double resolution;
+  private double resolvedTime;
+
   private int notFiniteInARow;
   private long steps;
   private long rejectedSteps;
 
   /** Begins a problem that is not yet ready to be advanced. */
   void begin(double t0) {
+    begin(t0, 0);
+  }
+
+  /**
+   * Begins a problem that is not yet ready to be advanced.
+   *
+   * @param relativeTolerance to which a place on the t axis is known, relative to the time elapsed
+   */
+  void begin(double t0, double relativeTolerance) {
+    start = t0;
+    resolution = relativeTolerance;
+    resolvedTime = t0;
     recentSteps.clear();
     failure = Optional.empty();
     running = false;
@@ -43,6 +61,7 @@ final class Progress {
     running = false;
     time = t;
     previousTime = t;
+    resolvedTime = t;
     stepSize = 0;
     order = 0;
     notFiniteInARow = 0;
@@ -59,6 +78,9 @@ final class Progress {
     recentSteps.record(time, h, order, error, Attempt.PASSED);
     previousTime = time;
     time = end;
+    if (Math.abs(h) >= resolution * Math.abs(end - start)) {
+      resolvedTime = end;
+    }
     stepSize = h;
     this.order = order;
     notFiniteInARow = 0;
@@ -81,10 +103,11 @@ final class Progress {
   StepResult fail(Cause cause, double h, int order, int component, ErrorNorm norm) {
     running = false;
     double allowed = component < 0 ? 0 : 1 / norm.weight(component);
+    double where = cause == Cause.STEP_TOO_SMALL ? resolvedTime : time;
     failure =
         Optional.of(
             new IntegrationFailure(
-                cause, time, h, h == 0 ? 0 : order, component, allowed, recentSteps.list()));
+                cause, where, h, h == 0 ? 0 : order, component, allowed, recentSteps.list()));
     return StepResult.FAILED;
   }
 
