@@ -77,7 +77,7 @@ abstract class AdamsPece implements Integrator {
     equations = new RightHandSide(system, settings.stop());
     equations.breakpoints().begin(system, t0, tEnd);
     manifold = new Manifold(system);
-    norm.begin(settings.relativeTolerance(), tolerances);
+    norm.begin(settings.relativeTolerance(), tolerances, manifold);
     norm.weigh(y0);
     history = new AdamsHistory(y0.length, compensates(roundOff(y0)));
     bounds.begin(t0, tEnd, settings.maxStep());
@@ -115,7 +115,7 @@ abstract class AdamsPece implements Integrator {
     prepared = false;
     history.begin(y);
     boolean complete = manifold.complete(t, history.state());
-    weigh(history.state());
+    norm.weigh(history.state());
     equations.evaluateAlways(t, history.state(), history.derivative);
     history.beginDerivative();
     if (!complete) {
@@ -176,16 +176,11 @@ abstract class AdamsPece implements Integrator {
   /** Sets weights and bounds of a step; one that was stopped is taken up where it stood. */
   private void beginStep() {
     if (!begun) {
-      weigh(history.state());
+      norm.weigh(history.state());
       control.beginStep();
       h = bounds.bounded(progress.time(), h);
       begun = true;
     }
-  }
-
-  private void weigh(double[] y) {
-    norm.weigh(y);
-    manifold.leaveOutPassive(norm, y.length);
   }
 
   private void prepare() {

@@ -53,6 +53,11 @@ public record IntegrationFailure(
      * An event function is not finite, or the state at which to evaluate it cannot be completed.
      */
     EVENT_NOT_FINITE,
+    /**
+     * No consistent initial values were found for a system in residual form; the component is the
+     * row of the residual that is worst.
+     */
+    INCONSISTENT_START,
     /** The number of steps allowed is used up. */
     TOO_MANY_STEPS
   }

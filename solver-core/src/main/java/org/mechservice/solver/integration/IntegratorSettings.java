@@ -154,6 +154,22 @@ public record IntegratorSettings(
   }
 
   /**
+   * Checks the derivative that a problem in residual form brings.
+   *
+   * @throws IllegalArgumentException naming what is wrong, its value and what it must be
+   */
+  static void requireUsableDerivative(double[] yDot0, int dimension) {
+    require(
+        yDot0.length == dimension,
+        "length of the initial derivative",
+        yDot0.length,
+        "" + dimension);
+    for (int i = 0; i < yDot0.length; i++) {
+      require(Double.isFinite(yDot0[i]), "initial derivative's component " + i, yDot0[i], "finite");
+    }
+  }
+
+  /**
    * Returns the absolute tolerance of each component.
    *
    * @throws IllegalArgumentException if their number is neither 1 nor the number of components

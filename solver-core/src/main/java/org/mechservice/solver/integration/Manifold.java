@@ -1,24 +1,93 @@
 package org.mechservice.solver.integration;
 
+import org.mechservice.solver.integration.ResidualSystem.Component;
+
 /**
  * What a problem knows about its states beyond its equations: components that follow from others
- * ({@link CompletedSystem}), a manifold that the solution stays on ({@link ProjectedSystem}),
- * groups of norm one ({@link UnitGroups}). A problem that knows nothing of that kind is left alone.
+ * ({@link CompletedSystem}) or are algebraic ({@link ResidualSystem#component}), and so are not
+ * tested for error; components that share a weight ({@link WeightGroups}); a manifold that the
+ * solution stays on ({@link ProjectedSystem}); groups of norm one ({@link UnitGroups}). A problem
+ * that knows nothing of that kind is left alone.
  */
 final class Manifold {
   private static final Unknown NOTHING = new Unknown();
 
   private final CompletedSystem completed;
   private final ProjectedSystem projected;
+  private final WeightGroups groups;
   private final UnitGroups units;
+
+  /** Per component: algebraic; independent; tested for error and convergence. */
+  private final boolean[] algebraic;
+
+  private final boolean[] independent;
+  private final boolean[] tested;
+  private boolean anyAlgebraic;
 
   /**
    * @param system the problem, asked for what it implements
    */
-  Manifold(Object system) {
+  Manifold(OdeSystem system) {
+    this(system, system.dimension());
+    choose();
+  }
+
+  /**
+   * @param system the problem, asked for what it implements
+   */
+  Manifold(ResidualSystem system) {
+    this(system, system.dimension());
+    for (int l = 0; l < algebraic.length; l++) {
+      algebraic[l] = system.component(l) == Component.ALGEBRAIC;
+      anyAlgebraic |= algebraic[l];
+    }
+    choose();
+  }
+
+  private Manifold(Object system, int dimension) {
     completed = system instanceof CompletedSystem known ? known : NOTHING;
     projected = system instanceof ProjectedSystem known ? known : NOTHING;
+    groups = system instanceof WeightGroups known ? known : NOTHING;
     units = system instanceof UnitGroups known ? known : NOTHING;
+    algebraic = new boolean[dimension];
+    independent = new boolean[dimension];
+    tested = new boolean[dimension];
+  }
+
+  /** Takes over which components are independent at present. */
+  private void choose() {
+    for (int l = 0; l < tested.length; l++) {
+      independent[l] = completed.independent(l);
+      tested[l] = independent[l] && !algebraic[l];
+    }
+  }
+
+  int dimension() {
+    return tested.length;
+  }
+
+  /** Returns whether some components may follow from the others. */
+  boolean completes() {
+    return completed != NOTHING;
+  }
+
+  /** Returns whether a component has an equation of its own at present. */
+  boolean independent(int component) {
+    return independent[component];
+  }
+
+  /** Returns whether a component's derivative does not appear in the equations. */
+  boolean algebraic(int component) {
+    return algebraic[component];
+  }
+
+  boolean anyAlgebraic() {
+    return anyAlgebraic;
+  }
+
+  /** Returns whether a component is in the tests of error and convergence at present. */
+  boolean tested(int component) {
+    return tested[component];
   }
 
   /** Returns whether a state may be changed by {@link #complete} or {@link #project}. */
@@ -26,31 +95,36 @@ final class Manifold {
     return completed != NOTHING || projected != NOTHING;
   }
 
-  /** Fits the passive components to the independent ones; returns false if nothing fits. */
-  boolean complete(double t, double[] y) {
-    return completed.complete(t, y);
+  WeightGroups groups() {
+    return groups;
   }
 
-  /** Moves a completed state onto the manifold; returns false if there is no way. */
-  boolean project(double t, double[] y) {
-    return projected.project(t, y);
-  }
-
-  /** Takes the passive components out of a norm that has just been weighed. */
-  void leaveOutPassive(ErrorNorm norm, int dimension) {
-    if (completed == NOTHING) {
-      return;
-    }
-    for (int l = 0; l < dimension; l++) {
-      if (!completed.independent(l)) {
-        norm.leaveOut(l);
+  /** Sets the passive components of a vector to zero. */
+  void clearPassive(double[] x) {
+    for (int l = 0; l < independent.length; l++) {
+      if (!independent[l]) {
+        x[l] = 0;
       }
     }
   }
 
-  /** Lets the problem take note of an accepted step. */
-  void accepted(double t, double[] y) {
-    completed.accepted(t, y);
+  /** Makes the passive components fit; returns false if that is not possible. */
+  boolean complete(double t, double[] y) {
+    return completed.complete(t, y);
+  }
+
+  /** Moves a state onto its manifold; returns false if that is not possible. */
+  boolean project(double t, double[] y) {
+    return projected.project(t, y);
+  }
+
+  /** Takes note of an accepted step; returns whether other components are independent now. */
+  boolean accepted(double t, double[] y) {
+    if (!completed.accepted(t, y)) {
+      return false;
+    }
+    choose();
+    return true;
   }
 
   int unitGroupCount() {

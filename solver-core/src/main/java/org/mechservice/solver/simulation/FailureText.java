@@ -56,6 +56,13 @@ final class FailureText {
               failure,
               state(model, failure.worstComponent()),
               "Check the values that act on this joint for huge ones.");
+      case INCONSISTENT_START ->
+          failure(
+              "N-011",
+              "No accelerations and multipliers were found that obey the equations at the start.",
+              failure,
+              state(model, failure.worstComponent()),
+              "Check the initial state, masses and inertias, and constraints that contradict.");
       case NOT_COMPLETED ->
           failure(
               "N-020",
