@@ -1,7 +1,8 @@
 package org.mechservice.orb;
 
-import java.lang.reflect.Field;
+import org.jacorb.config.ConfigurationException;
 import org.jacorb.orb.ORB;
+import org.jacorb.orb.giop.ClientConnectionManager;
 import org.jacorb.orb.giop.GIOPConnectionManager;
 import org.jacorb.orb.portableInterceptor.ORBInitInfoImpl;
 import org.omg.CORBA.INITIALIZE;
@@ -10,34 +11,27 @@ import org.omg.PortableInterceptor.ORBInitInfo;
 import org.omg.PortableInterceptor.ORBInitializer;
 
 /**
- * Gives an ORB its {@link ConnectionTable}, before anything uses the one it made itself. The ORB
- * has no setting for that; should another version of it keep its table elsewhere, it does not
- * start.
+ * Gives an ORB its {@link ConnectionTable}, before anything uses the one it made itself; it has no
+ * setting for that.
  *
  * <p>Made by the ORB from its properties, hence public.
  */
 public final class ConnectionTableInstaller extends LocalObject implements ORBInitializer {
   private static final long serialVersionUID = 1L;
 
+  private static final OrbField<GIOPConnectionManager> OPENED =
+      new OrbField<>(ORB.class, "giop_connection_manager", GIOPConnectionManager.class);
+  private static final OrbField<ClientConnectionManager> TABLE =
+      new OrbField<>(ORB.class, "clientConnectionManager", ClientConnectionManager.class);
+
   @Override
   public void pre_init(ORBInitInfo info) {
     ORB orb = ((ORBInitInfoImpl) info).getORB();
     try {
-      Field connections = field("giop_connection_manager");
-      field("clientConnectionManager")
-          .set(
-              orb,
-              new ConnectionTable(
-                  orb, (GIOPConnectionManager) connections.get(orb), orb.getConfiguration()));
-    } catch (ReflectiveOperationException | org.jacorb.config.ConfigurationException e) {
-      throw (INITIALIZE) new INITIALIZE("this version of the ORB is not known").initCause(e);
+      TABLE.set(orb, new ConnectionTable(orb, OPENED.get(orb), orb.getConfiguration()));
+    } catch (ConfigurationException e) {
+      throw (INITIALIZE) new INITIALIZE("connections").initCause(e);
     }
-  }
-
-  private static Field field(String name) throws NoSuchFieldException {
-    Field field = ORB.class.getDeclaredField(name);
-    field.setAccessible(true);
-    return field;
   }
 
   @Override

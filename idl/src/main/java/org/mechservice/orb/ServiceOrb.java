@@ -4,9 +4,11 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.UnknownHostException;
+import java.nio.channels.Selector;
 import java.util.Map;
 import java.util.Properties;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.jacorb.util.SelectorManager;
 import org.mechservice.idl.HostRegistry;
 import org.mechservice.idl.HostRegistryHelper;
 import org.mechservice.idl.IMechClient;
@@ -20,6 +22,8 @@ import org.omg.CORBA.INITIALIZE;
 import org.omg.CORBA.ORB;
 import org.omg.CORBA.UserException;
 import org.omg.PortableServer.Servant;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * An ORB set up safely for one of three roles.
@@ -41,6 +45,10 @@ import org.omg.PortableServer.Servant;
  * thread is left after {@link #close()}.
  */
 public final class ServiceOrb implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(ServiceOrb.class);
+  private static final OrbField<Selector> SELECTOR =
+      new OrbField<>(SelectorManager.class, "selector", Selector.class);
+
   private final OrbThreads threads = new OrbThreads();
   private final ORB orb;
   private final ObjectAdapters adapters;
@@ -56,7 +64,7 @@ public final class ServiceOrb implements AutoCloseable {
       opened = true;
     } finally {
       if (!opened) {
-        orb.destroy();
+        end(orb);
         peers.close();
       }
     }
@@ -235,9 +243,19 @@ public final class ServiceOrb implements AutoCloseable {
       } catch (UserException e) {
         throw new IllegalStateException("the ORB was closed by somebody else", e);
       } finally {
-        orb.shutdown(true);
-        orb.destroy();
+        end(orb);
       }
+    }
+  }
+
+  /** The ORB leaves the selector behind its time-outs open, two file descriptors each. */
+  private static void end(ORB orb) {
+    orb.shutdown(true);
+    orb.destroy();
+    try {
+      SELECTOR.get(((org.jacorb.orb.ORB) orb).getSelectorManager()).close();
+    } catch (IOException e) {
+      LOG.warn("S-048 a selector does not close: {}", e.toString());
     }
   }
 

@@ -1,8 +1,13 @@
 package org.mechservice.orb;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Random;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.MechServer;
@@ -14,6 +19,7 @@ class ClosingTest {
   private static final long HANGS_MILLIS = 60_000;
 
   private static final int SEED = 20261;
+  private static final Path DESCRIPTORS = Path.of("/proc/self/fd");
 
   @Test
   void clientClosesAmidCallbacksAndTheServerServesOn() throws Exception {
@@ -88,6 +94,22 @@ class ClosingTest {
           assertThat(caller.isAlive()).isFalse();
         }
       }
+    }
+  }
+
+  @Test
+  void nothingStaysOpenAfterClosing() throws Exception {
+    assumeTrue(Files.isDirectory(DESCRIPTORS), "no /proc here");
+    closeServersAmidCalls(1); // loads what stays loaded
+    long before = openDescriptors();
+    closeServersAmidCalls(20);
+    // Two ORBs each; a leak of one descriptor per ORB would show as 40.
+    assertThat(openDescriptors()).isLessThan(before + 20);
+  }
+
+  private static long openDescriptors() throws IOException {
+    try (Stream<Path> open = Files.list(DESCRIPTORS)) {
+      return open.count();
     }
   }
 
