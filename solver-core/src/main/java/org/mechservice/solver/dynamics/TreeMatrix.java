@@ -65,6 +65,28 @@ public final class TreeMatrix {
     return diagonal[place];
   }
 
+  /** Returns the elements below the diagonal, one for each column of the pattern. */
+  double[] lower() {
+    return lower;
+  }
+
+  /**
+   * Returns an element.
+   *
+   * @param velocity1 velocity of the state
+   * @param velocity2 velocity of the state
+   */
+  public double get(int velocity1, int velocity2) {
+    requireElements();
+    int p1 = pattern.placeOf[velocity1];
+    int p2 = pattern.placeOf[velocity2];
+    if (p1 == p2) {
+      return diagonal[p1];
+    }
+    int index = pattern.find(Math.max(p1, p2), Math.min(p1, p2));
+    return index < 0 ? 0 : lower[index];
+  }
+
   /** Copies the elements, not the factors, of a matrix of the same pattern. */
   void copy(TreeMatrix other) {
     other.requireElements();
