@@ -157,4 +157,17 @@ final class AdamsCoefficients {
       g[i] = w[1];
     }
   }
+
+  /** Carries the state between two steps over. */
+  void transfer(StateTransfer state) {
+    state.numbers(beta);
+    state.numbers(sigma);
+    state.numbers(g);
+    state.numbers(psi);
+    state.numbers(alpha);
+    state.numbers(v);
+    equalSteps = state.integer(equalSteps);
+    lastSize = state.number(lastSize);
+    lastOrder = state.integer(lastOrder);
+  }
 }

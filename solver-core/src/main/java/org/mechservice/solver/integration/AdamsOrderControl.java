@@ -187,4 +187,16 @@ final class AdamsOrderControl {
     double ratio = StrictMath.exp(StrictMath.log(AIM / errorHere) / (order + 1));
     return Math.max(MOST_SHRINKING, Math.min(LEAST_SHRINKING, ratio));
   }
+
+  /** Carries the state between two steps over. */
+  void transfer(StateTransfer state) {
+    order = state.integer(order);
+    orderIfRejected = state.integer(orderIfRejected);
+    starting = state.flag(starting);
+    failures = state.integer(failures);
+    error = state.number(error);
+    errorHere = state.number(errorHere);
+    errorBelow = state.number(errorBelow);
+    discrepancy = state.number(discrepancy);
+  }
 }

@@ -75,16 +75,20 @@ abstract class AdamsPece implements Integrator {
     IntegratorSettings.requireUsable(t0, tEnd, y0, system.dimension());
     double[] tolerances = settings.absoluteTolerances(y0.length);
     equations = new RightHandSide(system, settings.stop());
-    equations.breakpoints().begin(system, t0, tEnd);
+    begin(t0, tEnd);
     manifold = new Manifold(system);
     norm.begin(settings.relativeTolerance(), tolerances, manifold);
     norm.weigh(y0);
     history = new AdamsHistory(y0.length, compensates(roundOff(y0)));
-    bounds.begin(t0, tEnd, settings.maxStep());
-    this.tEnd = tEnd;
     stiffness.clear();
-    progress.begin(t0, settings.relativeTolerance());
     return beginAt(t0, y0, settings.initialStep());
+  }
+
+  private void begin(double t0, double tEnd) {
+    equations.breakpoints().begin(equations.system(), t0, tEnd);
+    bounds.begin(t0, tEnd, settings.maxStep());
+    progress.begin(t0, settings.relativeTolerance());
+    this.tEnd = tEnd;
   }
 
   @Override
@@ -353,6 +357,51 @@ abstract class AdamsPece implements Integrator {
   public final void interpolate(double t, double[] y, double[] yDot) {
     progress.requireInLastStep(t);
     interpolant.evaluate(t - progress.time(), progress.order(), coefficients.psi, history, y, yDot);
+  }
+
+  @Override
+  public final byte[] save() {
+    progress.requireBetweenSteps(begun);
+    return StateTransfer.save(this::transfer);
+  }
+
+  @Override
+  public final StepResult resume(OdeSystem system, byte[] saved) {
+    equations = new RightHandSide(system, settings.stop());
+    StateTransfer.restore(saved, this::transfer);
+    return progress.result();
+  }
+
+  /** Carries the integration between two steps over. */
+  private void transfer(StateTransfer state) {
+    state.require("method", getClass().getSimpleName());
+    settings.transfer(state);
+    int n = equations.system().dimension();
+    state.require("number of unknowns", n);
+    double t0 = state.number(progress.start());
+    double end = state.number(tEnd);
+    boolean compensated = state.flag(history.compensated());
+    if (state.restoring()) {
+      begin(t0, end);
+      history = new AdamsHistory(n, compensated);
+    }
+    equations.transfer(state);
+    if (state.restoring()) {
+      manifold = new Manifold(equations.system());
+      norm.begin(settings.relativeTolerance(), settings.absoluteTolerances(n), manifold);
+      control.begin(settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER));
+      bounds.stopAt(equations.breakpoints().next());
+      begun = false;
+      prepared = false;
+    }
+    progress.transfer(state);
+    history.transfer(state);
+    coefficients.transfer(state);
+    control.transfer(state);
+    jumps.transfer(state);
+    stiffness.transfer(state);
+    h = state.number(h);
+    triedTime = state.number(triedTime);
   }
 
   @Override

@@ -188,6 +188,16 @@ public record IntegratorSettings(
     return tolerances;
   }
 
+  /** Carries over what decides the steps; refuses other settings than those saved. */
+  void transfer(StateTransfer state) {
+    state.require("relative tolerance", relativeTolerance);
+    state.require("list of absolute tolerances", absoluteTolerance);
+    state.require("largest step", maxStep);
+    state.require("first step", initialStep);
+    state.require("highest order", maxOrder);
+    state.require("mode", mode);
+  }
+
   /** Returns the highest order to use by a method that knows the given one. */
   int highestOrder(int ofMethod) {
     return maxOrder == 0 ? ofMethod : Math.min(maxOrder, ofMethod);

@@ -106,4 +106,13 @@ final class JumpSearch {
   boolean crossing() {
     return crossing;
   }
+
+  /** Carries the state between two steps over. */
+  void transfer(StateTransfer state) {
+    failures = state.integer(failures);
+    inARow = state.integer(inARow);
+    crossing = state.flag(crossing);
+    behind = state.number(behind);
+    jump = state.number(jump);
+  }
 }

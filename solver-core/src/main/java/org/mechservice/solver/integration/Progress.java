@@ -111,6 +111,27 @@ final class Progress {
     return StepResult.FAILED;
   }
 
+  /** Returns where the problem began. */
+  double start() {
+    return start;
+  }
+
+  /** Returns the result of the last step, of an integration that has not failed. */
+  StepResult result() {
+    return running ? StepResult.ADVANCED : StepResult.REACHED_END;
+  }
+
+  /**
+   * Requires a place from which an integration can be saved.
+   *
+   * @param withinStep whether a step was begun and stopped
+   */
+  void requireBetweenSteps(boolean withinStep) {
+    if (withinStep || failure.isPresent() || (!running && steps == 0)) {
+      throw new IllegalStateException("only an integration between two steps can be saved");
+    }
+  }
+
   void requireRunning() {
     if (!running) {
       throw new IllegalStateException(
@@ -158,5 +179,20 @@ final class Progress {
 
   IntegrationFailure failure() {
     return failure.orElseThrow(() -> new IllegalStateException("the integration has not failed"));
+  }
+
+  /** Carries the state between two steps over. */
+  void transfer(StateTransfer state) {
+    recentSteps.transfer(state);
+    running = state.flag(running);
+    start = state.number(start);
+    time = state.number(time);
+    previousTime = state.number(previousTime);
+    resolvedTime = state.number(resolvedTime);
+    stepSize = state.number(stepSize);
+    order = state.integer(order);
+    notFiniteInARow = state.integer(notFiniteInARow);
+    steps = state.integer(steps);
+    rejectedSteps = state.integer(rejectedSteps);
   }
 }
