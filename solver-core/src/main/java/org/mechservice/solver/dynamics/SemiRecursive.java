@@ -1,5 +1,7 @@
 package org.mechservice.solver.dynamics;
 
+import static org.mechservice.solver.spatial.Blocks.dot;
+
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
@@ -125,11 +127,8 @@ public final class SemiRecursive {
     }
 
     private double product(int j) {
-      double sum = 0;
-      for (int i = 0; i < 6; i++) {
-        sum += motion.subspace[6 * j + i] * work[i];
-      }
-      return sum;
+      double[] s = motion.subspace;
+      return dot(s, 6 * j, work, 0) + dot(s, 6 * j + 3, work, 3);
     }
 
     @Override
