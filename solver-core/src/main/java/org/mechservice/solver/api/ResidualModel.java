@@ -1,28 +1,34 @@
 package org.mechservice.solver.api;
 
 /**
- * A model in residual form, F(t, y, y') = 0.
+ * A model that has a residual form, F(t, y, y') = 0, too.
  *
  * <p>The unknowns begin with the state [q; v] of the {@link ModelDescription}; multipliers, if
- * there are any, follow.
+ * there are any, follow. The explicit form serves the start and the output of accelerations.
  */
-public interface ResidualModel extends Model {
+public interface ResidualModel extends ExplicitModel {
   /** Returns the number of unknowns: that of states, and of multipliers. */
-  int unknownCount();
+  default int unknownCount() {
+    return description().stateCount();
+  }
 
   /** Returns whether an unknown's derivative appears in F; if not, it is in no error test. */
-  boolean isDifferential(int unknown);
+  default boolean isDifferential(int unknown) {
+    return true;
+  }
 
   /**
-   * Writes unknowns at the start that fit each other, and their derivatives.
+   * Completes a state to unknowns and derivatives that obey the equations.
    *
-   * @param y length {@link #unknownCount()}; the state as {@link #initialState} gives it,
-   *     multipliers; overwritten
-   * @param yDot [N v; v'; 0]; overwritten
-   * @return {@link ExplicitModel#REGULAR}, the index of a joint, or {@link Defects#DEFECT}, as
-   *     {@link ExplicitModel#derivative}
+   * @param t time, s
+   * @param y unknowns, length {@link #unknownCount()}; the state is given, multipliers are
+   *     overwritten
+   * @param yDot their derivatives [N v; v'; 0]; overwritten
+   * @return as {@link ExplicitModel#derivative}
    */
-  int initialDerivative(double[] y, double[] yDot);
+  default int consistent(double t, double[] y, double[] yDot) {
+    return derivative(t, y, yDot);
+  }
 
   /**
    * Evaluates the residual.

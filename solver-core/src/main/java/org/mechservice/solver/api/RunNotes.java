@@ -18,5 +18,10 @@ public interface RunNotes {
    * @param warning whether the user should look at it
    * @param text one sentence with names, numbers and units
    */
-  record Note(String code, double time, boolean warning, String text) {}
+  record Note(String code, double time, boolean warning, String text) {
+    /** Returns the remark as one message. */
+    public String message() {
+      return code + " t=" + time + " s: " + text;
+    }
+  }
 }

@@ -38,4 +38,13 @@ final class AccumulationMonitor {
     boolean near = ahead <= CLOSE_AHEAD * Math.abs(t - start);
     return chattering >= IN_A_ROW || (shrinking >= IN_A_ROW && near);
   }
+
+  /** Carries the events remembered over. */
+  void transfer(StateTransfer state) {
+    start = state.number(start);
+    last = state.number(last);
+    lastDistance = state.number(lastDistance);
+    shrinking = state.integer(shrinking);
+    chattering = state.integer(chattering);
+  }
 }

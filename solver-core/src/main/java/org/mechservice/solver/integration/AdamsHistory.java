@@ -72,6 +72,11 @@ final class AdamsHistory {
     predictedCarry = new double[dimension];
   }
 
+  /** Returns whether the round-off is carried along. */
+  boolean compensated() {
+    return compensated;
+  }
+
   /** Forgets the history and places the state; the derivative is to be written next. */
   void begin(double[] y) {
     System.arraycopy(y, 0, state, 0, state.length);
@@ -207,5 +212,15 @@ final class AdamsHistory {
     for (int l = 0; l < difference.length; l++) {
       difference[l] = x1[l] - x2[l];
     }
+  }
+
+  /** Carries the state between two steps over. */
+  void transfer(StateTransfer state) {
+    state.numbers(this.state);
+    state.numbers(stateCarry);
+    state.numbers(derivative);
+    state.numbers(discrepancy);
+    state.numbers(differences);
+    state.numbers(extrapolated);
   }
 }

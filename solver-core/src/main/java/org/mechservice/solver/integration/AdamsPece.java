@@ -2,6 +2,7 @@ package org.mechservice.solver.integration;
 
 import java.util.Optional;
 import org.mechservice.solver.integration.IntegrationFailure.Cause;
+import org.mechservice.solver.integration.IntegratorSettings.Mode;
 
 /**
  * Adams methods of variable order and step in PECE form: predict, evaluate, correct, evaluate. The
@@ -23,6 +24,7 @@ abstract class AdamsPece implements Integrator {
   private final AdamsOrderControl control = new AdamsOrderControl();
   private final AdamsInterpolant interpolant = new AdamsInterpolant();
   private final StiffnessMonitor stiffness = new StiffnessMonitor();
+  private final JumpSearch jumps = new JumpSearch();
   private final Progress progress = new Progress();
 
   private RightHandSide equations = RightHandSide.none();
@@ -73,16 +75,20 @@ abstract class AdamsPece implements Integrator {
     IntegratorSettings.requireUsable(t0, tEnd, y0, system.dimension());
     double[] tolerances = settings.absoluteTolerances(y0.length);
     equations = new RightHandSide(system, settings.stop());
-    equations.breakpoints().begin(system, t0, tEnd);
+    begin(t0, tEnd);
     manifold = new Manifold(system);
     norm.begin(settings.relativeTolerance(), tolerances, manifold);
     norm.weigh(y0);
     history = new AdamsHistory(y0.length, compensates(roundOff(y0)));
-    bounds.begin(t0, tEnd, settings.maxStep());
-    this.tEnd = tEnd;
     stiffness.clear();
-    progress.begin(t0);
     return beginAt(t0, y0, settings.initialStep());
+  }
+
+  private void begin(double t0, double tEnd) {
+    equations.breakpoints().begin(equations.system(), t0, tEnd);
+    bounds.begin(t0, tEnd, settings.maxStep());
+    progress.begin(t0, settings.relativeTolerance());
+    this.tEnd = tEnd;
   }
 
   @Override
@@ -105,6 +111,7 @@ abstract class AdamsPece implements Integrator {
   private StepResult beginAt(double t, double[] y, double initialStep) {
     coefficients.clear();
     control.begin(settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER));
+    jumps.clear();
     bounds.stopAt(equations.breakpoints().next());
     triedTime = t;
     h = 0;
@@ -200,7 +207,7 @@ abstract class AdamsPece implements Integrator {
     }
     history.compareDerivative();
     control.estimate(Math.abs(h), coefficients, history, norm);
-    if (!(control.error() <= 1)) {
+    if (!(control.error() <= 1) || jumps.inside(h, control.discrepancy())) {
       return finite(history.derivative) ? Attempt.TOO_INACCURATE : Attempt.NOT_FINITE;
     }
     if (!correct(h * coefficients.g[k + 1])) {
@@ -233,8 +240,30 @@ abstract class AdamsPece implements Integrator {
     h *= control.accept(Math.abs(h), coefficients.equalSteps(), history, norm);
     scaleUnitGroups();
     manifold.accepted(triedTime, history.state());
+    if (jumps.accepted(triedTime, Math.signum(h))) {
+      forgetHistory();
+    } else if (jumps.active()) {
+      h = towardsJump(h);
+    }
     begun = false;
     prepared = false;
+  }
+
+  /** Begins at order 1 behind a jump, where f is known. */
+  private void forgetHistory() {
+    stiffness.beginAgain();
+    coefficients.beginAgain();
+    control.begin(settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER));
+    h = Math.copySign(firstStepFrom(triedTime), h);
+  }
+
+  /** Returns the step that halves the stretch with a jump, or crosses it, no longer than given. */
+  private double towardsJump(double longest) {
+    double step = jumps.step(progress.time());
+    if (jumps.crossing()) {
+      control.fallToOrderOne();
+    }
+    return Math.abs(step) < Math.abs(longest) ? step : longest;
   }
 
   private void scaleUnitGroups() {
@@ -254,10 +283,18 @@ abstract class AdamsPece implements Integrator {
     if (progress.notFiniteTooOften() || Math.abs(h) <= smallest) {
       return Optional.of(cause(attempt));
     }
-    double factor = inaccurate ? control.reject() : control.rejectNotFinite();
-    h = Math.copySign(Math.max(factor * Math.abs(h), smallest), h);
+    double size = Math.abs(inaccurate ? retry() : control.rejectNotFinite() * h);
+    h = Math.copySign(Math.max(size, smallest), h);
     prepared = false;
     return Optional.empty();
+  }
+
+  /** Returns the step to try after one that failed the error test. */
+  private double retry() {
+    if (settings.mode() != Mode.FAITHFUL && Double.isFinite(control.error())) {
+      jumps.rejected(triedTime, control.error(), control.discrepancy());
+    }
+    return jumps.active() ? towardsJump(h) : control.reject() * h;
   }
 
   private static Cause cause(Attempt attempt) {
@@ -320,6 +357,51 @@ abstract class AdamsPece implements Integrator {
   public final void interpolate(double t, double[] y, double[] yDot) {
     progress.requireInLastStep(t);
     interpolant.evaluate(t - progress.time(), progress.order(), coefficients.psi, history, y, yDot);
+  }
+
+  @Override
+  public final byte[] save() {
+    progress.requireBetweenSteps(begun);
+    return StateTransfer.save(this::transfer);
+  }
+
+  @Override
+  public final StepResult resume(OdeSystem system, byte[] saved) {
+    equations = new RightHandSide(system, settings.stop());
+    StateTransfer.restore(saved, this::transfer);
+    return progress.result();
+  }
+
+  /** Carries the integration between two steps over. */
+  private void transfer(StateTransfer state) {
+    state.require("method", getClass().getSimpleName());
+    settings.transfer(state);
+    int n = equations.system().dimension();
+    state.require("number of unknowns", n);
+    double t0 = state.number(progress.start());
+    double end = state.number(tEnd);
+    boolean compensated = state.flag(history.compensated());
+    if (state.restoring()) {
+      begin(t0, end);
+      history = new AdamsHistory(n, compensated);
+    }
+    equations.transfer(state);
+    if (state.restoring()) {
+      manifold = new Manifold(equations.system());
+      norm.begin(settings.relativeTolerance(), settings.absoluteTolerances(n), manifold);
+      control.begin(settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER));
+      bounds.stopAt(equations.breakpoints().next());
+      begun = false;
+      prepared = false;
+    }
+    progress.transfer(state);
+    history.transfer(state);
+    coefficients.transfer(state);
+    control.transfer(state);
+    jumps.transfer(state);
+    stiffness.transfer(state);
+    h = state.number(h);
+    triedTime = state.number(triedTime);
   }
 
   @Override

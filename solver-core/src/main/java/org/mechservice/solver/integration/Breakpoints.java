@@ -72,15 +72,14 @@ final class Breakpoints {
     return direction * Math.max(first, Math.min(last, direction * t));
   }
 
-  /** Returns the number of places passed. */
-  int passed() {
-    return next;
-  }
-
-  /** Takes up where a number of places was passed. */
-  void resumeAfter(int places) {
-    next = places;
-    first = places == 0 ? Double.NEGATIVE_INFINITY : Math.nextUp(ahead[places - 1]);
-    last = Math.nextDown(ahead[places]);
+  /** Carries over how many places were passed. */
+  void transfer(StateTransfer state) {
+    int passed = state.integer(next);
+    if (passed < 0 || passed >= ahead.length) {
+      throw new IllegalArgumentException("the saved state has passed other breakpoints");
+    }
+    next = passed;
+    first = passed == 0 ? Double.NEGATIVE_INFINITY : Math.nextUp(ahead[passed - 1]);
+    last = Math.nextDown(ahead[passed]);
   }
 }

@@ -107,17 +107,22 @@ public final class EventIntegration implements Integrator {
 
   private StepResult begin(
       StepResult result, Object system, double t0, int dimension, double tEnd) {
-    completed = system instanceof CompletedSystem some ? some : NOTHING_PASSIVE;
-    y = new double[dimension];
-    yDot = new double[dimension];
-    restarted = new double[dimension];
-    this.tEnd = tEnd;
+    prepare(system, dimension, tEnd);
     direction = tEnd < t0 ? -1 : 1;
     accumulation.begin(t0);
     recentSteps.clear();
     events = 0;
     Arrays.fill(occurred, false);
     return settle(result, t0);
+  }
+
+  private void prepare(Object system, int dimension, double tEnd) {
+    completed = system instanceof CompletedSystem some ? some : NOTHING_PASSIVE;
+    y = new double[dimension];
+    yDot = new double[dimension];
+    restarted = new double[dimension];
+    this.tEnd = tEnd;
+    failure = Optional.empty();
   }
 
   /** Takes note of a state without history. */
@@ -313,6 +318,49 @@ public final class EventIntegration implements Integrator {
     if (cutOff && direction * (t - time) > 0) {
       throw new IllegalArgumentException(
           "t = " + t + " lies behind the event at " + time + " that ended the last step");
+    }
+  }
+
+  @Override
+  public byte[] save() {
+    byte[] inner = integrator.save();
+    return StateTransfer.save(
+        state -> {
+          state.bytes(inner);
+          state.number(tEnd);
+          transfer(state);
+        });
+  }
+
+  @Override
+  public StepResult resume(OdeSystem system, byte[] saved) {
+    StateTransfer.restore(
+        saved,
+        state -> {
+          byte[] inner = state.bytes(new byte[0]);
+          prepare(system, system.dimension(), state.number(0));
+          running = integrator.resume(system, inner) == StepResult.ADVANCED;
+          transfer(state);
+        });
+    return running ? StepResult.ADVANCED : StepResult.REACHED_END;
+  }
+
+  private void transfer(StateTransfer state) {
+    state.require("number of event functions", occurred.length);
+    signs.transfer(state);
+    accumulation.transfer(state);
+    recentSteps.transfer(state);
+    state.numbers(gBefore);
+    state.numbers(restarted);
+    time = state.number(time);
+    direction = state.number(direction);
+    running = state.flag(running);
+    cutOff = state.flag(cutOff);
+    restartDue = state.flag(restartDue);
+    justRestarted = state.flag(justRestarted);
+    events = state.integer(events);
+    if (functions instanceof SavedSystem saved) {
+      saved.transfer(state);
     }
   }
 

@@ -136,4 +136,14 @@ final class EventSigns {
       observe(i, g[i]);
     }
   }
+
+  /** Carries the sides over. */
+  void transfer(StateTransfer state) {
+    for (int i = 0; i < side.length; i++) {
+      side[i] = state.integer(side[i]);
+      armed[i] = state.flag(armed[i]);
+    }
+    state.numbers(largest);
+    state.numbers(blur);
+  }
 }

@@ -6,7 +6,9 @@ import java.util.List;
  * Why an integration could not go on.
  *
  * @param cause what kind of failure
- * @param time where it stands
+ * @param time where it stands; if the step became too small, where steps were last longer than the
+ *     relative tolerance times the time elapsed: the solution moves so fast beyond that place that
+ *     the one computed is not where the exact one is
  * @param stepSize step tried last, signed; 0 at the start
  * @param order order tried last; 0 at the start
  * @param worstComponent index of the component that limited the step, was not finite, or left no

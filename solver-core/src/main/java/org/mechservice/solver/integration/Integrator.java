@@ -84,6 +84,30 @@ public interface Integrator {
    */
   void interpolate(double t, double[] y, double[] yDot);
 
+  /**
+   * Returns the integration between two steps, its whole history, as bytes; {@link #resume} goes on
+   * from them with the same bits. A problem with a state of its own is to be a {@link SavedSystem}.
+   *
+   * @throws IllegalStateException if there is nothing to go on from: before the start, after a
+   *     failure, or within a step that was stopped
+   */
+  default byte[] save() {
+    throw new UnsupportedOperationException();
+  }
+
+  /**
+   * Goes on with an integration saved by an integrator of the same kind and settings; whatever was
+   * begun before is forgotten. The last step can be interpolated as before.
+   *
+   * @param system the same problem
+   * @return {@link StepResult#ADVANCED}, or {@link StepResult#REACHED_END} if the end was reached
+   * @throws IllegalArgumentException if the bytes are damaged, of another format, method, settings,
+   *     or number of unknowns; the message says which
+   */
+  default StepResult resume(OdeSystem system, byte[] saved) {
+    throw new UnsupportedOperationException();
+  }
+
   /** Returns what the integrator has done since {@link #start}. */
   IntegrationStatistics statistics();
 

@@ -20,7 +20,7 @@ import org.mechservice.solver.integration.IntegrationFailure.Cause;
  *
  * <p>Petzold 1982; Brenan, Campbell and Petzold 1996, ch. 5; Shampine 2002.
  */
-public final class Ode15sR extends BackwardMethod {
+public final class Ode15sR extends BackwardMethod implements ResidualIntegrator {
   private static final double FIRST_STEP_PART = 0.1;
   private static final double FIRST_STEP_SHARE = 1e-3;
 
@@ -43,20 +43,7 @@ public final class Ode15sR extends BackwardMethod {
     super(settings, formulas, mode);
   }
 
-  /**
-   * Begins a problem in residual form; whatever was begun before is forgotten.
-   *
-   * @param system the residual, and what it tells of itself by other interfaces
-   * @param t0 start
-   * @param y0 state at the start; its algebraic part is a guess; not modified
-   * @param yDot0 guess of its derivative, that of passive components exact; not modified
-   * @param tEnd end, on either side of the start or equal to it
-   * @return {@link StepResult#ADVANCED}; {@link StepResult#REACHED_END} if {@code tEnd == t0};
-   *     {@link StepResult#STOPPED} if told to stop, then to be begun anew; {@link
-   *     StepResult#FAILED} if no consistent values were found
-   * @throws IllegalArgumentException if something given is not finite, or if the lengths of state
-   *     and derivative or the number of absolute tolerances do not fit the system
-   */
+  @Override
   public StepResult start(
       ResidualSystem system, double t0, double[] y0, double[] yDot0, double tEnd) {
     IntegratorSettings.requireUsable(t0, tEnd, y0, system.dimension());

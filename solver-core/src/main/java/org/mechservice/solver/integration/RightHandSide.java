@@ -48,6 +48,15 @@ final class RightHandSide {
     evaluations++;
   }
 
+  /** Carries the counter, the places passed and the problem's own state over. */
+  void transfer(StateTransfer state) {
+    evaluations = state.integer(evaluations);
+    breakpoints.transfer(state);
+    if (system instanceof SavedSystem saved) {
+      saved.transfer(state);
+    }
+  }
+
   long evaluations() {
     return evaluations;
   }

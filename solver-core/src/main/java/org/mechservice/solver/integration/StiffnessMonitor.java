@@ -60,4 +60,13 @@ final class StiffnessMonitor {
   boolean suspectsStiffness() {
     return verdict;
   }
+
+  /** Carries the state between two steps over. */
+  void transfer(StateTransfer state) {
+    steps = state.integer(steps);
+    lowOrderSteps = state.integer(lowOrderSteps);
+    largestError = state.number(largestError);
+    suspected = state.flag(suspected);
+    verdict = state.flag(verdict);
+  }
 }

@@ -95,6 +95,15 @@ public final class TreeMotion {
   }
 
   /**
+   * Takes other values of the mechanism's parameters for the motions of driven joints.
+   *
+   * @param parameters one number per parameter, SI units; copied
+   */
+  public void setParameters(double[] parameters) {
+    prescribed.setParameters(parameters);
+  }
+
+  /**
    * Sweeps outwards: places and velocities, relative to the parents and in the world.
    *
    * @param t time, s

@@ -1,5 +1,6 @@
 package org.mechservice.solver.simulation;
 
+import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.ModelDescription;
@@ -25,7 +26,8 @@ final class FailureText {
                   failure,
                   state(model, failure.worstComponent()),
                   "Check masses, inertias and forces for values that are zero, huge or opposite.")
-              : singularInertia(failure, model, singularJoint);
+              : singularInertia(
+                  failure.time(), failure.stepSize(), failure.order(), model, singularJoint);
       case STEP_TOO_SMALL ->
           failure(
               "N-003",
@@ -96,6 +98,29 @@ final class FailureText {
     };
   }
 
+  /** Explains an output time at which dependent coordinates were not found. */
+  static Failure loopsOpen(double t) {
+    return new Failure(
+        "N-020",
+        "The loops cannot be closed at this output time.",
+        t,
+        0,
+        0,
+        "",
+        "Tighten the tolerances; the mechanism may branch there.");
+  }
+
+  /** Repeats what the model itself had to say. */
+  static Failure of(Defects.Defect defect, double t, double stepSize, int order) {
+    return new Failure(
+        defect.code(), defect.cause(), t, stepSize, order, defect.part(), defect.advice());
+  }
+
+  /** Explains a start without accelerations. */
+  static Failure singularStart(double t, ModelDescription model, int joint) {
+    return singularInertia(t, 0, 0, model, joint);
+  }
+
   /** Explains a row that holds a number that is not finite, although the state was accepted. */
   static Failure notFiniteColumn(double t, String column) {
     return new Failure(
@@ -109,11 +134,13 @@ final class FailureText {
   }
 
   private static Failure singularInertia(
-      IntegrationFailure failure, ModelDescription model, int joint) {
-    return failure(
+      double t, double stepSize, int order, ModelDescription model, int joint) {
+    return new Failure(
         "N-002",
         "The inertia is singular: nothing beyond this joint resists its motion.",
-        failure,
+        t,
+        stepSize,
+        order,
         "joint \"" + model.joints().get(joint).name() + "\"",
         "Give a body beyond it mass or inertia, or remove the joint; two turning axes that coincide"
             + " do this too.");

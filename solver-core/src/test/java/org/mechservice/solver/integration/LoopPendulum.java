@@ -26,6 +26,12 @@ class LoopPendulum implements OdeSystem, CompletedSystem {
     return changes;
   }
 
+  /** Carries the choice of the independent coordinate over. */
+  final void transferChoice(StateTransfer state) {
+    independent = state.integer(independent);
+    changes = state.integer(changes);
+  }
+
   @Override
   public int dimension() {
     return 4;

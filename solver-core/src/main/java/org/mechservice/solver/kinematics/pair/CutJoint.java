@@ -71,6 +71,19 @@ public final class CutJoint {
   }
 
   /**
+   * Returns what is zero when body 2 is turned relative to body 1 as Euler parameters say: three
+   * rotations.
+   *
+   * @param e Euler parameters from {@code at}; not modified
+   */
+  public List<PairFunction> rotationsFrom(double[] e, int at) {
+    double[] r = new double[9];
+    EulerParameters.rotation(e, at, r, 0);
+    return JointFunctions.rotations(
+        new Rotation(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]));
+  }
+
+  /**
    * Writes the joint's positions and velocities, as they would be put out: angles from −π to π,
    * Euler parameters with e0 ≥ 0.
    *

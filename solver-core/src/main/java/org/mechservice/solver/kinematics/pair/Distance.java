@@ -3,13 +3,13 @@ package org.mechservice.solver.kinematics.pair;
 import org.mechservice.solver.spatial.Blocks;
 
 /** (|ρ|² − d²) / (2d): a length with a gradient of one where the distance is d (NUMERICS §3). */
-public final class Distance extends PairFunction {
+final class Distance extends PairFunction {
   private final double distance;
 
   /**
    * @param distance d, m, positive
    */
-  public Distance(double distance) {
+  Distance(double distance) {
     super("distance");
     this.distance = distance;
   }

@@ -136,7 +136,8 @@ record JointFunctions(List<PairFunction> forbidden, List<PairFunction> coordinat
     return displacements;
   }
 
-  private static List<PairFunction> rotations(Rotation zero) {
+  /** Returns what is zero when body 2 is turned relative to body 1 by a given rotation. */
+  static List<PairFunction> rotations(Rotation zero) {
     Vector3[] axes = {X, Y, Z};
     Rotation toB = zero.transposed();
     List<PairFunction> rotations = new ArrayList<>();

@@ -1,6 +1,8 @@
 package org.mechservice.solver.kinematics.pair;
 
 import java.util.Arrays;
+import java.util.List;
+import org.mechservice.solver.spatial.Vector3;
 
 /**
  * A smooth function of the pose of body B seen from body A, such as a joint's coordinate or what a
@@ -26,6 +28,32 @@ public abstract class PairFunction {
     this.label = label;
   }
 
+  /**
+   * Returns how far B's point lies from A's along a vector fixed in A.
+   *
+   * @param axis unit vector in A's axes
+   */
+  public static PairFunction displacement(String label, Vector3 axis) {
+    return new Displacement(label, axis);
+  }
+
+  /**
+   * Returns how far B's point lies from a line through A's point, in two directions normal to it.
+   *
+   * @param direction unit vector along the line, in A's axes
+   */
+  public static List<PairFunction> offLine(Vector3 direction) {
+    Vector3 first = JointFunctions.normalTo(direction);
+    return List.of(
+        new Displacement("displacement across the line, first normal", first),
+        new Displacement("displacement across the line, second normal", direction.cross(first)));
+  }
+
+  /** Returns (|ρ|² − d²) / (2d), which is zero where the points are d apart, m. */
+  public static PairFunction distance(double d) {
+    return new Distance(d);
+  }
+
   /** Returns what the function measures. */
   public final String label() {
     return label;
@@ -40,6 +68,11 @@ public abstract class PairFunction {
    * @param c 6 × 6 row by row, by [δθ; δρ]; added to
    */
   public abstract void addCurvature(RelativeMotion r, double factor, double[] c);
+
+  /** Returns how far a value is from a wanted one; of angles, to the nearest whole turn. */
+  public double difference(double value, double wanted) {
+    return value - wanted;
+  }
 
   /** Returns the rate of change; {@link #evaluate} comes before. */
   public final double rate(RelativeMotion r) {

@@ -4,6 +4,7 @@ import static org.mechservice.solver.spatial.Blocks.addCross;
 import static org.mechservice.solver.spatial.Blocks.apply;
 import static org.mechservice.solver.spatial.Blocks.applyTransposed;
 import static org.mechservice.solver.spatial.Blocks.cross;
+import static org.mechservice.solver.spatial.Blocks.dot;
 
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.kinematics.TreeGeometry;
@@ -44,6 +45,8 @@ public final class RelativeMotion {
   private final TreeGeometry tree;
   private final double[] first = new double[3];
   private final double[] second = new double[3];
+  private final double[] wrenchA = new double[6];
+  private final double[] wrenchB = new double[6];
 
   /**
    * @param a point of the body that observes
@@ -181,9 +184,6 @@ public final class RelativeMotion {
     addRow(motion, linkB, wrenchB, factor, row, at);
   }
 
-  private final double[] wrenchA = new double[6];
-  private final double[] wrenchB = new double[6];
-
   /** Sᵀ w on every link from one to the ancestor; what lies further in cancels and is left out. */
   private void addRow(
       TreeMotion motion, int link, double[] wrench, double factor, double[] row, int at) {
@@ -195,6 +195,32 @@ public final class RelativeMotion {
           sum += wrench[m] * motion.subspace[6 * k + m];
         }
         row[at + k] += factor * sum;
+      }
+      motion.wrenchToParent(i, wrench, 0);
+    }
+  }
+
+  /**
+   * Adds bounds of the elements of a row: what they would be at most if the motions of the joints
+   * were aligned with the gradient. A row far below them is zero but for rounding.
+   *
+   * @param bounds one number per extended velocity, from {@code at}; added to
+   */
+  public void addRowBounds(TreeMotion motion, double[] gradient, double[] bounds, int at) {
+    wrenches(gradient, wrenchA, wrenchB);
+    addRowBounds(motion, linkA, wrenchA, bounds, at);
+    addRowBounds(motion, linkB, wrenchB, bounds, at);
+  }
+
+  private void addRowBounds(TreeMotion motion, int link, double[] wrench, double[] bounds, int at) {
+    for (int i = link; i != ancestor; i = tree.parent[i]) {
+      double moment = Math.sqrt(dot(wrench, 0, wrench, 0));
+      double force = Math.sqrt(dot(wrench, 3, wrench, 3));
+      int end = tree.velocityAt[i] + tree.kind[i].velocityCount();
+      for (int k = tree.velocityAt[i]; k < end; k++) {
+        bounds[at + k] +=
+            moment * Math.sqrt(dot(motion.subspace, 6 * k, motion.subspace, 6 * k))
+                + force * Math.sqrt(dot(motion.subspace, 6 * k + 3, motion.subspace, 6 * k + 3));
       }
       motion.wrenchToParent(i, wrench, 0);
     }

@@ -32,6 +32,12 @@ final class Turn extends PairFunction {
     return sense * StrictMath.atan2(s, c);
   }
 
+  @Override
+  public double difference(double value, double wanted) {
+    double difference = value - wanted;
+    return difference - 2 * Math.PI * Math.rint(difference / (2 * Math.PI));
+  }
+
   /** [c ∂²s − s ∂²c + ∂s ∂cᵀ − ∂c ∂sᵀ − ∇φ (2 s ∂s + 2 c ∂c)ᵀ] / (s² + c²). */
   @Override
   public void addCurvature(RelativeMotion r, double factor, double[] out) {
