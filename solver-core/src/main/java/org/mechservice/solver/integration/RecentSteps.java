@@ -54,7 +54,7 @@ final class RecentSteps {
     state.numbers(error);
     for (int slot = 0; slot < KEPT; slot++) {
       order[slot] = state.integer(order[slot]);
-      attempt[slot] = Attempt.values()[state.integer(attempt[slot].ordinal())];
+      attempt[slot] = Attempt.valueOf(state.text(attempt[slot].name()));
     }
   }
 }
