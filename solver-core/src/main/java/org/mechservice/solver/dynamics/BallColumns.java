@@ -3,33 +3,26 @@ package org.mechservice.solver.dynamics;
 import java.util.stream.IntStream;
 import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.kinematics.TreeGeometry;
-import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * What the derivatives of balls need beyond those of other links, because their velocities are
- * given in axes that do not turn with the link. Immutable.
- *
- * <p>If F holds for columns in the axes of the link, with ω' and M in the axes of the parent, then
- * turning the ball by δ changes the velocities in link axes by Rᵀ (ω × δ), the accelerations by Rᵀ
- * (ω' × δ), and the forces of the ball itself, seen from the parent, by δ × F: so the columns get
- * ∂F/∂v [ω]× + M [ω']×, and the rows of the ball −[F]×.
+ * The three columns of each ball in matrices over the velocities: rows of three numbers x, of which
+ * a multiple of x and of x [ω]× is wanted. Immutable but for scratch; one per thread.
  */
 final class BallColumns {
   private final TreePattern pattern;
 
-  /** First velocity of each ball that turns its link relative to the parent. */
+  /** First velocity of each ball. */
   private final int[] velocity;
 
-  /** For each of them the rows of other places that hold its columns, as index of the first. */
+  /** For each ball the rows beyond it that hold its columns, as index of the first of the three. */
   private final int[][] rows;
 
-  BallColumns(TreeGeometry tree, TreePattern pattern) {
+  private final double[] from = new double[3];
+  private final double[] to = new double[3];
+
+  private BallColumns(TreePattern pattern, int[] velocity) {
     this.pattern = pattern;
-    velocity =
-        IntStream.range(0, tree.linkCount)
-            .filter(link -> tree.kind[link] == LinkKind.BALL && !tree.inverse[link])
-            .map(link -> tree.velocityAt[link])
-            .toArray();
+    this.velocity = velocity;
     rows = new int[velocity.length][];
     for (int b = 0; b < velocity.length; b++) {
       int place = pattern.placeOf[velocity[b]];
@@ -41,89 +34,131 @@ final class BallColumns {
     }
   }
 
+  /** Takes all balls. */
+  static BallColumns all(TreeGeometry tree, TreePattern pattern) {
+    return new BallColumns(pattern, links(tree).map(link -> tree.velocityAt[link]).toArray());
+  }
+
+  /** Takes the balls whose velocities are given in axes that do not turn with the link. */
+  static BallColumns inParentAxes(TreeGeometry tree, TreePattern pattern) {
+    return new BallColumns(
+        pattern,
+        links(tree)
+            .filter(link -> !tree.inverse[link])
+            .map(link -> tree.velocityAt[link])
+            .toArray());
+  }
+
+  private static IntStream links(TreeGeometry tree) {
+    return IntStream.range(0, tree.linkCount).filter(link -> tree.kind[link] == LinkKind.BALL);
+  }
+
+  int count() {
+    return velocity.length;
+  }
+
+  int velocity(int ball) {
+    return velocity[ball];
+  }
+
   /**
-   * Completes ∂F/∂q.
+   * Adds same · x + turned · x [ω]× to the columns of a ball, for x the same columns of a source.
    *
-   * @param force F without applied joint forces, one per extended velocity; not modified
+   * @param omega three numbers from {@code at}
    */
-  void finish(
-      TreeMotion motion,
-      double[] force,
-      TreeMatrix mass,
-      TreeSquare byVelocity,
-      TreeSquare byPosition) {
-    for (int b = 0; b < velocity.length; b++) {
-      int k = velocity[b];
-      for (int e : rows[b]) {
-        addTurned(byPosition.lower, e, byVelocity.lower, e, motion.v, k);
-        addTurned(byPosition.lower, e, mass.lower(), e, motion.a, k);
-      }
-      finishAncestors(motion, k, mass, byVelocity, byPosition);
-      finishBlock(motion, k, force, mass, byVelocity, byPosition);
+  void add(
+      int ball,
+      TreeElements target,
+      TreeElements source,
+      double same,
+      double turned,
+      double[] omega,
+      int at) {
+    for (int e : rows[ball]) {
+      load(source.lower(), e, e + 1, e + 2);
+      combine(same, turned, omega, at);
+      store(target.lower(), e, e + 1, e + 2);
     }
+    addBefore(ball, target, source, same, turned, omega, at);
+    addBlock(ball, target, source, same, turned, omega, at);
   }
 
-  /** row += other row · [x]×, of three numbers each. */
-  private static void addTurned(
-      double[] row, int at, double[] other, int otherAt, double[] x, int ix) {
-    double a = other[otherAt];
-    double b = other[otherAt + 1];
-    double c = other[otherAt + 2];
-    row[at] += b * x[ix + 2] - c * x[ix + 1];
-    row[at + 1] += c * x[ix] - a * x[ix + 2];
-    row[at + 2] += a * x[ix + 1] - b * x[ix];
-  }
-
-  /** The columns of the ball in the rows of smaller places stand in three rows of the pattern. */
-  private void finishAncestors(
-      TreeMotion motion, int k, TreeMatrix mass, TreeSquare byVelocity, TreeSquare byPosition) {
-    int place = pattern.placeOf[k];
+  /** In the rows before the ball its columns are the upper halves of its own three rows. */
+  private void addBefore(
+      int ball,
+      TreeElements target,
+      TreeElements source,
+      double same,
+      double turned,
+      double[] omega,
+      int at) {
+    int place = pattern.placeOf[velocity[ball]];
     int first = pattern.rowStart[place];
-    int count = pattern.rowStart[place + 1] - first;
-    int second = pattern.rowStart[place + 1];
-    int third = pattern.rowStart[place + 2];
-    for (int i = 0; i < count; i++) {
-      addTurned(byPosition.upper, byVelocity.upper, motion.v, k, first + i, second + i, third + i);
-      addTurned(byPosition.upper, mass.lower(), motion.a, k, first + i, second + i, third + i);
+    int second = pattern.rowStart[place + 1] - first;
+    int third = pattern.rowStart[place + 2] - first;
+    for (int e = first; e < first + second; e++) {
+      load(source.upper(), e, e + second, e + third);
+      combine(same, turned, omega, at);
+      store(target.upper(), e, e + second, e + third);
     }
   }
 
-  private static void addTurned(
-      double[] row, double[] other, double[] x, int ix, int at0, int at1, int at2) {
-    double a = other[at0];
-    double b = other[at1];
-    double c = other[at2];
-    row[at0] += b * x[ix + 2] - c * x[ix + 1];
-    row[at1] += c * x[ix] - a * x[ix + 2];
-    row[at2] += a * x[ix + 1] - b * x[ix];
+  private void addBlock(
+      int ball,
+      TreeElements target,
+      TreeElements source,
+      double same,
+      double turned,
+      double[] omega,
+      int at) {
+    int place = pattern.placeOf[velocity[ball]];
+    // elements (1, 0), (2, 0), (2, 1) stand last in their rows
+    int e10 = pattern.rowStart[place + 2] - 1;
+    int e20 = pattern.rowStart[place + 3] - 2;
+    int e21 = e20 + 1;
+    double[] d = source.diagonal();
+    double[] l = source.lower();
+    double[] u = source.upper();
+    set(d[place], u[e10], u[e20]);
+    combine(same, turned, omega, at);
+    target.diagonal()[place] += to[0];
+    target.upper()[e10] += to[1];
+    target.upper()[e20] += to[2];
+    set(l[e10], d[place + 1], u[e21]);
+    combine(same, turned, omega, at);
+    target.lower()[e10] += to[0];
+    target.diagonal()[place + 1] += to[1];
+    target.upper()[e21] += to[2];
+    set(l[e20], l[e21], d[place + 2]);
+    combine(same, turned, omega, at);
+    target.lower()[e20] += to[0];
+    target.lower()[e21] += to[1];
+    target.diagonal()[place + 2] += to[2];
   }
 
-  private void finishBlock(
-      TreeMotion motion,
-      int k,
-      double[] force,
-      TreeMatrix mass,
-      TreeSquare byVelocity,
-      TreeSquare byPosition) {
-    for (int r = 0; r < 3; r++) {
-      for (int c = 0; c < 3; c++) {
-        int c1 = (c + 1) % 3;
-        int c2 = (c + 2) % 3;
-        // (row · [x]×)_c = row_(c+1) x_(c+2) − row_(c+2) x_(c+1)
-        double turned =
-            byVelocity.get(k + r, k + c1) * motion.v[k + c2]
-                - byVelocity.get(k + r, k + c2) * motion.v[k + c1]
-                + mass.get(k + r, k + c1) * motion.a[k + c2]
-                - mass.get(k + r, k + c2) * motion.a[k + c1];
-        byPosition.add(k + r, k + c, turned);
-      }
-    }
-    for (int c = 0; c < 3; c++) {
-      // −[F]×: element (c+1, c+2) of [F]× is −F_c
-      int c1 = (c + 1) % 3;
-      int c2 = (c + 2) % 3;
-      byPosition.add(k + c1, k + c2, force[k + c]);
-      byPosition.add(k + c2, k + c1, -force[k + c]);
-    }
+  private void load(double[] x, int i0, int i1, int i2) {
+    set(x[i0], x[i1], x[i2]);
+  }
+
+  private void set(double x0, double x1, double x2) {
+    from[0] = x0;
+    from[1] = x1;
+    from[2] = x2;
+  }
+
+  private void store(double[] x, int i0, int i1, int i2) {
+    x[i0] += to[0];
+    x[i1] += to[1];
+    x[i2] += to[2];
+  }
+
+  /** (x [ω]×)_c = x_(c+1) ω_(c+2) − x_(c+2) ω_(c+1). */
+  private void combine(double same, double turned, double[] omega, int at) {
+    double a = omega[at];
+    double b = omega[at + 1];
+    double c = omega[at + 2];
+    to[0] = same * from[0] + turned * (from[1] * c - from[2] * b);
+    to[1] = same * from[1] + turned * (from[2] * a - from[0] * c);
+    to[2] = same * from[2] + turned * (from[0] * b - from[1] * a);
   }
 }

@@ -81,7 +81,7 @@ public final class ResidualJacobian {
     composites = new CompositeInertias(motion, inertias);
     changes = new VelocityDerivatives(motion, inertias);
     newtonEuler = new NewtonEuler(motion, inertias);
-    balls = new BallColumns(tree, pattern);
+    balls = BallColumns.inParentAxes(tree, pattern);
     mass = new TreeMatrix(pattern);
     byVelocity = new TreeSquare(pattern);
     byPosition = new TreeSquare(pattern);
@@ -177,7 +177,18 @@ public final class ResidualJacobian {
    * everything else has been added to the derivatives.
    */
   public void finish() {
-    balls.finish(motion, residual, mass, byVelocity, byPosition);
+    for (int ball = 0; ball < balls.count(); ball++) {
+      int k = balls.velocity(ball);
+      balls.add(ball, byPosition, byVelocity, 0, 1, motion.v, k);
+      balls.add(ball, byPosition, mass, 0, 1, motion.a, k);
+      for (int c = 0; c < 3; c++) {
+        // −[F]×: element (c+1, c+2) of [F]× is −F_c
+        int next = k + (c + 1) % 3;
+        int last = k + (c + 2) % 3;
+        byPosition.add(next, last, residual[k + c]);
+        byPosition.add(last, next, -residual[k + c]);
+      }
+    }
   }
 
   /** ψ' = V_p × S, ψ'' = A_p × S + V_p × ψ', and ψ' + S'. */

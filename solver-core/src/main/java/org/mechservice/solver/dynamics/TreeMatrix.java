@@ -9,7 +9,7 @@ import org.mechservice.solver.api.ExplicitModel;
  *
  * <p>Elements are addressed by place; vectors are in the order of the state.
  */
-public final class TreeMatrix {
+public final class TreeMatrix implements TreeElements {
   private final TreePattern pattern;
   private final double[] diagonal;
   private final double[] lower;
@@ -61,12 +61,18 @@ public final class TreeMatrix {
     return pattern.size;
   }
 
-  double diagonal(int place) {
-    return diagonal[place];
+  @Override
+  public double[] diagonal() {
+    return diagonal;
   }
 
-  /** Returns the elements below the diagonal, one for each column of the pattern. */
-  double[] lower() {
+  @Override
+  public double[] lower() {
+    return lower;
+  }
+
+  @Override
+  public double[] upper() {
     return lower;
   }
 

@@ -7,7 +7,7 @@ import java.util.Arrays;
  * TreePattern} on both sides of the diagonal. Elements are addressed by place. Workspace of one
  * thread.
  */
-public final class TreeSquare {
+public final class TreeSquare implements TreeElements {
   final TreePattern pattern;
   final double[] diagonal;
 
@@ -23,6 +23,21 @@ public final class TreeSquare {
     diagonal = new double[pattern.size];
     lower = new double[pattern.column.length];
     upper = new double[pattern.column.length];
+  }
+
+  @Override
+  public double[] diagonal() {
+    return diagonal;
+  }
+
+  @Override
+  public double[] lower() {
+    return lower;
+  }
+
+  @Override
+  public double[] upper() {
+    return upper;
   }
 
   /** Sets all elements to zero. */
