@@ -25,16 +25,12 @@ final class ObjectAdapters {
   private final ORB orb;
   private final POA root;
   private final POA handedOut;
+  private final Endpoint endpoint;
+  private final List<CallsInHand> calls = new ArrayList<>();
 
-  /**
-   * Opens the ORB's port.
-   *
-   * @param orderedCalls whether the objects handed out are called one at a time, in the order of
-   *     arrival
-   */
-  ObjectAdapters(ORB orb, boolean orderedCalls) throws UserException {
+  private ObjectAdapters(ORB orb, boolean orderedCalls) throws UserException {
     this.orb = orb;
-    root = (POA) orb.resolve_initial_references("RootPOA");
+    root = counted((POA) orb.resolve_initial_references("RootPOA"));
     handedOut =
         create(
             orderedCalls ? "Callbacks" : "Sessions",
@@ -43,6 +39,25 @@ final class ObjectAdapters {
                 ? ThreadPolicyValue.SINGLE_THREAD_MODEL
                 : ThreadPolicyValue.ORB_CTRL_MODEL);
     root.the_POAManager().activate();
+    byte[] anyId = new byte[] {0};
+    endpoint =
+        Endpoint.of(
+            orb,
+            orb.object_to_string(handedOut.create_reference_with_id(anyId, LeasedHelper.id())));
+  }
+
+  /**
+   * Opens the ORB's port.
+   *
+   * @param orderedCalls whether the objects handed out are called one at a time, in the order of
+   *     arrival
+   */
+  static ObjectAdapters open(ORB orb, boolean orderedCalls) {
+    try {
+      return new ObjectAdapters(orb, orderedCalls);
+    } catch (UserException e) {
+      throw new IllegalStateException("the ORB does not start", e);
+    }
   }
 
   private POA create(String name, LifespanPolicyValue lifespan, ThreadPolicyValue threads)
@@ -52,7 +67,16 @@ final class ObjectAdapters {
     policies.add(root.create_id_assignment_policy(IdAssignmentPolicyValue.USER_ID));
     policies.add(root.create_thread_policy(threads));
     policies.add(bidirectional());
-    return root.create_POA(name, root.the_POAManager(), policies.toArray(Policy[]::new));
+    return counted(root.create_POA(name, root.the_POAManager(), policies.toArray(Policy[]::new)));
+  }
+
+  private POA counted(POA adapter) {
+    CallsInHand ofAdapter = new CallsInHand();
+    ((org.jacorb.poa.POA) adapter)._addPOAEventListener(ofAdapter);
+    synchronized (calls) {
+      calls.add(ofAdapter);
+    }
+    return adapter;
   }
 
   private Policy bidirectional() throws PolicyError {
@@ -62,23 +86,25 @@ final class ObjectAdapters {
   }
 
   /** Makes servants reachable under the names of a server; once per ORB. */
-  void publish(Map<ServiceKey, Servant> servants) throws UserException {
-    POA named =
-        create(
-            OrbProperties.SERVICE_POA,
-            LifespanPolicyValue.PERSISTENT,
-            ThreadPolicyValue.ORB_CTRL_MODEL);
-    for (var entry : servants.entrySet()) {
-      named.activate_object_with_id(
-          entry.getKey().key().getBytes(StandardCharsets.US_ASCII), entry.getValue());
+  void publish(Map<ServiceKey, Servant> servants) {
+    try {
+      POA named =
+          create(
+              OrbProperties.SERVICE_POA,
+              LifespanPolicyValue.PERSISTENT,
+              ThreadPolicyValue.ORB_CTRL_MODEL);
+      for (var entry : servants.entrySet()) {
+        named.activate_object_with_id(
+            entry.getKey().key().getBytes(StandardCharsets.US_ASCII), entry.getValue());
+      }
+    } catch (UserException e) {
+      throw new IllegalStateException("the objects cannot be published", e);
     }
   }
 
   /** Returns where the objects of this ORB are reached. */
-  Endpoint endpoint() throws UserException {
-    byte[] anyId = new byte[] {0};
-    org.omg.CORBA.Object reference = handedOut.create_reference_with_id(anyId, LeasedHelper.id());
-    return Endpoint.of(orb, orb.object_to_string(reference));
+  Endpoint endpoint() {
+    return endpoint;
   }
 
   /** Makes a servant callable under a random, unguessable id: who has the reference may call. */
@@ -91,5 +117,22 @@ final class ObjectAdapters {
   /** Ends the object behind a reference this ORB handed out. */
   void deactivate(org.omg.CORBA.Object reference) throws UserException {
     new ActiveObject(reference, handedOut, handedOut.reference_to_id(reference)).close();
+  }
+
+  /** Refuses new calls and returns when those taken before have been answered. */
+  void finishCalls() throws UserException {
+    root.the_POAManager().discard_requests(true);
+    counts().forEach(CallsInHand::awaitWorked);
+  }
+
+  /** Returns when the last call has been refused; the connections must be closed. */
+  void awaitSilence() {
+    counts().forEach(CallsInHand::awaitNone);
+  }
+
+  private List<CallsInHand> counts() {
+    synchronized (calls) {
+      return List.copyOf(calls);
+    }
   }
 }

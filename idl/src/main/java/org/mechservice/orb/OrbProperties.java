@@ -22,8 +22,8 @@ final class OrbProperties {
   private OrbProperties() {}
 
   /** Properties of a client: it connects where it is told and serves callbacks only. */
-  static Properties client(OutboundAllowList outbound) {
-    Properties properties = common(outbound);
+  static Properties client(Peers peers) {
+    Properties properties = common(peers);
     // The server finds the way back to a client by the address the client claims to listen on, so
     // two clients must not claim the same one.
     properties.setProperty("OAIAddr", privateLoopbackAddress());
@@ -36,8 +36,8 @@ final class OrbProperties {
   }
 
   /** Properties of a server. */
-  static Properties server(ListenAddress address, OutboundAllowList outbound) {
-    Properties properties = listening(address, outbound);
+  static Properties server(ListenAddress address, Peers peers) {
+    Properties properties = listening(address, peers);
     properties.setProperty("jacorb.implname", SERVER_NAME);
     for (ServiceKey key : ServiceKey.values()) {
       properties.setProperty(
@@ -51,12 +51,12 @@ final class OrbProperties {
    * Properties of a host. It has no name of its own: the ORB takes references with its own name for
    * local ones, also those of another process.
    */
-  static Properties host(ListenAddress address, OutboundAllowList outbound) {
-    return listening(address, outbound);
+  static Properties host(ListenAddress address, Peers peers) {
+    return listening(address, peers);
   }
 
-  private static Properties listening(ListenAddress address, OutboundAllowList outbound) {
-    Properties properties = common(outbound);
+  private static Properties listening(ListenAddress address, Peers peers) {
+    Properties properties = common(peers);
     properties.setProperty("OAIAddr", address.host());
     properties.setProperty("OAPort", Integer.toString(address.port()));
     properties.setProperty("jacorb.connection.client.pending_reply_timeout", "5000");
@@ -67,7 +67,7 @@ final class OrbProperties {
     return properties;
   }
 
-  private static Properties common(OutboundAllowList outbound) {
+  private static Properties common(Peers peers) {
     Properties properties = new Properties();
     properties.setProperty("org.omg.CORBA.ORBClass", org.jacorb.orb.ORB.class.getName());
     properties.setProperty(
@@ -80,6 +80,10 @@ final class OrbProperties {
     properties.setProperty(
         "org.omg.PortableInterceptor.ORBInitializerClass.bidir_init",
         BiDirConnectionInitializer.class.getName());
+    properties.setProperty(
+        "org.omg.PortableInterceptor.ORBInitializerClass.connection_table",
+        ConnectionTableInstaller.class.getName());
+    properties.setProperty("jacorb.orb_initializer.fail_on_error", "on");
     // The in-process short cut breaks callbacks between two ORBs of one JVM.
     properties.setProperty("jacorb.iiop.enable_loopback", "off");
     properties.setProperty("jacorb.retries", "0");
@@ -90,7 +94,10 @@ final class OrbProperties {
     properties.setProperty("jacorb.connection.reply.write_timeout", WRITE_TIMEOUT_MILLIS);
     properties.setProperty("jacorb.buffermanager.factory", LimitedBuffers.class.getName());
     properties.setProperty("jacorb.net.socket_factory", OutboundSocketFactory.class.getName());
-    properties.setProperty(OutboundSocketFactory.LIST_PROPERTY, outbound.id());
+    properties.setProperty(OutboundSocketFactory.LIST_PROPERTY, peers.outbound().id());
+    properties.setProperty(
+        "jacorb.net.server_socket_factory", InboundSocketFactory.class.getName());
+    properties.setProperty(InboundSocketFactory.CONNECTIONS_PROPERTY, peers.inbound().id());
     return properties;
   }
 

@@ -4,9 +4,11 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.UnknownHostException;
+import java.nio.channels.Selector;
 import java.util.Map;
 import java.util.Properties;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.jacorb.util.SelectorManager;
 import org.mechservice.idl.HostRegistry;
 import org.mechservice.idl.HostRegistryHelper;
 import org.mechservice.idl.IMechClient;
@@ -20,6 +22,8 @@ import org.omg.CORBA.INITIALIZE;
 import org.omg.CORBA.ORB;
 import org.omg.CORBA.UserException;
 import org.omg.PortableServer.Servant;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * An ORB set up safely for one of three roles.
@@ -41,38 +45,35 @@ import org.omg.PortableServer.Servant;
  * thread is left after {@link #close()}.
  */
 public final class ServiceOrb implements AutoCloseable {
-  private static final long CLOSING_MILLIS = 20_000;
+  private static final Logger LOG = LoggerFactory.getLogger(ServiceOrb.class);
+  private static final OrbField<Selector> SELECTOR =
+      new OrbField<>(SelectorManager.class, "selector", Selector.class);
 
+  private final OrbThreads threads = new OrbThreads();
   private final ORB orb;
   private final ObjectAdapters adapters;
-  private final Endpoint endpoint;
-  private final OutboundAllowList outbound;
+  private final Peers peers;
   private final AtomicBoolean closed = new AtomicBoolean();
 
-  private ServiceOrb(Properties properties, boolean orderedCalls, OutboundAllowList outbound)
-      throws UserException {
-    this.outbound = outbound;
-    orb = ORB.init(new String[0], properties);
+  private ServiceOrb(Properties properties, boolean orderedCalls, Peers peers) {
+    this.peers = peers;
+    orb = threads.call(() -> ORB.init(new String[0], properties));
     boolean opened = false;
     try {
-      adapters = new ObjectAdapters(orb, orderedCalls);
-      endpoint = adapters.endpoint();
+      adapters = threads.call(() -> ObjectAdapters.open(orb, orderedCalls));
       opened = true;
     } finally {
       if (!opened) {
-        orb.destroy();
+        end(orb);
+        peers.close();
       }
     }
   }
 
   /** Starts an ORB for a client. Its callbacks are called one at a time, in order. */
   public static ServiceOrb client() {
-    OutboundAllowList outbound = OutboundAllowList.ofEverything();
-    try {
-      return new ServiceOrb(OrbProperties.client(outbound), true, outbound);
-    } catch (UserException e) {
-      throw new IllegalStateException("the ORB does not start", e);
-    }
+    Peers peers = Peers.ofClient();
+    return new ServiceOrb(OrbProperties.client(peers), true, peers);
   }
 
   /**
@@ -81,8 +82,8 @@ public final class ServiceOrb implements AutoCloseable {
    * @throws PortInUseException if the address is taken or not this machine's
    */
   public static ServiceOrb server(ListenAddress address) {
-    OutboundAllowList outbound = OutboundAllowList.ofNothing();
-    return listening(address, OrbProperties.server(address, outbound), outbound);
+    Peers peers = Peers.ofServer();
+    return listening(address, OrbProperties.server(address, peers), peers);
   }
 
   /**
@@ -91,19 +92,16 @@ public final class ServiceOrb implements AutoCloseable {
    * @throws PortInUseException if the address is taken or not this machine's
    */
   public static ServiceOrb host(ListenAddress address) {
-    OutboundAllowList outbound = OutboundAllowList.ofNothing();
-    return listening(address, OrbProperties.host(address, outbound), outbound);
+    Peers peers = Peers.ofServer();
+    return listening(address, OrbProperties.host(address, peers), peers);
   }
 
-  private static ServiceOrb listening(
-      ListenAddress address, Properties properties, OutboundAllowList outbound) {
+  private static ServiceOrb listening(ListenAddress address, Properties properties, Peers peers) {
     requireFree(address);
     try {
-      return new ServiceOrb(properties, false, outbound);
+      return new ServiceOrb(properties, false, peers);
     } catch (INITIALIZE e) {
       throw new PortInUseException(address.toString(), e);
-    } catch (UserException e) {
-      throw new IllegalStateException("the ORB does not start", e);
     }
   }
 
@@ -152,7 +150,7 @@ public final class ServiceOrb implements AutoCloseable {
   private ServerLocation located(String url) {
     ServerLocation location = ServerLocation.of(orb, url);
     try {
-      outbound.allow(location.endpoint().host(), location.endpoint().port());
+      peers.outbound().allow(location.endpoint().host(), location.endpoint().port());
     } catch (UnknownHostException e) {
       throw new ServiceUnreachableException(
           "S-002 no server at " + location + ": no such host; check the name", e);
@@ -193,21 +191,17 @@ public final class ServiceOrb implements AutoCloseable {
 
   /** Publishes the named objects of a server, all at once. */
   public void publish(Map<ServiceKey, Servant> servants) {
-    try {
-      adapters.publish(servants);
-    } catch (UserException e) {
-      throw new IllegalStateException("the objects cannot be published", e);
-    }
+    threads.run(() -> adapters.publish(servants));
   }
 
   /** Returns the addresses this ORB may connect to. */
   public OutboundAllowList outbound() {
-    return outbound;
+    return peers.outbound();
   }
 
   /** Returns where this ORB listens, or listened before it was closed. */
   public Endpoint endpoint() {
-    return endpoint;
+    return adapters.endpoint();
   }
 
   /**
@@ -241,28 +235,39 @@ public final class ServiceOrb implements AutoCloseable {
   @Override
   public void close() {
     if (closed.compareAndSet(false, true)) {
-      Thread closing = new Thread(this::shutDown, "mechservice-orb-close");
-      closing.setDaemon(true);
-      closing.start();
-      awaitEnd(closing);
-      outbound.forget();
+      threads.closing();
+      try {
+        adapters.finishCalls();
+        disconnect();
+        adapters.awaitSilence();
+      } catch (UserException e) {
+        throw new IllegalStateException("the ORB was closed by somebody else", e);
+      } finally {
+        end(orb);
+      }
     }
   }
 
-  private void shutDown() {
+  /** The ORB leaves the selector behind its time-outs open, two file descriptors each. */
+  private static void end(ORB orb) {
     orb.shutdown(true);
     orb.destroy();
+    try {
+      SELECTOR.get(((org.jacorb.orb.ORB) orb).getSelectorManager()).close();
+    } catch (IOException e) {
+      LOG.warn("S-048 a selector does not close: {}", e.toString());
+    }
   }
 
   /**
-   * Waits, but not for ever: a call that arrives while the ORB closes can end uncounted, and the
-   * ORB would wait for it without end.
+   * Closes port and connections. An object adapter that is being destroyed must not get new calls:
+   * with its queue full, the connection's thread would wait for room, holding the lock that the
+   * destruction needs.
    */
-  private static void awaitEnd(Thread closing) {
-    try {
-      closing.join(CLOSING_MILLIS);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
+  private void disconnect() {
+    org.jacorb.orb.ORB own = (org.jacorb.orb.ORB) orb;
+    own.getBasicAdapter().stopListeners();
+    own.getClientConnectionManager().shutdown();
+    peers.close();
   }
 }

@@ -1,6 +1,7 @@
 package org.mechservice.orb;
 
 import java.util.Map;
+import java.util.function.Consumer;
 import org.mechservice.idl.API_VERSION;
 import org.mechservice.idl.DiagnosticSeqHolder;
 import org.mechservice.idl.IMechClient;
@@ -18,6 +19,7 @@ import org.omg.CORBA.SystemException;
 final class EchoServer implements MechServerOperations, AutoCloseable {
   private final ServiceOrb orb;
   private final String apiVersion;
+  private volatile Consumer<IMechClient> callBack = IMechClient::heartbeat;
 
   private EchoServer(ServiceOrb orb, String apiVersion) {
     this.orb = orb;
@@ -33,6 +35,11 @@ final class EchoServer implements MechServerOperations, AutoCloseable {
         new EchoServer(ServiceOrb.server(new ListenAddress("127.0.0.1", 0)), apiVersion);
     server.orb.publish(Map.of(ServiceKey.SERVER, new MechServerPOATie(server)));
     return server;
+  }
+
+  /** Sets what is done with the callbacks of whoever asks for a session. */
+  void onSession(Consumer<IMechClient> does) {
+    callBack = does;
   }
 
   String address() {
@@ -52,7 +59,7 @@ final class EchoServer implements MechServerOperations, AutoCloseable {
   public MechSim createSession(String clientName, String hostName, IMechClient client)
       throws org.mechservice.idl.ServerFailure {
     try {
-      client.heartbeat();
+      callBack.accept(client);
     } catch (SystemException e) {
       throw new org.mechservice.idl.ServerFailure("S-001", e.toString(), "");
     }

@@ -12,6 +12,7 @@ import org.mechservice.sim.build.dynamics.EnergyEquations;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.build.dynamics.PoseEquations;
 import org.mechservice.sim.build.emit.ModelClass;
+import org.mechservice.sim.build.emit.ModelPlan;
 import org.mechservice.sim.build.javac.ModelCompiler;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
@@ -57,13 +58,12 @@ public final class ModelFactory {
                 : Optional.empty(),
             notes(choice, derivative, leftOut));
     return new GeneratedModel(
-        ModelClass.PACKAGE + "." + written.simpleName(),
-        written.source(),
+        ModelPlan.of(written),
+        mechanism.name(),
         choice.formulation(),
         choice.reason(),
         derivative.operationCount(),
-        leftOut,
-        mechanism.name());
+        leftOut);
   }
 
   private static ModelDescription description(
@@ -94,12 +94,26 @@ public final class ModelFactory {
   }
 
   /**
-   * Compiles a generated model in memory.
+   * Writes the class file of a generated model and loads it.
+   *
+   * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
+   *     the class is too large (S-085)
+   */
+  public static CompiledModel compile(
+      MechmlModel model, BuildOptions options, GeneratedModel generated) {
+    SortedMap<String, byte[]> classFiles = new TreeMap<>();
+    classFiles.put(generated.className(), generated.classFile());
+    return new CompiledModel(model, generated, options, classFiles);
+  }
+
+  /**
+   * Compiles the source of a generated model in memory: another way to the same results, kept as
+   * the proof that the source is what runs.
    *
    * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
    *     this JVM has no compiler (S-084) or the class is too large (S-085)
    */
-  public static CompiledModel compile(
+  static CompiledModel compileSource(
       MechmlModel model, BuildOptions options, GeneratedModel generated) {
     SortedMap<String, byte[]> classFiles =
         ModelCompiler.compile(

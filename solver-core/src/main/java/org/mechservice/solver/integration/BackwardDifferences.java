@@ -147,6 +147,25 @@ final class BackwardDifferences {
     }
   }
 
+  /** Takes over a corrected state that was changed from outside: d becomes y_{n+1} − y*. */
+  void takeOverCorrected() {
+    for (int l = 0; l < correction.length; l++) {
+      if (corrected[l] != predicted[l] + correction[l]) {
+        correction[l] = corrected[l] - predicted[l];
+      }
+    }
+  }
+
+  /** Multiplies some components of the accepted state and of all its differences by a factor. */
+  void scale(int start, int size, double factor) {
+    for (int l = start; l < start + size; l++) {
+      state[l] *= factor;
+      for (int m = 1; m < LENGTH; m++) {
+        accepted[m][l] *= factor;
+      }
+    }
+  }
+
   /** Accepts the corrected state and forms its differences up to order k + 2. */
   void accept(int k) {
     double[] next = tried[k + 1];

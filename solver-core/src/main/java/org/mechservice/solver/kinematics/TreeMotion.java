@@ -47,6 +47,12 @@ public final class TreeMotion {
   /** Relative velocity S v of the link to its parent, [angular; linear], 6 per link. */
   public final double[] relativeVelocity;
 
+  /**
+   * Velocity product c: the acceleration that the link has beyond its parent's when S v does not
+   * change, [angular; linear], 6 per link.
+   */
+  public final double[] velocityProduct;
+
   /** Rotation link axes to world axes, 9 per link. */
   public final double[] worldRotation;
 
@@ -74,6 +80,7 @@ public final class TreeMotion {
     linearVelocity = new double[3 * n];
     subspace = new double[6 * tree.velocityCount];
     relativeVelocity = new double[6 * n];
+    velocityProduct = new double[6 * n];
     worldRotation = new double[9 * n];
     worldPosition = new double[3 * n];
     angularAcceleration = new double[3 * n];
@@ -85,6 +92,15 @@ public final class TreeMotion {
   /** Returns the constants of the tree this is the motion of. */
   public TreeGeometry tree() {
     return tree;
+  }
+
+  /**
+   * Takes other values of the mechanism's parameters for the motions of driven joints.
+   *
+   * @param parameters one number per parameter, SI units; copied
+   */
+  public void setParameters(double[] parameters) {
+    prescribed.setParameters(parameters);
   }
 
   /**
@@ -128,48 +144,76 @@ public final class TreeMotion {
     }
   }
 
-  /** V = X V_p + S v: ω = Rᵀ ω_p + S_ω v, u = Rᵀ (u_p + ω_p × p) + S_u v. */
+  /** V = X V_p + S v: ω = Rᵀ ω_p + S_ω v, u = Rᵀ (u_p + ω_p × p) + S_u v; c = X V_p × S v. */
   private void move(int link) {
+    carryVelocity(link);
+    switch (tree.kind[link]) {
+      case TURN -> turn(link);
+      case SLIDE -> slide(link);
+      case SCREW, BALL -> moveAlongColumns(link);
+      case FIXED -> {
+        // relative velocity and velocity product stay zero
+      }
+    }
+  }
+
+  /** Writes the velocity of the parent, seen at the link, as if it were the link's. */
+  private void carryVelocity(int link) {
     int at = 3 * link;
     int parent = tree.parent[link];
-    relativeVelocity(link);
-    int relative = 6 * link;
     if (parent == TreeGeometry.ROOT) {
-      System.arraycopy(relativeVelocity, relative, angularVelocity, at, 3);
-      System.arraycopy(relativeVelocity, relative + 3, linearVelocity, at, 3);
+      setZero(angularVelocity, at);
+      setZero(linearVelocity, at);
       return;
     }
     applyTransposed(rotation, 9 * link, angularVelocity, 3 * parent, angularVelocity, at);
     System.arraycopy(linearVelocity, 3 * parent, carried, 0, 3);
     addCross(angularVelocity, 3 * parent, position, at, carried, 0);
     applyTransposed(rotation, 9 * link, carried, 0, linearVelocity, at);
+  }
+
+  private void turn(int link) {
+    int at = 3 * link;
+    double rate = v[tree.velocityAt[link]];
     for (int i = 0; i < 3; i++) {
-      angularVelocity[at + i] += relativeVelocity[relative + i];
-      linearVelocity[at + i] += relativeVelocity[relative + 3 + i];
+      relativeVelocity[2 * at + i] = rate * tree.axisInLink[at + i];
+    }
+    cross(angularVelocity, at, relativeVelocity, 2 * at, velocityProduct, 2 * at);
+    cross(linearVelocity, at, relativeVelocity, 2 * at, velocityProduct, 2 * at + 3);
+    for (int i = 0; i < 3; i++) {
+      angularVelocity[at + i] += relativeVelocity[2 * at + i];
     }
   }
 
-  private void relativeVelocity(int link) {
-    int at = 6 * link;
-    int column = tree.velocityAt[link];
-    switch (tree.kind[link]) {
-      case TURN, SLIDE, SCREW -> {
-        double rate = v[column];
-        for (int i = 0; i < 6; i++) {
-          relativeVelocity[at + i] = rate * subspace[6 * column + i];
-        }
+  private void slide(int link) {
+    int at = 3 * link;
+    double rate = v[tree.velocityAt[link]];
+    for (int i = 0; i < 3; i++) {
+      relativeVelocity[2 * at + 3 + i] = rate * tree.axisInLink[at + i];
+    }
+    cross(angularVelocity, at, relativeVelocity, 2 * at + 3, velocityProduct, 2 * at + 3);
+    for (int i = 0; i < 3; i++) {
+      linearVelocity[at + i] += relativeVelocity[2 * at + 3 + i];
+    }
+  }
+
+  private void moveAlongColumns(int link) {
+    int at = 3 * link;
+    int first = tree.velocityAt[link];
+    int end = first + tree.kind[link].velocityCount();
+    for (int i = 0; i < 6; i++) {
+      double sum = 0;
+      for (int k = first; k < end; k++) {
+        sum += v[k] * subspace[6 * k + i];
       }
-      case BALL -> {
-        for (int i = 0; i < 3; i++) {
-          relativeVelocity[at + i] =
-              v[column] * subspace[6 * column + i]
-                  + v[column + 1] * subspace[6 * column + 6 + i]
-                  + v[column + 2] * subspace[6 * column + 12 + i];
-        }
-      }
-      case FIXED -> {
-        // stays zero
-      }
+      relativeVelocity[2 * at + i] = sum;
+    }
+    cross(angularVelocity, at, relativeVelocity, 2 * at, velocityProduct, 2 * at);
+    cross(linearVelocity, at, relativeVelocity, 2 * at, velocityProduct, 2 * at + 3);
+    addCross(angularVelocity, at, relativeVelocity, 2 * at + 3, velocityProduct, 2 * at + 3);
+    for (int i = 0; i < 3; i++) {
+      angularVelocity[at + i] += relativeVelocity[2 * at + i];
+      linearVelocity[at + i] += relativeVelocity[2 * at + 3 + i];
     }
   }
 
@@ -210,37 +254,30 @@ public final class TreeMotion {
     }
   }
 
-  /** A = X A_p + S a + V × S v. */
+  /** A = X A_p + S a + c. */
   private void accelerate(int link) {
     int at = 3 * link;
     int parent = tree.parent[link];
     if (parent == TreeGeometry.ROOT) {
-      for (int i = at; i < at + 3; i++) {
-        angularAcceleration[i] = 0;
-        linearAcceleration[i] = 0;
-      }
+      setZero(angularAcceleration, at);
+      setZero(linearAcceleration, at);
     } else {
       applyTransposed(rotation, 9 * link, angularAcceleration, 3 * parent, angularAcceleration, at);
       System.arraycopy(linearAcceleration, 3 * parent, carried, 0, 3);
       addCross(angularAcceleration, 3 * parent, position, at, carried, 0);
       applyTransposed(rotation, 9 * link, carried, 0, linearAcceleration, at);
     }
-    int columns = tree.velocityAt[link] + tree.kind[link].velocityCount();
-    for (int k = tree.velocityAt[link]; k < columns; k++) {
+    for (int i = 0; i < 3; i++) {
+      angularAcceleration[at + i] += velocityProduct[2 * at + i];
+      linearAcceleration[at + i] += velocityProduct[2 * at + 3 + i];
+    }
+    int end = tree.velocityAt[link] + tree.kind[link].velocityCount();
+    for (int k = tree.velocityAt[link]; k < end; k++) {
       for (int i = 0; i < 3; i++) {
         angularAcceleration[at + i] += a[k] * subspace[6 * k + i];
         linearAcceleration[at + i] += a[k] * subspace[6 * k + 3 + i];
       }
     }
-    addVelocityProduct(link);
-  }
-
-  private void addVelocityProduct(int link) {
-    int at = 3 * link;
-    int relative = 6 * link;
-    addCross(angularVelocity, at, relativeVelocity, relative, angularAcceleration, at);
-    addCross(angularVelocity, at, relativeVelocity, relative + 3, linearAcceleration, at);
-    addCross(linearVelocity, at, relativeVelocity, relative, linearAcceleration, at);
   }
 
   /**

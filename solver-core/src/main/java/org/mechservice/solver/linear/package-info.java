@@ -16,6 +16,9 @@
  * rectangular one that determine the others; {@link org.mechservice.solver.linear.SingularValues}
  * tells how many there are, and solves when there are fewer than equations or unknowns.
  *
+ * <p>{@link org.mechservice.solver.linear.EquilibratedSolver} brings the rows to like size before
+ * either of them factors, so that the units of the equations do not decide about the pivots.
+ *
  * <p>A solver says where in a flat array it wants each element, by its {@link
  * org.mechservice.solver.linear.MatrixLayout}; whoever fills the matrix need not know more of it.
  * Both work by Gaussian elimination with row interchanges (Golub and Van Loan, <i>Matrix

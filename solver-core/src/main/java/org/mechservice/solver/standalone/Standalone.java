@@ -18,6 +18,8 @@ import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.integration.IntegratorFactory;
+import org.mechservice.solver.simulation.EquationForm;
+import org.mechservice.solver.simulation.ExplicitForm;
 import org.mechservice.solver.simulation.Simulation;
 
 /** What {@code java -jar model.jar} does: one run of one model. */
@@ -31,11 +33,23 @@ public final class Standalone {
   private final PrintStream out;
   private final PrintStream err;
 
-  Standalone(Model model, IntegratorFactory integrators, PrintStream out, PrintStream err) {
+  Standalone(Model model, Simulation simulation, PrintStream out, PrintStream err) {
     this.model = model;
-    this.simulation = new Simulation(integrators);
+    this.simulation = simulation;
     this.out = out;
     this.err = err;
+  }
+
+  /**
+   * Runs an open chain in explicit form as its command line says, printing to the standard streams.
+   *
+   * @param model the model
+   * @param integrators makes the integrator the JAR was built with
+   * @param args command line; {@code --help} lists the options
+   * @return exit status, as {@link #run(Model, IntegratorFactory, EquationForm, String[])}
+   */
+  public static int run(Model model, IntegratorFactory integrators, String[] args) {
+    return run(model, integrators, new ExplicitForm(), args);
   }
 
   /**
@@ -43,12 +57,15 @@ public final class Standalone {
    *
    * @param model the model
    * @param integrators makes the integrator the JAR was built with
+   * @param form how the equations are handed to it
    * @param args command line; {@code --help} lists the options
    * @return exit status: 0 done, 1 the simulation failed (rows up to the failure are kept), 2 bad
    *     usage
    */
-  public static int run(Model model, IntegratorFactory integrators, String[] args) {
-    return new Standalone(model, integrators, System.out, System.err).run(args);
+  public static int run(
+      Model model, IntegratorFactory integrators, EquationForm form, String[] args) {
+    Simulation simulation = new Simulation(integrators, form);
+    return new Standalone(model, simulation, System.out, System.err).run(args);
   }
 
   int run(String[] args) {

@@ -36,7 +36,7 @@ public final class RandomJoints {
             parallel ? Rotation.IDENTITY : rotation(random));
     String name = "j" + Math.max(body1, body2);
     Vector3 axis = axis(random);
-    Vector3 other = axis(random);
+    Vector3 second = attachment.zeroRotation().transposed().apply(normalTo(axis));
     double q = 2 * random.nextDouble() - 1;
     double v = 2 * random.nextDouble() - 1;
     JointStart start = start(random, type);
@@ -45,7 +45,7 @@ public final class RandomJoints {
       case P -> new Prismatic(name, attachment, axis, q, v, Origin.NONE);
       case H -> new Screw(name, attachment, axis, 0.4 * random.nextGaussian(), q, v, Origin.NONE);
       case C -> new Cylindrical(name, attachment, axis, start, Origin.NONE);
-      case U -> new Universal(name, attachment, axis, other, start, false, Origin.NONE);
+      case U -> new Universal(name, attachment, axis, second, start, false, Origin.NONE);
       case PL -> new Planar(name, attachment, axis, normalTo(axis), start, false, Origin.NONE);
       case S -> new Spherical(name, attachment, start, false, Origin.NONE);
       case F -> new Free(name, attachment, start, false, Origin.NONE);

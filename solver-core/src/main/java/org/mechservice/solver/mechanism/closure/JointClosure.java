@@ -73,6 +73,11 @@ public record JointClosure(Joint joint, StartRole startRole, List<Expression> mo
     return joint.origin();
   }
 
+  /** Returns whether assembly must keep the joint's start values. */
+  public boolean keepsStart() {
+    return startRole == StartRole.FIXED && !isDriven();
+  }
+
   /** Returns whether the joint's coordinates follow prescribed motions. */
   public boolean isDriven() {
     return !motion.isEmpty();

@@ -1,9 +1,12 @@
-package org.mechservice.sim.build.javac;
+package org.mechservice.sim.build.emit;
 
 import org.objectweb.asm.ClassReader;
 
 /** Lengths of the methods of a class file, read from their Code attributes (JVMS §4.7.3). */
-final class MethodSizes {
+public final class MethodSizes {
+  /** A longer method is never compiled by the virtual machine (CODEGEN §9). */
+  private static final int LONGEST = 8000;
+
   private final ClassReader reader;
   private final char[] buffer;
   private int longest;
@@ -13,8 +16,22 @@ final class MethodSizes {
     buffer = new char[reader.getMaxStringLength()];
   }
 
+  /**
+   * Refuses a class that would run slowly.
+   *
+   * @throws IllegalStateException if a method is so long that the virtual machine would never
+   *     compile it
+   */
+  public static void requireCompilable(byte[] classFile) {
+    int longest = longest(classFile);
+    if (longest >= LONGEST) {
+      throw new IllegalStateException(
+          "a generated method has " + longest + " bytes; the limit is " + LONGEST);
+    }
+  }
+
   /** Returns the bytes of code of the longest method. */
-  static int longest(byte[] classFile) {
+  public static int longest(byte[] classFile) {
     MethodSizes sizes = new MethodSizes(classFile);
     sizes.read();
     return sizes.longest;

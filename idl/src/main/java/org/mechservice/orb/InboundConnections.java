@@ -1,0 +1,80 @@
+package org.mechservice.orb;
+
+import java.io.IOException;
+import java.net.Socket;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.UUID;
+import java.util.concurrent.ConcurrentHashMap;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The connections others have opened to an ORB. The ORB itself loses sight of those it accepts
+ * while it closes: they would stay open, read by nobody, and who opened them would wait for an
+ * answer.
+ */
+final class InboundConnections {
+  private static final Logger LOG = LoggerFactory.getLogger(InboundConnections.class);
+
+  /** The ORB makes its socket factory itself and hands it properties only: this finds the set. */
+  private static final Map<String, InboundConnections> BY_ID = new ConcurrentHashMap<>();
+
+  private final String id = UUID.randomUUID().toString();
+  private final Set<Socket> open = new HashSet<>();
+  private boolean closed;
+
+  InboundConnections() {
+    BY_ID.put(id, this);
+  }
+
+  static InboundConnections byId(String id) {
+    InboundConnections connections = BY_ID.get(id);
+    if (connections == null) {
+      throw new IllegalArgumentException("no connections " + id);
+    }
+    return connections;
+  }
+
+  String id() {
+    return id;
+  }
+
+  /** Takes a connection in; when all have been closed, it is closed at once. */
+  void add(Socket connection) throws IOException {
+    synchronized (this) {
+      if (!closed) {
+        open.add(connection);
+        return;
+      }
+    }
+    connection.close();
+  }
+
+  synchronized void remove(Socket connection) {
+    open.remove(connection);
+  }
+
+  synchronized int count() {
+    return open.size();
+  }
+
+  /** Closes all connections, and those to come. */
+  void closeAll() {
+    List<Socket> all;
+    synchronized (this) {
+      closed = true;
+      all = List.copyOf(open);
+    }
+    for (Socket connection : all) {
+      try {
+        connection.close();
+      } catch (IOException e) {
+        LOG.debug("a connection does not close in order: {}", e.toString());
+      }
+    }
+    BY_ID.remove(id);
+  }
+}

@@ -1,0 +1,86 @@
+package org.mechservice.orb;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import org.jacorb.config.Configurable;
+import org.jacorb.config.Configuration;
+import org.jacorb.config.ConfigurationException;
+import org.jacorb.orb.factory.ServerSocketFactory;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Opens ports whose connections are known to an {@link InboundConnections}.
+ *
+ * <p>Made by the ORB from its properties, hence public.
+ */
+public final class InboundSocketFactory implements ServerSocketFactory, Configurable {
+  /** The property that names the set of connections. */
+  static final String CONNECTIONS_PROPERTY = "mechservice.inbound";
+
+  /** Clients that connect in the same moment wait here; beyond it they must try again. */
+  private static final int BACKLOG = 1024;
+
+  private @Nullable InboundConnections connections;
+
+  @Override
+  public void configure(Configuration configuration) throws ConfigurationException {
+    connections = InboundConnections.byId(configuration.getAttribute(CONNECTIONS_PROPERTY));
+  }
+
+  @Override
+  public ServerSocket createServerSocket(int port) throws IOException {
+    return new Port(known(), port, null);
+  }
+
+  @Override
+  public ServerSocket createServerSocket(int port, int backlog) throws IOException {
+    return createServerSocket(port);
+  }
+
+  @Override
+  public ServerSocket createServerSocket(int port, int backlog, InetAddress address)
+      throws IOException {
+    return new Port(known(), port, address);
+  }
+
+  private InboundConnections known() {
+    if (connections == null) {
+      throw new IllegalStateException("used before it was configured");
+    }
+    return connections;
+  }
+
+  private static final class Port extends ServerSocket {
+    private final InboundConnections connections;
+
+    Port(InboundConnections connections, int port, @Nullable InetAddress address)
+        throws IOException {
+      super(port, BACKLOG, address);
+      this.connections = connections;
+    }
+
+    @Override
+    public Socket accept() throws IOException {
+      Socket accepted = new Accepted(connections);
+      implAccept(accepted);
+      connections.add(accepted);
+      return accepted;
+    }
+  }
+
+  private static final class Accepted extends Socket {
+    private final InboundConnections connections;
+
+    Accepted(InboundConnections connections) {
+      this.connections = connections;
+    }
+
+    @Override
+    public synchronized void close() throws IOException {
+      connections.remove(this);
+      super.close();
+    }
+  }
+}

@@ -1,0 +1,358 @@
+package org.mechservice.solver.integration;
+
+import java.util.Optional;
+import org.mechservice.solver.integration.IntegrationFailure.Cause;
+
+/**
+ * Numerical or backward differentiation formulas of variable order and step. What the programs
+ * built on it differ in is the form of the equations they are given and the care with which they
+ * start.
+ *
+ * <p>One step is told by {@link #step}: it tries a step of size h and order k until the iteration
+ * converges and the error test passes, accepts it, and chooses k and h anew.
+ */
+abstract class BackwardMethod implements Integrator {
+  /** Reduction of a step whose iteration did not converge although the derivatives were new. */
+  private static final double UNSOLVED_REDUCTION = 0.3;
+
+  private final IntegratorSettings settings;
+  private final BackwardFormulas formulas;
+  private final MaximumNorm norm = new MaximumNorm();
+  private final StepsToEnd bounds = new StepsToEnd();
+  private final BackwardOrderControl control;
+  private final Progress progress = new Progress();
+
+  private StepEquations equations = StepEquations.none();
+  private BackwardDifferences differences = new BackwardDifferences(new double[0], new double[0]);
+  private FirstStep firstStep = new FirstStep(new double[0]);
+
+  /** Size and end of the step being tried; size 0 as long as the first is not chosen. */
+  private double h;
+
+  private double triedTime;
+
+  /** 1 forwards, −1 backwards in t; length of the problem. */
+  private double direction;
+
+  private double interval;
+
+  /** Whether a step is begun. */
+  private boolean begun;
+
+  /** Size and order that the differences are written for. */
+  private double writtenSize;
+
+  private int writtenOrder;
+
+  /**
+   * @throws IllegalArgumentException if a setting is out of range
+   */
+  BackwardMethod(IntegratorSettings settings, BackwardFormulas formulas) {
+    settings.requireUsable();
+    this.settings = settings;
+    this.formulas = formulas;
+    control = new BackwardOrderControl(formulas);
+  }
+
+  /** Takes note that the problem begun is in explicit form. */
+  void beginExplicit() {}
+
+  /**
+   * Returns the size of the first step.
+   *
+   * @param size for which the estimated error just passes
+   * @param interval length of the problem, positive
+   */
+  abstract double cautious(double size, double interval);
+
+  /**
+   * {@inheritDoc}
+   *
+   * @throws IllegalArgumentException also if the problem's band is wider than its matrix
+   */
+  @Override
+  public final StepResult start(OdeSystem system, double t0, double[] y0, double tEnd) {
+    IntegratorSettings.requireUsable(t0, tEnd, y0, system.dimension());
+    double[] tolerances = settings.absoluteTolerances(y0.length);
+    RightHandSide rightHandSide = new RightHandSide(system, settings.stop());
+    double[] y = y0.clone();
+    double[] derivative = new double[y.length];
+    boolean fits = new Manifold(system).complete(t0, y);
+    rightHandSide.evaluateAlways(t0, y, derivative);
+    beginExplicit();
+    begin(
+        new ExplicitEquations(rightHandSide, smallSizes(tolerances), derivative),
+        t0,
+        y,
+        derivative,
+        tEnd);
+    if (!fits) {
+      return fail(Cause.NOT_COMPLETED, -1);
+    }
+    int component = RightHandSide.firstNotFinite(derivative);
+    return component < 0 ? progress.goOn(t0 == tEnd) : fail(Cause.NOT_FINITE, component);
+  }
+
+  /**
+   * Begins a problem that is not yet ready to be advanced.
+   *
+   * @param y0 state at the start; not modified
+   * @param slope0 its derivative there; kept, not modified
+   */
+  final void begin(StepEquations equations, double t0, double[] y0, double[] slope0, double tEnd) {
+    this.equations = equations;
+    progress.begin(t0);
+    control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER));
+    h = 0;
+    triedTime = t0;
+    begun = false;
+    writtenSize = 1;
+    writtenOrder = 1;
+    differences = new BackwardDifferences(y0, slope0);
+    firstStep = new FirstStep(slope0);
+    norm.begin(
+        settings.relativeTolerance(), settings.absoluteTolerances(y0.length), equations.manifold());
+    norm.weigh(y0);
+    bounds.begin(t0, tEnd, settings.maxStep());
+    direction = Math.signum(tEnd - t0);
+    interval = Math.abs(tEnd - t0);
+  }
+
+  /** Returns the size at which the absolute tolerance takes over from the relative one. */
+  final double[] smallSizes(double[] absoluteTolerances) {
+    double[] sizes = absoluteTolerances.clone();
+    for (int l = 0; l < sizes.length; l++) {
+      double size = sizes[l] / settings.relativeTolerance();
+      sizes[l] = Double.isFinite(size) ? size : sizes[l];
+    }
+    return sizes;
+  }
+
+  /** Returns the settings. */
+  final IntegratorSettings settings() {
+    return settings;
+  }
+
+  /** Returns the norm that errors are judged by. */
+  final ErrorNorm norm() {
+    return norm;
+  }
+
+  /** Returns how far the problem has come. */
+  final Progress progress() {
+    return progress;
+  }
+
+  @Override
+  public final StepResult step() {
+    progress.requireRunning();
+    while (progress.tries() < settings.maxSteps()) {
+      Attempt attempt = tryStep();
+      if (attempt == Attempt.STOPPED) {
+        return StepResult.STOPPED;
+      }
+      if (attempt == Attempt.PASSED) {
+        accept();
+        return progress.goOn(bounds.reachedAt(progress.time()));
+      }
+      Optional<Cause> cause = repair(attempt);
+      if (cause.isPresent()) {
+        return fail(cause.get(), limitingComponent(attempt));
+      }
+    }
+    return fail(Cause.TOO_MANY_STEPS, norm.largest(differences.correction));
+  }
+
+  /** Linearise, solve, test; what was stopped is taken up where it stood. */
+  private Attempt tryStep() {
+    Attempt attempt = linearise();
+    if (attempt == Attempt.PASSED) {
+      attempt = solve();
+    }
+    return attempt == Attempt.PASSED ? test() : attempt;
+  }
+
+  /** Brings Jacobian, size, differences and factors to those of the step being tried. */
+  private Attempt linearise() {
+    Attempt attempt = equations.linearise(progress.time(), differences.state());
+    if (attempt != Attempt.PASSED) {
+      return attempt;
+    }
+    if (!begun && !beginStep()) {
+      return Attempt.STOPPED;
+    }
+    writeDifferences();
+    return equations.factor(hGamma());
+  }
+
+  /** Bounds the step, the first one being chosen before; returns false if told to stop instead. */
+  private boolean beginStep() {
+    if (h == 0 && !chooseFirstStep()) {
+      return false;
+    }
+    h = bounded(h);
+    control.beginStep();
+    begun = true;
+    return true;
+  }
+
+  /**
+   * Returns the step to try instead of a proposed one. The smallest size grows with t; a step that
+   * was at it and was accepted keeps its size, lest it change at every step and never be outgrown.
+   */
+  private double bounded(double proposed) {
+    double t = progress.time();
+    double size = bounds.bounded(t, proposed);
+    boolean raised = Math.abs(size) == bounds.smallest(t);
+    return raised && proposed == writtenSize ? proposed : size;
+  }
+
+  private boolean chooseFirstStep() {
+    double t0 = progress.time();
+    double longest = bounds.bounded(t0, direction * Double.MAX_VALUE);
+    double size = settings.initialStep();
+    if (size == 0) {
+      double smallest = bounds.smallest(t0);
+      double passing =
+          firstStep.size(
+              equations,
+              t0,
+              differences.state(),
+              norm,
+              longest,
+              smallest,
+              settings.relativeTolerance());
+      size = passing == 0 ? 0 : Math.max(smallest, cautious(passing, interval));
+    }
+    h = Math.copySign(size, longest);
+    return size > 0;
+  }
+
+  /** Rewrites the differences if size or order has changed. */
+  private void writeDifferences() {
+    int k = control.order();
+    if (h == writtenSize && k == writtenOrder) {
+      return;
+    }
+    differences.rescale(h / writtenSize, k);
+    writtenSize = h;
+    writtenOrder = k;
+    control.rescaled();
+    equations.outdate();
+  }
+
+  private double hGamma() {
+    return h / formulas.leading(control.order());
+  }
+
+  /** Predicts and iterates. */
+  private Attempt solve() {
+    if (!equations.begun()) {
+      triedTime = bounds.endOf(progress.time(), h);
+      differences.predict(control.order(), formulas);
+      norm.weigh(differences.state(), differences.predicted);
+      equations.begin(differences, norm);
+    }
+    return equations.solve(triedTime, hGamma(), differences, norm);
+  }
+
+  private Attempt test() {
+    control.estimate(differences, norm);
+    return control.error() <= 1 ? Attempt.PASSED : Attempt.TOO_INACCURATE;
+  }
+
+  private void accept() {
+    int k = control.order();
+    differences.accept(k);
+    progress.accepted(h, triedTime, k, control.error());
+    equations.moveOn(hGamma(), differences);
+    h *= control.accept(differences, norm);
+    begun = false;
+    scaleUnitGroups();
+    if (equations.manifold().accepted(triedTime, differences.state())) {
+      equations.demandNew();
+    }
+  }
+
+  /** Scales groups of norm one back, with their history. */
+  private void scaleUnitGroups() {
+    Manifold manifold = equations.manifold();
+    for (int group = 0; group < manifold.unitGroupCount(); group++) {
+      double factor = manifold.unitFactor(group, differences.state());
+      if (factor != 1) {
+        differences.scale(manifold.unitGroupStart(group), manifold.unitGroupSize(group), factor);
+      }
+    }
+  }
+
+  /**
+   * Asks for a new Jacobian if that may help, else reduces the step; returns a cause if neither is
+   * possible.
+   */
+  private Optional<Cause> repair(Attempt attempt) {
+    boolean inaccurate = attempt == Attempt.TOO_INACCURATE;
+    progress.rejected(h, control.order(), inaccurate ? control.error() : Double.NaN, attempt);
+    if (progress.notFiniteTooOften()) {
+      return Optional.of(Cause.NOT_FINITE);
+    }
+    if (!inaccurate && equations.renew()) {
+      return Optional.empty();
+    }
+    double smallest = bounds.smallest(progress.time());
+    if (Math.abs(h) <= smallest) {
+      return Optional.of(inaccurate ? Cause.STEP_TOO_SMALL : equations.cause(attempt));
+    }
+    double factor = inaccurate ? control.reject(differences, norm) : UNSOLVED_REDUCTION;
+    h = Math.copySign(Math.max(factor * Math.abs(h), smallest), h);
+    return Optional.empty();
+  }
+
+  private int limitingComponent(Attempt attempt) {
+    return attempt == Attempt.TOO_INACCURATE
+        ? norm.largest(differences.correction)
+        : equations.limitingComponent(attempt, norm);
+  }
+
+  final StepResult fail(Cause cause, int component) {
+    return progress.fail(cause, h, control.order(), component, norm);
+  }
+
+  @Override
+  public final double time() {
+    return progress.time();
+  }
+
+  @Override
+  public final double previousTime() {
+    return progress.previousTime();
+  }
+
+  @Override
+  public final double stepSize() {
+    return progress.stepSize();
+  }
+
+  @Override
+  public final int order() {
+    return progress.order();
+  }
+
+  @Override
+  public final void interpolate(double t, double[] y, double[] yDot) {
+    progress.requireInLastStep(t);
+    boolean atStart = progress.order() == 0;
+    double size = atStart ? 1 : progress.stepSize();
+    int k = atStart ? 1 : progress.order();
+    BackwardInterpolant.evaluate((t - progress.time()) / size, size, k, differences, y, yDot);
+  }
+
+  @Override
+  public final IntegrationStatistics statistics() {
+    return equations.statistics(progress);
+  }
+
+  @Override
+  public final IntegrationFailure failure() {
+    return progress.failure();
+  }
+}

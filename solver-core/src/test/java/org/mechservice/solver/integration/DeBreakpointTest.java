@@ -1,0 +1,13 @@
+package org.mechservice.solver.integration;
+
+class DeBreakpointTest extends BreakpointContract {
+  @Override
+  Integrator create(IntegratorSettings settings) {
+    return new De(settings);
+  }
+
+  @Override
+  IntegratorSettings settingsFor(double tolerance) {
+    return new IntegratorSettings(tolerance, tolerance);
+  }
+}
