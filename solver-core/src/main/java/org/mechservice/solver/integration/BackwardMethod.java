@@ -15,12 +15,20 @@ abstract class BackwardMethod implements Integrator {
   /** Reduction of a step whose iteration did not converge although the derivatives were new. */
   private static final double UNSOLVED_REDUCTION = 0.3;
 
+  /** Part of the tolerances for systems with algebraic components. */
+  private static final double ALGEBRAIC_PART = 1.0 / 3;
+
   private final IntegratorSettings settings;
   private final BackwardFormulas formulas;
+  private final BackwardMode mode;
   private final MaximumNorm norm = new MaximumNorm();
   private final StepsToEnd bounds = new StepsToEnd();
   private final BackwardOrderControl control;
+  private final JumpWatch jumps = new JumpWatch();
   private final Progress progress = new Progress();
+
+  /** Relative tolerance of the norm. */
+  private double relativeTolerance;
 
   private StepEquations equations = StepEquations.none();
   private BackwardDifferences differences = new BackwardDifferences(new double[0], new double[0]);
@@ -47,10 +55,11 @@ abstract class BackwardMethod implements Integrator {
   /**
    * @throws IllegalArgumentException if a setting is out of range
    */
-  BackwardMethod(IntegratorSettings settings, BackwardFormulas formulas) {
+  BackwardMethod(IntegratorSettings settings, BackwardFormulas formulas, BackwardMode mode) {
     settings.requireUsable();
     this.settings = settings;
     this.formulas = formulas;
+    this.mode = mode;
     control = new BackwardOrderControl(formulas);
   }
 
@@ -108,14 +117,26 @@ abstract class BackwardMethod implements Integrator {
     begun = false;
     writtenSize = 1;
     writtenOrder = 1;
+    jumps.begin();
     differences = new BackwardDifferences(y0, slope0);
     firstStep = new FirstStep(slope0);
-    norm.begin(
-        settings.relativeTolerance(), settings.absoluteTolerances(y0.length), equations.manifold());
+    relativeTolerance = settings.relativeTolerance();
+    double[] absoluteTolerances = settings.absoluteTolerances(y0.length);
+    if (mode != BackwardMode.FAITHFUL && equations.manifold().anyAlgebraic()) {
+      tighten(absoluteTolerances);
+    }
+    norm.begin(relativeTolerance, absoluteTolerances, equations.manifold());
     norm.weigh(y0);
     bounds.begin(t0, tEnd, settings.maxStep());
     direction = Math.signum(tEnd - t0);
     interval = Math.abs(tEnd - t0);
+  }
+
+  private void tighten(double[] absoluteTolerances) {
+    relativeTolerance *= ALGEBRAIC_PART;
+    for (int l = 0; l < absoluteTolerances.length; l++) {
+      absoluteTolerances[l] *= ALGEBRAIC_PART;
+    }
   }
 
   /** Returns the size at which the absolute tolerance takes over from the relative one. */
@@ -215,13 +236,7 @@ abstract class BackwardMethod implements Integrator {
       double smallest = bounds.smallest(t0);
       double passing =
           firstStep.size(
-              equations,
-              t0,
-              differences.state(),
-              norm,
-              longest,
-              smallest,
-              settings.relativeTolerance());
+              equations, t0, differences.state(), norm, longest, smallest, relativeTolerance);
       size = passing == 0 ? 0 : Math.max(smallest, cautious(passing, interval));
     }
     h = Math.copySign(size, longest);
@@ -258,15 +273,24 @@ abstract class BackwardMethod implements Integrator {
 
   private Attempt test() {
     control.estimate(differences, norm);
-    return control.error() <= 1 ? Attempt.PASSED : Attempt.TOO_INACCURATE;
+    if (control.error() <= 1) {
+      return Attempt.PASSED;
+    }
+    jumps.failed(h, control.error());
+    boolean jumped = equations.solutionMayJump() && jumps.solutionJumped(control.error());
+    return jumped ? Attempt.PASSED : Attempt.TOO_INACCURATE;
   }
 
   private void accept() {
     int k = control.order();
     differences.accept(k);
     progress.accepted(h, triedTime, k, control.error());
+    jumps.accepted(control.error());
     equations.moveOn(hGamma(), differences);
     h *= control.accept(differences, norm);
+    if (control.error() > 1) {
+      control.restart();
+    }
     begun = false;
     scaleUnitGroups();
     if (equations.manifold().accepted(triedTime, differences.state())) {
@@ -304,6 +328,9 @@ abstract class BackwardMethod implements Integrator {
     }
     double factor = inaccurate ? control.reject(differences, norm) : UNSOLVED_REDUCTION;
     h = Math.copySign(Math.max(factor * Math.abs(h), smallest), h);
+    if (inaccurate && jumps.derivativeJumped(h)) {
+      control.restart();
+    }
     return Optional.empty();
   }
 

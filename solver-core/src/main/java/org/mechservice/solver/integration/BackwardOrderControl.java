@@ -71,6 +71,12 @@ final class BackwardOrderControl {
     error = formulas.errorConstant(order) * norm.of(differences.correction);
   }
 
+  /** Goes on with order 1: what lies further back is of no use. */
+  void restart() {
+    order = 1;
+    equalSteps = 0;
+  }
+
   /** Chooses the order after a failed error test and returns the factor for the step. */
   double reject(BackwardDifferences differences, ErrorNorm norm) {
     if (failedBefore) {

@@ -144,6 +144,11 @@ final class ExplicitEquations extends StepEquations {
   }
 
   @Override
+  boolean solutionMayJump() {
+    return false;
+  }
+
+  @Override
   long evaluations() {
     return rightHandSide.evaluations();
   }

@@ -20,19 +20,19 @@ package org.mechservice.solver.integration;
  */
 public final class Ode15s extends BackwardMethod {
   /**
-   * Numerical differentiation formulas.
+   * Numerical differentiation formulas, standard mode.
    *
    * @throws IllegalArgumentException if a setting is out of range
    */
   public Ode15s(IntegratorSettings settings) {
-    this(settings, BackwardFormulas.NDF);
+    this(settings, BackwardFormulas.NDF, BackwardMode.STANDARD);
   }
 
   /**
    * @throws IllegalArgumentException if a setting is out of range
    */
-  public Ode15s(IntegratorSettings settings, BackwardFormulas formulas) {
-    super(settings, formulas);
+  public Ode15s(IntegratorSettings settings, BackwardFormulas formulas, BackwardMode mode) {
+    super(settings, formulas, mode);
   }
 
   @Override

@@ -28,19 +28,19 @@ public final class Ode15sR extends BackwardMethod implements ResidualIntegrator 
   private boolean implicit;
 
   /**
-   * Numerical differentiation formulas.
+   * Numerical differentiation formulas, standard mode.
    *
    * @throws IllegalArgumentException if a setting is out of range
    */
   public Ode15sR(IntegratorSettings settings) {
-    this(settings, BackwardFormulas.NDF);
+    this(settings, BackwardFormulas.NDF, BackwardMode.STANDARD);
   }
 
   /**
    * @throws IllegalArgumentException if a setting is out of range
    */
-  public Ode15sR(IntegratorSettings settings, BackwardFormulas formulas) {
-    super(settings, formulas);
+  public Ode15sR(IntegratorSettings settings, BackwardFormulas formulas, BackwardMode mode) {
+    super(settings, formulas, mode);
   }
 
   @Override
@@ -60,7 +60,7 @@ public final class Ode15sR extends BackwardMethod implements ResidualIntegrator 
       return StepResult.STOPPED;
     }
     if (attempt != Attempt.PASSED) {
-      return fail(attempt, values);
+      return fail(attempt, values, equations);
     }
     begin(equations, t0, y, yDot, tEnd);
     return progress().goOn(t0 == tEnd);
@@ -76,8 +76,9 @@ public final class Ode15sR extends BackwardMethod implements ResidualIntegrator 
     return new ResidualEquations(residual, linearisation, yDot);
   }
 
-  private StepResult fail(Attempt attempt, ConsistentStart values) {
+  private StepResult fail(Attempt attempt, ConsistentStart values, ResidualEquations equations) {
     return switch (attempt) {
+      case SINGULAR_MATRIX -> fail(Cause.SINGULAR_MATRIX, equations.singularComponent());
       case NOT_FINITE -> fail(Cause.NOT_FINITE, values.worstRow());
       case NOT_COMPLETED -> fail(Cause.NOT_COMPLETED, -1);
       default -> fail(Cause.INCONSISTENT_START, values.worstRow());

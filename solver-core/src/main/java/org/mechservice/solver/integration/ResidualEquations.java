@@ -169,6 +169,11 @@ final class ResidualEquations extends StepEquations {
   }
 
   @Override
+  boolean solutionMayJump() {
+    return true;
+  }
+
+  @Override
   long evaluations() {
     return residual.evaluations();
   }

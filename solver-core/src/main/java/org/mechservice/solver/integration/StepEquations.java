@@ -75,6 +75,9 @@ abstract class StepEquations {
   /** Returns how often the right-hand side or residual was evaluated. */
   abstract long evaluations();
 
+  /** Returns whether the solution may jump although the right-hand side is bounded. */
+  abstract boolean solutionMayJump();
+
   /** Takes note of the solution of an accepted step. */
   abstract void solved(double hGamma, BackwardDifferences differences);
 

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.integration.suite.ExplicitAsResidual;
 import org.mechservice.solver.integration.suite.PendulumWithMultiplier;
 import org.mechservice.solver.integration.suite.ResidualProblem;
@@ -50,8 +51,11 @@ class Ode15sRTest extends IntegratorContract {
       double evaluations,
       double jacobians,
       double factorisations) {
-    IntegrationStatistics cost =
-        ResidualRun.of(ResidualProblem.named(problem), tolerance).statistics();
+    ResidualProblem posed = ResidualProblem.named(problem);
+    Ode15sR faithful =
+        new Ode15sR(
+            ResidualRun.settings(posed, tolerance), BackwardFormulas.NDF, BackwardMode.FAITHFUL);
+    IntegrationStatistics cost = ResidualRun.of(faithful, posed).statistics();
     assertClose("steps", cost.steps(), steps, 0.03 * steps);
     assertClose("failed", cost.rejectedSteps(), failed, few(failed));
     assertClose("evaluations", cost.evaluations(), evaluations, 0.03 * evaluations);
@@ -113,6 +117,113 @@ class Ode15sRTest extends IntegratorContract {
         assertThat(invariant.applyAsDouble(y)).isCloseTo(0, within(10 * error));
       }
     }
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-4, 1e-6, 1e-8})
+  void checkpointsAreMetAsWellAsAStepEndThere(double tolerance) {
+    for (ResidualProblem problem : ResidualProblem.all()) {
+      double t = problem.reference().checkpointTime();
+      double[] y0 = problem.reference().initialState();
+      Ode15sR integrator = ResidualRun.integrator(problem, tolerance);
+      integrator.start(
+          problem, problem.start(), y0, problem.initialDerivative(), problem.reference().end());
+      do {
+        assertThat(integrator.step()).isNotEqualTo(StepResult.FAILED);
+      } while (integrator.time() < t);
+      double[] inside = Run.state(integrator, t, y0.length);
+      StepResult result =
+          integrator.start(problem, problem.start(), y0, problem.initialDerivative(), t);
+      while (result == StepResult.ADVANCED) {
+        result = integrator.step();
+      }
+      double[] expected = problem.reference().atCheckpoint();
+      double ended = problem.mixedDigits(Run.state(integrator, t, y0.length), expected);
+      // One digit, from an error no smaller than the tolerance: a step end may be right by luck.
+      assertThat(problem.mixedDigits(inside, expected))
+          .as(problem.name())
+          .isGreaterThanOrEqualTo(Math.min(ended, -StrictMath.log10(tolerance)) - 1);
+    }
+  }
+
+  // Behaviour
+
+  @Test
+  void blowUpOfAResidualSystemIsReportedWhereItHappens() {
+    Implicit blowUp = new Implicit(1, (t, y, yDot, r) -> r[0] = yDot[0] - y[0] * y[0]);
+    Ode15sR integrator = new Ode15sR(new IntegratorSettings(1e-6, 1e-6));
+    StepResult result = integrator.start(blowUp, 0, new double[] {1}, new double[] {1}, 2);
+    while (result == StepResult.ADVANCED) {
+      result = integrator.step();
+    }
+    assertThat(result).isEqualTo(StepResult.FAILED);
+    assertThat(integrator.failure().time()).isBetween(0.999, 1.0001);
+    assertThat(integrator.failure().worstComponent()).isZero();
+    assertThat(integrator.statistics().evaluations()).isLessThan(2000);
+    assertThat(Run.state(integrator, integrator.time(), 1)[0]).isFinite();
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-3, 1e-6, 1e-9})
+  void leavingTheDomainOfTheResidualIsReported(double tolerance) {
+    Implicit root = new Implicit(1, (t, y, yDot, r) -> r[0] = yDot[0] + Math.sqrt(y[0]));
+    Ode15sR integrator = new Ode15sR(new IntegratorSettings(tolerance, tolerance));
+    StepResult result = integrator.start(root, 0, new double[] {1}, new double[] {-1}, 3);
+    while (result == StepResult.ADVANCED) {
+      result = integrator.step();
+    }
+    assertThat(result).isEqualTo(StepResult.FAILED);
+    assertThat(integrator.failure().time()).isBetween(1.9, 2.1);
+  }
+
+  @Test
+  void tinyFirstStepIsOutgrownWithinFifteenPercentMoreSteps() {
+    ResidualProblem problem = ResidualProblem.named("ConservedRobertson");
+    IntegratorSettings chosen = ResidualRun.settings(problem, 1e-6);
+    IntegratorSettings tiny =
+        new IntegratorSettings(
+            chosen.relativeTolerance(),
+            chosen.absoluteTolerance(),
+            chosen.maxStep(),
+            1e-30,
+            0,
+            Long.MAX_VALUE,
+            () -> false);
+    double usual = ResidualRun.of(problem, 1e-6).statistics().steps();
+    ResidualRun run = ResidualRun.of(new Ode15sR(tiny), problem);
+    assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+    assertThat((double) run.statistics().steps()).isLessThan(1.15 * usual);
+  }
+
+  @Test
+  void constantSolutionOfAResidualSystemIsExactOverAnyInterval() {
+    Implicit constant = new Implicit(3, (t, y, yDot, r) -> System.arraycopy(yDot, 0, r, 0, 3));
+    double[] y0 = {1, -2e-300, 3e300};
+    Ode15sR integrator = new Ode15sR(new IntegratorSettings(1e-6, 1e-6));
+    StepResult result = integrator.start(constant, 0, y0, new double[3], 1e300);
+    while (result == StepResult.ADVANCED) {
+      result = integrator.step();
+    }
+    assertThat(result).isEqualTo(StepResult.REACHED_END);
+    assertThat(Run.state(integrator, 1e300, 3)).isEqualTo(y0);
+    assertThat(integrator.statistics().steps()).isLessThan(400);
+  }
+
+  @Test
+  void singularStepMatrixIsNamed() {
+    // The second row says nothing about the second component.
+    Implicit silent =
+        new Implicit(
+            2,
+            (t, y, yDot, r) -> {
+              r[0] = yDot[0] - 1;
+              r[1] = 0;
+            });
+    Ode15sR integrator = new Ode15sR(new IntegratorSettings(1e-6, 1e-6));
+    StepResult result = integrator.start(silent, 0, new double[2], new double[2], 1);
+    assertThat(result).isEqualTo(StepResult.FAILED);
+    assertThat(integrator.failure().cause()).isEqualTo(IntegrationFailure.Cause.SINGULAR_MATRIX);
+    assertThat(integrator.failure().worstComponent()).isEqualTo(1);
   }
 
   // Consistent start
