@@ -27,7 +27,8 @@ class ProjectionModelTest {
       assertThat(model.derivative(state.t(), y, yDot)).isEqualTo(ExplicitModel.REGULAR);
       double scale = 1 + Arrays.stream(state.a()).map(Math::abs).max().orElse(0);
       for (int i = 0; i < state.a().length; i++) {
-        assertThat(yDot[state.q().length + i]).as("t = " + state.t() + " a" + i)
+        assertThat(yDot[state.q().length + i])
+            .as("t = " + state.t() + " a" + i)
             .isCloseTo(state.a()[i], within(1e-11 * scale));
       }
     }
