@@ -26,6 +26,7 @@ class ArchitectureTest {
   /** Lower first; a package knows only those before it. */
   private static final List<String> SOLVER_LAYERS =
       List.of(
+          "pack",
           "linear",
           "spatial",
           "api",
@@ -71,6 +72,7 @@ class ArchitectureTest {
 
   @ValueSource(
       strings = {
+        "pack",
         "linear",
         "spatial",
         "api",

@@ -31,18 +31,22 @@ abstract class BackwardMethod implements Integrator {
   private double relativeTolerance;
 
   private StepEquations equations = StepEquations.none();
-  private BackwardDifferences differences = new BackwardDifferences(new double[0], new double[0]);
-  private FirstStep firstStep = new FirstStep(new double[0]);
+  private BackwardDifferences differences = new BackwardDifferences(0);
+  private FirstStep firstStep = new FirstStep(0);
 
   /** Size and end of the step being tried; size 0 as long as the first is not chosen. */
   private double h;
 
   private double triedTime;
 
-  /** 1 forwards, −1 backwards in t; length of the problem. */
-  private double direction;
+  /** End of the problem. */
+  private double tEnd;
 
-  private double interval;
+  /** First step asked for; 0 for the method's choice. */
+  private double initialStep;
+
+  /** Whether state and derivative of a start are still to be completed. */
+  private boolean startDue;
 
   /** Whether a step is begun. */
   private boolean begun;
@@ -70,7 +74,7 @@ abstract class BackwardMethod implements Integrator {
    * Returns the size of the first step.
    *
    * @param size for which the estimated error just passes
-   * @param interval length of the problem, positive
+   * @param interval how far it is to the end, positive
    */
   abstract double cautious(double size, double interval);
 
@@ -82,54 +86,75 @@ abstract class BackwardMethod implements Integrator {
   @Override
   public final StepResult start(OdeSystem system, double t0, double[] y0, double tEnd) {
     IntegratorSettings.requireUsable(t0, tEnd, y0, system.dimension());
-    double[] tolerances = settings.absoluteTolerances(y0.length);
     RightHandSide rightHandSide = new RightHandSide(system, settings.stop());
-    double[] y = y0.clone();
-    double[] derivative = new double[y.length];
-    boolean fits = new Manifold(system).complete(t0, y);
-    rightHandSide.evaluateAlways(t0, y, derivative);
+    rightHandSide.breakpoints().begin(system, t0, tEnd);
     beginExplicit();
-    begin(
-        new ExplicitEquations(rightHandSide, smallSizes(tolerances), derivative),
-        t0,
-        y,
-        derivative,
-        tEnd);
-    if (!fits) {
-      return fail(Cause.NOT_COMPLETED, -1);
-    }
-    int component = RightHandSide.firstNotFinite(derivative);
-    return component < 0 ? progress.goOn(t0 == tEnd) : fail(Cause.NOT_FINITE, component);
+    return begin(new ExplicitEquations(rightHandSide, smallSizes(y0.length)), t0, y0, tEnd);
   }
 
-  /**
-   * Begins a problem that is not yet ready to be advanced.
-   *
-   * @param y0 state at the start; not modified
-   * @param slope0 its derivative there; kept, not modified
-   */
-  final void begin(StepEquations equations, double t0, double[] y0, double[] slope0, double tEnd) {
+  /** Begins a problem. */
+  final StepResult begin(StepEquations equations, double t0, double[] y0, double tEnd) {
     this.equations = equations;
-    progress.begin(t0);
-    control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER));
-    h = 0;
-    triedTime = t0;
-    begun = false;
-    writtenSize = 1;
-    writtenOrder = 1;
-    jumps.begin();
-    differences = new BackwardDifferences(y0, slope0);
-    firstStep = new FirstStep(slope0);
+    this.tEnd = tEnd;
+    differences = new BackwardDifferences(y0.length);
+    firstStep = new FirstStep(y0.length);
     relativeTolerance = settings.relativeTolerance();
     double[] absoluteTolerances = settings.absoluteTolerances(y0.length);
     if (mode != BackwardMode.FAITHFUL && equations.manifold().anyAlgebraic()) {
       tighten(absoluteTolerances);
     }
     norm.begin(relativeTolerance, absoluteTolerances, equations.manifold());
-    norm.weigh(y0);
     bounds.begin(t0, tEnd, settings.maxStep());
-    direction = Math.signum(tEnd - t0);
-    interval = Math.abs(tEnd - t0);
+    progress.begin(t0);
+    return beginAt(t0, y0, settings.initialStep());
+  }
+
+  @Override
+  public final StepResult restart(double t, double[] y) {
+    progress.requireInLastStep(t);
+    IntegratorSettings.requireUsable(y, differences.state().length);
+    if (equations.breakpoints().reachedAt(t)) {
+      equations.breakpoints().pass();
+    }
+    return beginAnew(t, y);
+  }
+
+  private StepResult beginAnew(double t, double[] y) {
+    progress.beginAgain(t);
+    return beginAt(t, y, 0);
+  }
+
+  /** Begins at order 1, with a step of the given size or, if that is 0, of the method's choice. */
+  private StepResult beginAt(double t, double[] y, double initialStep) {
+    control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER));
+    jumps.begin();
+    bounds.stopAt(equations.breakpoints().next());
+    this.initialStep = initialStep;
+    h = 0;
+    triedTime = t;
+    begun = false;
+    writtenSize = 1;
+    writtenOrder = 1;
+    differences.begin(y);
+    norm.weigh(differences.state());
+    equations.beginAnew();
+    startDue = true;
+    return findStart();
+  }
+
+  /** Completes state and derivative of a start. */
+  private StepResult findStart() {
+    double t = progress.time();
+    Attempt attempt = equations.findStart(t, differences.state(), differences.slope());
+    if (attempt == Attempt.STOPPED) {
+      progress.goOn(false);
+      return StepResult.STOPPED;
+    }
+    startDue = false;
+    norm.weigh(differences.state());
+    return attempt == Attempt.PASSED
+        ? progress.goOn(bounds.reachedAt(t))
+        : fail(equations.causeAtStart(attempt), equations.componentAtStart(attempt));
   }
 
   private void tighten(double[] absoluteTolerances) {
@@ -140,8 +165,8 @@ abstract class BackwardMethod implements Integrator {
   }
 
   /** Returns the size at which the absolute tolerance takes over from the relative one. */
-  final double[] smallSizes(double[] absoluteTolerances) {
-    double[] sizes = absoluteTolerances.clone();
+  final double[] smallSizes(int dimension) {
+    double[] sizes = settings.absoluteTolerances(dimension);
     for (int l = 0; l < sizes.length; l++) {
       double size = sizes[l] / settings.relativeTolerance();
       sizes[l] = Double.isFinite(size) ? size : sizes[l];
@@ -159,14 +184,27 @@ abstract class BackwardMethod implements Integrator {
     return norm;
   }
 
-  /** Returns how far the problem has come. */
-  final Progress progress() {
-    return progress;
-  }
-
   @Override
   public final StepResult step() {
     progress.requireRunning();
+    StepResult result = startDue ? findStart() : StepResult.ADVANCED;
+    if (result == StepResult.ADVANCED && equations.breakpoints().reachedAt(progress.time())) {
+      result = passBreakpoint();
+    }
+    return result == StepResult.ADVANCED ? advance() : result;
+  }
+
+  /** Begins anew on the other side of a jump. */
+  private StepResult passBreakpoint() {
+    if (equations.stopped()) {
+      return StepResult.STOPPED;
+    }
+    equations.breakpoints().pass();
+    return beginAnew(progress.time(), differences.state());
+  }
+
+  /** Tries steps until one is accepted. */
+  private StepResult advance() {
     while (progress.tries() < settings.maxSteps()) {
       Attempt attempt = tryStep();
       if (attempt == Attempt.STOPPED) {
@@ -230,14 +268,21 @@ abstract class BackwardMethod implements Integrator {
 
   private boolean chooseFirstStep() {
     double t0 = progress.time();
-    double longest = bounds.bounded(t0, direction * Double.MAX_VALUE);
-    double size = settings.initialStep();
+    double longest = bounds.bounded(t0, Math.copySign(Double.MAX_VALUE, tEnd - t0));
+    double size = initialStep;
     if (size == 0) {
       double smallest = bounds.smallest(t0);
       double passing =
           firstStep.size(
-              equations, t0, differences.state(), norm, longest, smallest, relativeTolerance);
-      size = passing == 0 ? 0 : Math.max(smallest, cautious(passing, interval));
+              equations,
+              t0,
+              differences.state(),
+              differences.slope(),
+              norm,
+              longest,
+              smallest,
+              relativeTolerance);
+      size = passing == 0 ? 0 : Math.max(smallest, cautious(passing, Math.abs(tEnd - t0)));
     }
     h = Math.copySign(size, longest);
     return size > 0;
@@ -340,7 +385,7 @@ abstract class BackwardMethod implements Integrator {
         : equations.limitingComponent(attempt, norm);
   }
 
-  final StepResult fail(Cause cause, int component) {
+  private StepResult fail(Cause cause, int component) {
     return progress.fail(cause, h, control.order(), component, norm);
   }
 

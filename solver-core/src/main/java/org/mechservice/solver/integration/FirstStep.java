@@ -9,22 +9,20 @@ final class FirstStep {
   /** The step is this much shorter than the estimates allow. */
   private static final double SAFETY = 1.25;
 
-  /** y' and y'' at the start, length n. */
-  private final double[] slope;
-
+  /** y'' at the start, length n. */
   private final double[] curvature;
 
   /**
-   * @param slope y' at the start; kept, not modified
+   * @param dimension n
    */
-  FirstStep(double[] slope) {
-    this.slope = slope;
-    curvature = new double[slope.length];
+  FirstStep(int dimension) {
+    curvature = new double[dimension];
   }
 
   /**
    * Returns the size of the step, positive; 0 if told to stop.
    *
+   * @param slope y' at the start; not modified
    * @param longest longest step allowed, signed
    * @param smallest smallest step that the arithmetic can hold
    * @param relativeTolerance of the norm
@@ -33,6 +31,7 @@ final class FirstStep {
       StepEquations equations,
       double t0,
       double[] y0,
+      double[] slope,
       ErrorNorm norm,
       double longest,
       double smallest,

@@ -49,6 +49,11 @@ final class NewtonIteration {
     return begun;
   }
 
+  /** Forgets an iteration that was stopped. */
+  void abandon() {
+    begun = false;
+  }
+
   /** Begins at the prediction. */
   void begin(BackwardDifferences differences, ErrorNorm norm) {
     begun = true;

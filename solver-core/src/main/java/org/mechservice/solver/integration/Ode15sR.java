@@ -1,7 +1,5 @@
 package org.mechservice.solver.integration;
 
-import org.mechservice.solver.integration.IntegrationFailure.Cause;
-
 /**
  * ode15sR: the formulas of ode15s for systems in residual form, F(t, y, y') = 0: implicit
  * equations, mass matrices, and differential-algebraic systems of index 1.
@@ -49,40 +47,15 @@ public final class Ode15sR extends BackwardMethod implements ResidualIntegrator 
     IntegratorSettings.requireUsable(t0, tEnd, y0, system.dimension());
     IntegratorSettings.requireUsableDerivative(yDot0, system.dimension());
     implicit = true;
-    double[] y = y0.clone();
-    double[] yDot = yDot0.clone();
-    ResidualEquations equations = equations(system, yDot);
-    begin(equations, t0, y, yDot, tEnd);
-    ConsistentStart values =
-        new ConsistentStart(equations, norm(), settings(), t0, y, yDot, tEnd - t0);
-    Attempt attempt = equations.manifold().complete(t0, y) ? values.find() : Attempt.NOT_COMPLETED;
-    if (attempt == Attempt.STOPPED) {
-      return StepResult.STOPPED;
-    }
-    if (attempt != Attempt.PASSED) {
-      return fail(attempt, values, equations);
-    }
-    begin(equations, t0, y, yDot, tEnd);
-    return progress().goOn(t0 == tEnd);
-  }
-
-  private ResidualEquations equations(ResidualSystem system, double[] yDot) {
     Residual residual = new Residual(system, new Manifold(system), settings().stop());
+    residual.breakpoints().begin(system, t0, tEnd);
     ResidualLinearisation linearisation =
         system instanceof LinearisedSystem own
             ? new OwnLinearisation(own, residual)
-            : new StoredLinearisation(
-                system, residual, smallSizes(settings().absoluteTolerances(yDot.length)));
-    return new ResidualEquations(residual, linearisation, yDot);
-  }
-
-  private StepResult fail(Attempt attempt, ConsistentStart values, ResidualEquations equations) {
-    return switch (attempt) {
-      case SINGULAR_MATRIX -> fail(Cause.SINGULAR_MATRIX, equations.singularComponent());
-      case NOT_FINITE -> fail(Cause.NOT_FINITE, values.worstRow());
-      case NOT_COMPLETED -> fail(Cause.NOT_COMPLETED, -1);
-      default -> fail(Cause.INCONSISTENT_START, values.worstRow());
-    };
+            : new StoredLinearisation(system, residual, smallSizes(y0.length));
+    StepEquations equations =
+        new ResidualEquations(residual, linearisation, yDot0, tEnd, norm(), settings());
+    return begin(equations, t0, y0, tEnd);
   }
 
   @Override

@@ -17,11 +17,16 @@ final class OwnLinearisation implements ResidualLinearisation {
     if (residual.stopped()) {
       return Attempt.STOPPED;
     }
-    return system.linearise(t, y, yDot) ? Attempt.PASSED : Attempt.NOT_FINITE;
+    return system.linearise(residual.breakpoints().inside(t), y, yDot)
+        ? Attempt.PASSED
+        : Attempt.NOT_FINITE;
   }
 
   @Override
   public void knowStep(double h) {}
+
+  @Override
+  public void abandon() {}
 
   /** The matrix for hγ = 0 is singular if there are algebraic components. */
   @Override

@@ -1,5 +1,7 @@
 package org.mechservice.solver.integration;
 
+import org.mechservice.solver.integration.IntegrationFailure.Cause;
+
 /**
  * The equations of a step for F(t, y, y') = 0. The formulas give y' = (ψ + d) / hγ at the new
  * point, and the iteration solves
@@ -14,6 +16,7 @@ final class ResidualEquations extends StepEquations {
 
   private final Residual residual;
   private final ResidualLinearisation linearisation;
+  private final ConsistentStart start;
 
   /** y' at the last accepted point, length n. */
   private final double[] slope;
@@ -32,13 +35,22 @@ final class ResidualEquations extends StepEquations {
   private double startHGamma;
 
   /**
-   * @param slope y' at the start; kept and overwritten by that of later points
+   * @param yDot0 guess of y' at the start; not modified
+   * @param tEnd end of the problem
+   * @param norm by which its errors will be judged
    */
-  ResidualEquations(Residual residual, ResidualLinearisation linearisation, double[] slope) {
+  ResidualEquations(
+      Residual residual,
+      ResidualLinearisation linearisation,
+      double[] yDot0,
+      double tEnd,
+      ErrorNorm norm,
+      IntegratorSettings settings) {
     super(residual.manifold());
     this.residual = residual;
     this.linearisation = linearisation;
-    this.slope = slope;
+    slope = yDot0.clone();
+    start = new ConsistentStart(this, norm, settings, tEnd);
     int n = slope.length;
     iterateSlope = new double[n];
     value = new double[n];
@@ -52,6 +64,48 @@ final class ResidualEquations extends StepEquations {
 
   ResidualLinearisation linearisation() {
     return linearisation;
+  }
+
+  @Override
+  Breakpoints breakpoints() {
+    return residual.breakpoints();
+  }
+
+  @Override
+  boolean stopped() {
+    return residual.stopped();
+  }
+
+  @Override
+  void abandon() {
+    linearisation.abandon();
+    start.abandon();
+  }
+
+  @Override
+  Attempt findStart(double t, double[] y, double[] slope0) {
+    Attempt attempt = start.find(t, y, slope);
+    System.arraycopy(slope, 0, slope0, 0, slope.length);
+    return attempt;
+  }
+
+  @Override
+  Cause causeAtStart(Attempt attempt) {
+    return switch (attempt) {
+      case SINGULAR_MATRIX -> Cause.SINGULAR_MATRIX;
+      case NOT_FINITE -> Cause.NOT_FINITE;
+      case NOT_COMPLETED -> Cause.NOT_COMPLETED;
+      default -> Cause.INCONSISTENT_START;
+    };
+  }
+
+  @Override
+  int componentAtStart(Attempt attempt) {
+    return switch (attempt) {
+      case SINGULAR_MATRIX -> singularComponent();
+      case NOT_COMPLETED -> -1;
+      default -> start.worstRow();
+    };
   }
 
   @Override

@@ -18,6 +18,9 @@ interface ResidualLinearisation {
    */
   void knowStep(double h);
 
+  /** Forgets derivatives that were stopped half way. */
+  void abandon();
+
   /** Factors hγ ∂F/∂y + ∂F/∂y'; returns whether it is regular. */
   boolean factor(double hGamma);
 

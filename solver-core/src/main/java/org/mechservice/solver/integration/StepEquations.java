@@ -32,6 +32,29 @@ abstract class StepEquations {
     newton = new NewtonIteration(manifold.dimension());
   }
 
+  /** Returns the places at which the equations jump. */
+  abstract Breakpoints breakpoints();
+
+  /** Returns whether the stop signal is given. */
+  abstract boolean stopped();
+
+  /** Forgets whatever was stopped: the problem begins, or goes on from another state. */
+  abstract void abandon();
+
+  /**
+   * Finds what is not given of state and derivative where a problem begins or goes on anew.
+   *
+   * @param y state; completed
+   * @param slope its derivative; overwritten
+   */
+  abstract Attempt findStart(double t, double[] y, double[] slope);
+
+  /** Returns what to call a failure of {@link #findStart}. */
+  abstract Cause causeAtStart(Attempt attempt);
+
+  /** Returns the component to name in it; −1 if there is none. */
+  abstract int componentAtStart(Attempt attempt);
+
   /** Evaluates the derivatives at the start of the step. */
   abstract Attempt formDerivatives(double t, double[] y);
 
@@ -83,6 +106,15 @@ abstract class StepEquations {
 
   final Manifold manifold() {
     return manifold;
+  }
+
+  /** Makes ready to find the start and then to step from there. */
+  final void beginAnew() {
+    wanted = true;
+    current = false;
+    outdate();
+    newton.abandon();
+    abandon();
   }
 
   /** Evaluates the derivatives where the step starts if new ones are wanted. */
@@ -219,6 +251,6 @@ abstract class StepEquations {
 
   /** Stands in until a problem is given. */
   static StepEquations none() {
-    return new ExplicitEquations(RightHandSide.none(), new double[0], new double[0]);
+    return new ExplicitEquations(RightHandSide.none(), new double[0]);
   }
 }

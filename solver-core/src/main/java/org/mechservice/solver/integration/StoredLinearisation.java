@@ -76,6 +76,13 @@ final class StoredLinearisation implements ResidualLinearisation {
   }
 
   @Override
+  public void abandon() {
+    derivativeDone = false;
+    inDerivative.abandon();
+    inState.abandon();
+  }
+
+  @Override
   public Attempt form(double t, double[] y, double[] yDot) {
     Attempt attempt =
         system instanceof ResidualJacobianSystem known
@@ -93,7 +100,8 @@ final class StoredLinearisation implements ResidualLinearisation {
     if (residual.stopped()) {
       return Attempt.STOPPED;
     }
-    known.jacobians(t, y, yDot, fy.formingFromZero(), fyDot.formingFromZero());
+    known.jacobians(
+        residual.breakpoints().inside(t), y, yDot, fy.formingFromZero(), fyDot.formingFromZero());
     notFiniteComponent = Math.max(fy.rowNotFinite(), fyDot.rowNotFinite());
     return notFiniteComponent < 0 ? Attempt.PASSED : Attempt.NOT_FINITE;
   }
