@@ -14,6 +14,8 @@ class SceneFileTest {
     "pendulum5, pendulum/pendulum.xml",
     "driver_free_C0, driver/driver-free-c0.xml",
     "driver_free_CK100, driver/driver-free-ck100.xml",
+    "driver_C0, driver/driver-c0.xml",
+    "driver_CK100, driver/driver-ck100.xml",
     "driver_C0, driver/variants/driver-c0-elements.xml",
     "driver_CK100, driver/variants/driver-ck100-elements.xml",
     "fps, five-point-suspension/five-point-suspension.xml",
