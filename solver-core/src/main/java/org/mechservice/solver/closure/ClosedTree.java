@@ -30,7 +30,6 @@ final class ClosedTree {
   final double[] wrench;
 
   final double[] tau;
-  private final double[] noAcceleration;
 
   ClosedTree(TreeGeometry tree) {
     this.tree = tree;
@@ -39,13 +38,12 @@ final class ClosedTree {
     coordinates = new StateCoordinates(tree.mechanism());
     units = new CoordinateUnits(tree.mechanism(), loops.length());
     rods = new MassiveRods(tree);
-    open = new SemiRecursive(tree, rods.pairs()).newWorkspace(motion);
+    open = new SemiRecursive(tree).newWorkspace(motion);
     nq = tree.statePositionCount;
     nv = tree.stateVelocityCount;
     mass = new double[nv * nv];
     wrench = new double[6 * tree.linkCount];
     tau = new double[tree.velocityCount];
-    noAcceleration = new double[nv];
   }
 
   /** Sweeps the motion and evaluates Φ, J and Φ'. */
@@ -59,7 +57,6 @@ final class ClosedTree {
   /** Forms M at the places of the last sweep. */
   void formMass() {
     open.formMassMatrix();
-    rods.addMass(motion, open.massMatrix());
     open.massMatrix().toDense(mass);
   }
 
@@ -67,10 +64,6 @@ final class ClosedTree {
   double[] formBias(double t) {
     Arrays.fill(wrench, 0);
     Arrays.fill(tau, 0);
-    if (!rods.isEmpty()) {
-      motion.accelerationSweep(noAcceleration);
-      rods.addForces(motion, wrench);
-    }
     open.formBias(wrench, tau);
     loops.accelerate(motion, t);
     return open.bias();
