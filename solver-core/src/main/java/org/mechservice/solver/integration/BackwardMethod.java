@@ -2,6 +2,7 @@ package org.mechservice.solver.integration;
 
 import java.util.Optional;
 import org.mechservice.solver.integration.IntegrationFailure.Cause;
+import org.mechservice.solver.integration.IntegratorSettings.Mode;
 
 /**
  * Numerical or backward differentiation formulas of variable order and step. What the programs
@@ -15,12 +16,16 @@ abstract class BackwardMethod implements Integrator {
   /** Reduction of a step whose iteration did not converge although the derivatives were new. */
   private static final double UNSOLVED_REDUCTION = 0.3;
 
-  /** Part of the tolerances for systems with algebraic components. */
+  /** Part of the tolerances for systems with algebraic components, and in the accurate mode. */
   private static final double ALGEBRAIC_PART = 1.0 / 3;
+
+  private static final double ACCURATE_PART = 0.1;
+
+  private static final double SMALLEST_TOLERANCE = IntegratorSettings.SMALLEST_RELATIVE_TOLERANCE;
 
   private final IntegratorSettings settings;
   private final BackwardFormulas formulas;
-  private final BackwardMode mode;
+  private final Mode mode;
   private final MaximumNorm norm = new MaximumNorm();
   private final StepsToEnd bounds = new StepsToEnd();
   private final BackwardOrderControl control;
@@ -45,6 +50,9 @@ abstract class BackwardMethod implements Integrator {
   /** First step asked for; 0 for the method's choice. */
   private double initialStep;
 
+  /** Whether the problem went on from another state, or across a declared jump. */
+  private boolean restarted;
+
   /** Whether state and derivative of a start are still to be completed. */
   private boolean startDue;
 
@@ -59,24 +67,13 @@ abstract class BackwardMethod implements Integrator {
   /**
    * @throws IllegalArgumentException if a setting is out of range
    */
-  BackwardMethod(IntegratorSettings settings, BackwardFormulas formulas, BackwardMode mode) {
+  BackwardMethod(IntegratorSettings settings, BackwardFormulas formulas) {
     settings.requireUsable();
     this.settings = settings;
     this.formulas = formulas;
-    this.mode = mode;
+    mode = settings.mode();
     control = new BackwardOrderControl(formulas);
   }
-
-  /** Takes note that the problem begun is in explicit form. */
-  void beginExplicit() {}
-
-  /**
-   * Returns the size of the first step.
-   *
-   * @param size for which the estimated error just passes
-   * @param interval how far it is to the end, positive
-   */
-  abstract double cautious(double size, double interval);
 
   /**
    * {@inheritDoc}
@@ -88,7 +85,6 @@ abstract class BackwardMethod implements Integrator {
     IntegratorSettings.requireUsable(t0, tEnd, y0, system.dimension());
     RightHandSide rightHandSide = new RightHandSide(system, settings.stop());
     rightHandSide.breakpoints().begin(system, t0, tEnd);
-    beginExplicit();
     return begin(new ExplicitEquations(rightHandSide, smallSizes(y0.length)), t0, y0, tEnd);
   }
 
@@ -100,12 +96,15 @@ abstract class BackwardMethod implements Integrator {
     firstStep = new FirstStep(y0.length);
     relativeTolerance = settings.relativeTolerance();
     double[] absoluteTolerances = settings.absoluteTolerances(y0.length);
-    if (mode != BackwardMode.FAITHFUL && equations.manifold().anyAlgebraic()) {
-      tighten(absoluteTolerances);
+    if (mode == Mode.ACCURATE) {
+      tighten(absoluteTolerances, ACCURATE_PART);
+    } else if (mode != Mode.FAITHFUL && equations.manifold().anyAlgebraic()) {
+      tighten(absoluteTolerances, ALGEBRAIC_PART);
     }
     norm.begin(relativeTolerance, absoluteTolerances, equations.manifold());
     bounds.begin(t0, tEnd, settings.maxStep());
     progress.begin(t0);
+    restarted = false;
     return beginAt(t0, y0, settings.initialStep());
   }
 
@@ -121,12 +120,13 @@ abstract class BackwardMethod implements Integrator {
 
   private StepResult beginAnew(double t, double[] y) {
     progress.beginAgain(t);
+    restarted = true;
     return beginAt(t, y, 0);
   }
 
   /** Begins at order 1, with a step of the given size or, if that is 0, of the method's choice. */
   private StepResult beginAt(double t, double[] y, double initialStep) {
-    control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER));
+    control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER), restarted);
     jumps.begin();
     bounds.stopAt(equations.breakpoints().next());
     this.initialStep = initialStep;
@@ -157,10 +157,10 @@ abstract class BackwardMethod implements Integrator {
         : fail(equations.causeAtStart(attempt), equations.componentAtStart(attempt));
   }
 
-  private void tighten(double[] absoluteTolerances) {
-    relativeTolerance *= ALGEBRAIC_PART;
+  private void tighten(double[] absoluteTolerances, double part) {
+    relativeTolerance = Math.max(part * relativeTolerance, SMALLEST_TOLERANCE);
     for (int l = 0; l < absoluteTolerances.length; l++) {
-      absoluteTolerances[l] *= ALGEBRAIC_PART;
+      absoluteTolerances[l] = Math.max(part * absoluteTolerances[l], Double.MIN_NORMAL);
     }
   }
 
@@ -282,7 +282,9 @@ abstract class BackwardMethod implements Integrator {
               longest,
               smallest,
               relativeTolerance);
-      size = passing == 0 ? 0 : Math.max(smallest, cautious(passing, Math.abs(tEnd - t0)));
+      double usual = equations.cautious(passing, Math.abs(tEnd - t0));
+      double chosen = restarted ? firstStep.afterRestart(usual, differences.slope(), norm) : usual;
+      size = passing == 0 ? 0 : Math.max(smallest, chosen);
     }
     h = Math.copySign(size, longest);
     return size > 0;
