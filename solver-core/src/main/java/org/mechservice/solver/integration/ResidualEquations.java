@@ -264,4 +264,11 @@ final class ResidualEquations extends StepEquations {
     }
     linearisation.knowRate(smallMove / Math.abs(hGamma));
   }
+
+  @Override
+  void transferDerivatives(StateTransfer state) {
+    residual.transfer(state);
+    state.numbers(slope);
+    linearisation.transfer(state);
+  }
 }
