@@ -28,6 +28,9 @@ abstract class ClosureRows {
   /** Returns the size of what an equation measures after {@link #place}: m, or 1 rad. */
   abstract double size(int row);
 
+  /** Returns the SI unit of what an equation measures, after {@link #place}. */
+  abstract String unit(int row);
+
   /** Evaluates values and gradients. */
   abstract void place(TreeMotion motion, double t);
 

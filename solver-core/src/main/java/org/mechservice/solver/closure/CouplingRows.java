@@ -45,6 +45,12 @@ final class CouplingRows extends ClosureRows {
     return size;
   }
 
+  /** {@inheritDoc} The relation says which; it need not be one unit throughout. */
+  @Override
+  String unit(int row) {
+    return "SI";
+  }
+
   @Override
   void place(TreeMotion motion, double t) {
     for (int i = 0; i < leaves.length; i++) {

@@ -123,6 +123,16 @@ public final class LoopEquations {
     return closureOfRow[row].size(rowInClosure[row]);
   }
 
+  /** Returns closure and label of an equation, for messages. */
+  public String name(int row) {
+    return "constraint \"" + closure(row).name() + "\" (" + label(row) + ")";
+  }
+
+  /** Returns the SI unit of an equation's residual. */
+  public String unit(int row) {
+    return closureOfRow[row].unit(rowInClosure[row]);
+  }
+
   /** Returns the length that makes residuals in m comparable, m. */
   public double length() {
     return length;

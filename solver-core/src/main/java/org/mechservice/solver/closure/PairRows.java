@@ -130,9 +130,17 @@ final class PairRows extends ClosureRows {
 
   @Override
   double size(int row) {
+    return displaces(row) ? length : 1;
+  }
+
+  @Override
+  String unit(int row) {
+    return displaces(row) ? "m" : "rad";
+  }
+
+  private boolean displaces(int row) {
     double[] gradient = functions[row].gradient;
-    boolean displaces = gradient[3] != 0 || gradient[4] != 0 || gradient[5] != 0;
-    return displaces ? length : 1;
+    return gradient[3] != 0 || gradient[4] != 0 || gradient[5] != 0;
   }
 
   @Override

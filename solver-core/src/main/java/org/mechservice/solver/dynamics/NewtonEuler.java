@@ -24,7 +24,7 @@ final class NewtonEuler {
   final double[] force;
 
   /** Acceleration of free fall in link axes, m/s², 3 per link. */
-  private final double[] gravity;
+  final double[] gravity;
 
   private final double[] work = new double[6];
 

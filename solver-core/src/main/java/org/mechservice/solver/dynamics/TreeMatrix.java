@@ -9,7 +9,7 @@ import org.mechservice.solver.api.ExplicitModel;
  *
  * <p>Elements are addressed by place; vectors are in the order of the state.
  */
-public final class TreeMatrix {
+public final class TreeMatrix implements TreeElements {
   private final TreePattern pattern;
   private final double[] diagonal;
   private final double[] lower;
@@ -61,8 +61,36 @@ public final class TreeMatrix {
     return pattern.size;
   }
 
-  double diagonal(int place) {
-    return diagonal[place];
+  @Override
+  public double[] diagonal() {
+    return diagonal;
+  }
+
+  @Override
+  public double[] lower() {
+    return lower;
+  }
+
+  @Override
+  public double[] upper() {
+    return lower;
+  }
+
+  /**
+   * Returns an element.
+   *
+   * @param velocity1 velocity of the state
+   * @param velocity2 velocity of the state
+   */
+  public double get(int velocity1, int velocity2) {
+    requireElements();
+    int p1 = pattern.placeOf[velocity1];
+    int p2 = pattern.placeOf[velocity2];
+    if (p1 == p2) {
+      return diagonal[p1];
+    }
+    int index = pattern.find(Math.max(p1, p2), Math.min(p1, p2));
+    return index < 0 ? 0 : lower[index];
   }
 
   /** Copies the elements, not the factors, of a matrix of the same pattern. */

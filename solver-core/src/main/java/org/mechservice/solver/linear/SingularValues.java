@@ -178,6 +178,27 @@ public final class SingularValues {
   }
 
   /**
+   * Solves (AᵀA + μ 1) x = Aᵀ b, a step of Levenberg and Marquardt.
+   *
+   * @param damping μ, positive
+   * @param right right-hand side, m numbers; not modified
+   * @param x n numbers; overwritten
+   */
+  public void solveDamped(double damping, double[] right, double[] x) {
+    Arrays.fill(x, 0, n, 0);
+    for (int k = 0; k < m; k++) {
+      double projected = 0;
+      for (int i = 0; i < m; i++) {
+        projected += u[k * m + i] * right[i];
+      }
+      double part = projected / (sigma[k] * sigma[k] + damping);
+      for (int j = 0; j < n; j++) {
+        x[j] += part * b[k * n + j];
+      }
+    }
+  }
+
+  /**
    * Solves Aᵀ x ≈ b with the least error and, among those, the smallest x.
    *
    * @param right right-hand side, n numbers; not modified

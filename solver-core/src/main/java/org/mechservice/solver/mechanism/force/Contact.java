@@ -17,10 +17,11 @@ import org.mechservice.solver.mechanism.Origin;
  *
  * <p>N = k pos(d)ⁿ + c d′ pos′(d),
  *
- * <p>applied at the lowest point of the sphere (radius below the centre, along z), and the friction
- * there −friction · N · u / √(|u|² + frictionSpeed²), u the velocity along x and y of the body's
- * point there relative to the surface. The carrier of the surface feels the opposite at the same
- * place. A steep profile needs a small radius: the normal is taken along z, not across the slope.
+ * <p>and the surface pushes across itself, (−N h′, 0, N) on the centre. Friction acts at the lowest
+ * point of the sphere (radius below the centre, along z): −friction · N · u / √(|u|² +
+ * frictionSpeed²), u the velocity along x and y of the body's point there relative to the surface.
+ * The carrier of the surface feels the opposite at the same places. A steep profile needs a small
+ * radius: distances are taken along z, not across the slope.
  *
  * <p>Energy: k ∫ posⁿ (zero at d = 0 for n = 1, at d = −∞ for n &gt; 1); power lost: c d′² pos′(d)
  * and the work of friction. A damper can pull for an instant while the sphere leaves; friction
