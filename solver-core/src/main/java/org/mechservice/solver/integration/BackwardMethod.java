@@ -2,6 +2,7 @@ package org.mechservice.solver.integration;
 
 import java.util.Optional;
 import org.mechservice.solver.integration.IntegrationFailure.Cause;
+import org.mechservice.solver.integration.IntegratorSettings.Mode;
 
 /**
  * Numerical or backward differentiation formulas of variable order and step. What the programs
@@ -23,7 +24,7 @@ abstract class BackwardMethod implements Integrator {
 
   private final double toleranceFactor;
   private final BackwardFormulas formulas;
-  private final BackwardMode mode;
+  private final Mode mode;
   private final MaximumNorm norm = new MaximumNorm();
   private final StepsToEnd bounds = new StepsToEnd();
   private final BackwardOrderControl control;
@@ -50,6 +51,9 @@ abstract class BackwardMethod implements Integrator {
 
   private double longestFirstStep;
 
+  /** Whether the problem went on from another state, or across a declared jump. */
+  private boolean restarted;
+
   /** Whether state and derivative of a start are still to be completed. */
   private boolean startDue;
 
@@ -64,25 +68,14 @@ abstract class BackwardMethod implements Integrator {
   /**
    * @throws IllegalArgumentException if a setting is out of range
    */
-  BackwardMethod(IntegratorSettings settings, BackwardFormulas formulas, BackwardMode mode) {
+  BackwardMethod(IntegratorSettings settings, BackwardFormulas formulas) {
     settings.requireUsable();
     this.settings = settings.working();
     toleranceFactor = settings.toleranceFactor();
     this.formulas = formulas;
-    this.mode = mode;
+    mode = settings.mode();
     control = new BackwardOrderControl(formulas);
   }
-
-  /** Takes note that the problem begun is in explicit form. */
-  void beginExplicit() {}
-
-  /**
-   * Returns the size of the first step.
-   *
-   * @param size for which the estimated error just passes
-   * @param interval how far it is to the end, positive
-   */
-  abstract double cautious(double size, double interval);
 
   /**
    * {@inheritDoc}
@@ -98,7 +91,6 @@ abstract class BackwardMethod implements Integrator {
   private StepEquations explicit(OdeSystem system, double t0, double tEnd) {
     RightHandSide rightHandSide = new RightHandSide(system, settings.stop());
     rightHandSide.breakpoints().begin(system, t0, tEnd);
-    beginExplicit();
     return new ExplicitEquations(rightHandSide, smallSizes(system.dimension()));
   }
 
@@ -116,13 +108,14 @@ abstract class BackwardMethod implements Integrator {
     firstStep = new FirstStep(n);
     relativeTolerance = settings.relativeTolerance();
     double[] absoluteTolerances = settings.absoluteTolerances(n);
-    boolean standard = mode != BackwardMode.FAITHFUL && toleranceFactor == 1;
+    boolean standard = mode != Mode.FAITHFUL && toleranceFactor == 1;
     if (standard && equations.manifold().anyAlgebraic()) {
       tighten(absoluteTolerances);
     }
     norm.begin(relativeTolerance, absoluteTolerances, equations.manifold());
     bounds.begin(t0, tEnd, settings.maxStep());
     progress.begin(t0, settings.relativeTolerance());
+    restarted = false;
   }
 
   @Override
@@ -139,12 +132,13 @@ abstract class BackwardMethod implements Integrator {
 
   private StepResult beginAnew(double t, double[] y) {
     progress.beginAgain(t);
+    restarted = true;
     return beginAt(t, y, 0);
   }
 
   /** Begins at order 1, with a step of the given size or, if that is 0, of the method's choice. */
   private StepResult beginAt(double t, double[] y, double initialStep) {
-    control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER));
+    control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER), restarted);
     jumps.begin();
     bounds.stopAt(equations.breakpoints().next());
     this.initialStep = initialStep;
@@ -177,9 +171,10 @@ abstract class BackwardMethod implements Integrator {
   }
 
   private void tighten(double[] absoluteTolerances) {
-    relativeTolerance *= ALGEBRAIC_PART;
+    double smallest = IntegratorSettings.SMALLEST_RELATIVE_TOLERANCE;
+    relativeTolerance = Math.max(ALGEBRAIC_PART * relativeTolerance, smallest);
     for (int l = 0; l < absoluteTolerances.length; l++) {
-      absoluteTolerances[l] *= ALGEBRAIC_PART;
+      absoluteTolerances[l] = Math.max(ALGEBRAIC_PART * absoluteTolerances[l], Double.MIN_NORMAL);
     }
   }
 
@@ -301,8 +296,9 @@ abstract class BackwardMethod implements Integrator {
               longest,
               smallest,
               relativeTolerance);
-      double first = Math.min(longestFirstStep, cautious(passing, Math.abs(tEnd - t0)));
-      size = passing == 0 ? 0 : Math.max(smallest, first);
+      double usual = equations.cautious(passing, Math.abs(tEnd - t0));
+      double chosen = restarted ? firstStep.afterRestart(usual, differences.slope(), norm) : usual;
+      size = passing == 0 ? 0 : Math.max(smallest, Math.min(longestFirstStep, chosen));
     }
     h = Math.copySign(size, longest);
     return size > 0;
@@ -459,7 +455,6 @@ abstract class BackwardMethod implements Integrator {
   private void transfer(StateTransfer state, Problem problem) {
     state.require("method", getClass().getSimpleName());
     settings.transfer(state);
-    state.require("mode of the method", mode);
     state.require("family of formulas", formulas == BackwardFormulas.BDF ? "BDF" : "NDF");
     double t0 = state.number(progress.start());
     double end = state.number(tEnd);
@@ -468,7 +463,7 @@ abstract class BackwardMethod implements Integrator {
     state.require("number of unknowns", n);
     if (state.restoring()) {
       prepare(posed, t0, end);
-      control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER));
+      control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER), false);
       startDue = false;
       begun = false;
     }
@@ -481,6 +476,7 @@ abstract class BackwardMethod implements Integrator {
     h = state.number(h);
     triedTime = state.number(triedTime);
     initialStep = state.number(initialStep);
+    restarted = state.flag(restarted);
     longestFirstStep = state.number(longestFirstStep);
     writtenSize = state.number(writtenSize);
     writtenOrder = state.integer(writtenOrder);

@@ -144,10 +144,11 @@ final class ConsistentStart {
   private void measure() {
     double longest = LARGEST_SHARE_OF_INTERVAL * (tEnd - t0);
     firstStep = FirstStep.bySlope(yDot, norm, longest, relativeTolerance);
-    equations.linearisation().knowStep(firstStep);
+    equations.linearisation().knowRate(Math.sqrt(relativeTolerance) / firstStep);
   }
 
   private Attempt linearise() {
+    equations.place(yDot);
     equations.demandNew();
     Attempt attempt = equations.linearise(t0, y);
     if (attempt != Attempt.PASSED) {

@@ -180,6 +180,11 @@ final class ExplicitEquations extends StepEquations {
   }
 
   @Override
+  double cautious(double passing, double interval) {
+    return passing;
+  }
+
+  @Override
   boolean solutionMayJump() {
     return false;
   }

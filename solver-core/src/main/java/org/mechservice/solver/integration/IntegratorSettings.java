@@ -67,8 +67,17 @@ public record IntegratorSettings(
   public enum Mode {
     /** Nothing: the same decisions, so the same steps but for rounding. */
     FAITHFUL,
-    /** Jumps of the equations are narrowed down instead of being met again and again. */
+    /**
+     * Jumps of the equations are narrowed down, or left behind without history, instead of being
+     * met again and again; implicit methods hold systems with algebraic components, which are in no
+     * test themselves, to a third of the tolerances.
+     */
     STANDARD,
+    /**
+     * Like the standard mode, and implicit methods save evaluations and factorisations, and steps
+     * near the imaginary axis.
+     */
+    TUNED,
     /**
      * Like the standard mode, and with a 25th of the tolerances in every error test, so that as a
      * rule the solution at the end has the digits asked for but one.

@@ -19,26 +19,20 @@ package org.mechservice.solver.integration;
  * <p>Petzold 1982; Brenan, Campbell and Petzold 1996, ch. 5; Shampine 2002.
  */
 public final class Ode15sR extends BackwardMethod implements ResidualIntegrator {
-  private static final double FIRST_STEP_PART = 0.1;
-  private static final double FIRST_STEP_SHARE = 1e-3;
-
-  /** Whether the problem is in residual form. */
-  private boolean implicit;
-
   /**
-   * Numerical differentiation formulas, standard mode.
+   * Numerical differentiation formulas.
    *
    * @throws IllegalArgumentException if a setting is out of range
    */
   public Ode15sR(IntegratorSettings settings) {
-    this(settings, BackwardFormulas.NDF, BackwardMode.STANDARD);
+    this(settings, BackwardFormulas.NDF);
   }
 
   /**
    * @throws IllegalArgumentException if a setting is out of range
    */
-  public Ode15sR(IntegratorSettings settings, BackwardFormulas formulas, BackwardMode mode) {
-    super(settings, formulas, mode);
+  public Ode15sR(IntegratorSettings settings, BackwardFormulas formulas) {
+    super(settings, formulas);
   }
 
   @Override
@@ -50,7 +44,6 @@ public final class Ode15sR extends BackwardMethod implements ResidualIntegrator 
   }
 
   private StepEquations implicit(ResidualSystem system, double[] yDot0, double t0, double tEnd) {
-    implicit = true;
     Residual residual = new Residual(system, new Manifold(system), settings().stop());
     residual.breakpoints().begin(system, t0, tEnd);
     ResidualLinearisation linearisation =
@@ -67,15 +60,5 @@ public final class Ode15sR extends BackwardMethod implements ResidualIntegrator 
   public StepResult resume(ResidualSystem system, byte[] saved) {
     double[] slope = new double[system.dimension()];
     return resume(saved, (t0, tEnd) -> implicit(system, slope, t0, tEnd));
-  }
-
-  @Override
-  void beginExplicit() {
-    implicit = false;
-  }
-
-  @Override
-  double cautious(double size, double interval) {
-    return implicit ? Math.min(FIRST_STEP_PART * size, FIRST_STEP_SHARE * interval) : size;
   }
 }

@@ -34,7 +34,7 @@ final class OwnLinearisation implements ResidualLinearisation {
   }
 
   @Override
-  public void knowStep(double h) {}
+  public void knowRate(double rate) {}
 
   @Override
   public void abandon() {}

@@ -14,9 +14,15 @@ final class ResidualEquations extends StepEquations {
   /** Part of the step by which the start looks ahead to estimate y''. */
   private static final double LOOK_AHEAD = 0x1p-10;
 
+  private static final double FIRST_STEP_PART = 0.1;
+  private static final double FIRST_STEP_SHARE = 1e-3;
+
   private final Residual residual;
   private final ResidualLinearisation linearisation;
   private final ConsistentStart start;
+
+  /** A small change of a component over a step, relative to its size. */
+  private final double smallMove;
 
   /** y' at the last accepted point, length n. */
   private final double[] slope;
@@ -30,6 +36,9 @@ final class ResidualEquations extends StepEquations {
   private final double[] ahead;
 
   private final double[] valueAtStart;
+
+  /** Whether F at the start is known from a call that was stopped. */
+  private boolean valueKnown;
 
   /** hγ of the matrix for the start: 0 unless that is singular. */
   private double startHGamma;
@@ -49,6 +58,7 @@ final class ResidualEquations extends StepEquations {
     super(residual.manifold());
     this.residual = residual;
     this.linearisation = linearisation;
+    smallMove = Math.sqrt(settings.relativeTolerance());
     slope = yDot0.clone();
     start = new ConsistentStart(this, norm, settings, tEnd);
     int n = slope.length;
@@ -80,6 +90,7 @@ final class ResidualEquations extends StepEquations {
   void abandon() {
     linearisation.abandon();
     start.abandon();
+    valueKnown = false;
   }
 
   @Override
@@ -159,6 +170,11 @@ final class ResidualEquations extends StepEquations {
     return RightHandSide.firstNotFinite(value);
   }
 
+  /** Takes a derivative for that of the point at which the derivatives of F are formed next. */
+  void place(double[] yDot) {
+    System.arraycopy(yDot, 0, slope, 0, slope.length);
+  }
+
   /**
    * Factors the matrix whose unknowns are y'_d and y_a, or, if it is singular because F does not
    * determine every y'_d, the nearly equal one of a step that is short; returns whether one of them
@@ -207,12 +223,14 @@ final class ResidualEquations extends StepEquations {
     for (int l = 0; l < ahead.length; l++) {
       ahead[l] = y0[l] + stretch * slope0[l];
     }
-    boolean evaluated =
-        residual.evaluate(t0, y0, slope0, valueAtStart)
-            && residual.evaluateCompleted(t0 + stretch, ahead, slope0, curvature);
-    if (!evaluated) {
+    if (!valueKnown && !residual.evaluate(t0, y0, slope0, valueAtStart)) {
       return false;
     }
+    valueKnown = true;
+    if (!residual.evaluateCompleted(t0 + stretch, ahead, slope0, curvature)) {
+      return false;
+    }
+    valueKnown = false;
     for (int l = 0; l < curvature.length; l++) {
       curvature[l] = (valueAtStart[l] - curvature[l]) / stretch;
     }
@@ -220,6 +238,11 @@ final class ResidualEquations extends StepEquations {
       solveForStart(curvature);
     }
     return true;
+  }
+
+  @Override
+  double cautious(double passing, double interval) {
+    return Math.min(FIRST_STEP_PART * passing, FIRST_STEP_SHARE * interval);
   }
 
   @Override
@@ -239,7 +262,7 @@ final class ResidualEquations extends StepEquations {
     for (int l = 0; l < slope.length; l++) {
       slope[l] = (psi[l] + correction[l]) / hGamma;
     }
-    linearisation.knowStep(Math.abs(hGamma));
+    linearisation.knowRate(smallMove / Math.abs(hGamma));
   }
 
   @Override

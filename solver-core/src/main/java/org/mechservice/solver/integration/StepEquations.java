@@ -97,6 +97,14 @@ abstract class StepEquations {
    */
   abstract boolean curvature(double t0, double[] y0, double[] slope, double h, double[] curvature);
 
+  /**
+   * Returns the size of the first step.
+   *
+   * @param passing for which the estimated error just passes
+   * @param interval how far it is to the end, positive
+   */
+  abstract double cautious(double passing, double interval);
+
   /** Returns how often the right-hand side or residual was evaluated. */
   abstract long evaluations();
 

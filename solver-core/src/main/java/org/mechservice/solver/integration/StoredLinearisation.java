@@ -68,9 +68,9 @@ final class StoredLinearisation implements ResidualLinearisation {
   }
 
   @Override
-  public void knowStep(double h) {
+  public void knowRate(double rate) {
     for (int l = 0; l < smallSizes.length; l++) {
-      double slope = smallSizes[l] / h;
+      double slope = smallSizes[l] * rate;
       smallSlopes[l] = Double.isFinite(slope) ? slope : smallSizes[l];
     }
   }
