@@ -4,6 +4,8 @@ import java.util.Arrays;
 import org.mechservice.solver.dynamics.MassiveRods;
 import org.mechservice.solver.dynamics.OpenTree;
 import org.mechservice.solver.dynamics.SemiRecursive;
+import org.mechservice.solver.force.ForceSet;
+import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
@@ -20,6 +22,7 @@ final class ClosedTree {
   final CoordinateUnits units;
   final MassiveRods rods;
   final OpenTree open;
+  final ForceSet forces;
   final int nq;
   final int nv;
 
@@ -32,7 +35,7 @@ final class ClosedTree {
   final double[] tau;
   private final double[] noAcceleration;
 
-  ClosedTree(TreeGeometry tree) {
+  ClosedTree(TreeGeometry tree, UserForceSource userForces) {
     this.tree = tree;
     motion = new TreeMotion(tree);
     loops = new LoopEquations(tree);
@@ -40,6 +43,7 @@ final class ClosedTree {
     units = new CoordinateUnits(tree.mechanism(), loops.length());
     rods = new MassiveRods(tree);
     open = new SemiRecursive(tree, rods.pairs()).newWorkspace(motion);
+    forces = new ForceSet(motion, userForces);
     nq = tree.statePositionCount;
     nv = tree.stateVelocityCount;
     mass = new double[nv * nv];
@@ -63,16 +67,35 @@ final class ClosedTree {
     open.massMatrix().toDense(mass);
   }
 
-  /** Forms b − τ and γ after {@link #place}; returns b − τ, one number per extended velocity. */
-  double[] formBias(double t) {
+  /** Evaluates the applied forces at the last sweep; returns whether all have values. */
+  boolean applyForces(double t) {
     Arrays.fill(wrench, 0);
     Arrays.fill(tau, 0);
+    return forces.apply(t, wrench, tau) == ForceSet.REGULAR;
+  }
+
+  /** Takes note of an accepted step at the last sweep: angles of cut joints count on from here. */
+  void accepted(double t) {
+    if (applyForces(t)) {
+      forces.accepted();
+    }
+  }
+
+  /**
+   * Forms b − τ and γ after {@link #place}.
+   *
+   * @return whether all forces have values; if not, {@code forces.defect()} says why
+   */
+  boolean formBias(double t) {
+    if (!applyForces(t)) {
+      return false;
+    }
     if (!rods.isEmpty()) {
       motion.accelerationSweep(noAcceleration);
       rods.addForces(motion, wrench);
     }
     open.formBias(wrench, tau);
     loops.accelerate(motion, t);
-    return open.bias();
+    return true;
   }
 }
