@@ -51,10 +51,6 @@ public final class GenerationLimits {
       beyond.add("absolute tolerances by class of state");
     }
     add(beyond, "constraints", mechanism.closures().stream().map(LoopClosure::name));
-    add(
-        beyond,
-        "driven joints",
-        mechanism.motions().stream().map(m -> mechanism.joints().get(m.joint()).name()));
     add(beyond, "forces", mechanism.forces().stream().map(ForceElement::name));
     add(beyond, "tunable parameters", mechanism.parameters().stream().map(Parameter::name));
     add(beyond, "outputs", model.outputs().stream().map(Output::name));
