@@ -32,12 +32,12 @@ class ArchitectureTest {
           "api",
           "expression",
           "mechanism",
-          "compact",
           "integration",
           "kinematics",
           "force",
           "dynamics",
           "closure",
+          "compact",
           "analysis",
           "simulation",
           "standalone");
@@ -78,12 +78,12 @@ class ArchitectureTest {
         "api",
         "expression",
         "mechanism",
-        "compact",
         "integration",
         "kinematics",
         "force",
         "dynamics",
         "closure",
+        "compact",
         "analysis",
         "simulation"
       })

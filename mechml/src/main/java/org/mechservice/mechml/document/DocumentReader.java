@@ -79,7 +79,7 @@ public final class DocumentReader {
           Phrase.of("the file has %d bytes; %d are allowed", content.length, Limits.BYTES));
     }
     parser().parse(new InputSource(new ByteArrayInputStream(content)));
-    return builder.document();
+    return builder.document(!dtd.isUnasked());
   }
 
   /** The classes are named, so that no setting of the machine can put others in their place. */

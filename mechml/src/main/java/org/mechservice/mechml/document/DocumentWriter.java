@@ -21,21 +21,17 @@ public final class DocumentWriter {
   public static String write(Document document) {
     DocumentWriter writer = new DocumentWriter();
     writer.text.append("<?xml version=\"1.0\"?>\n");
-    document
-        .systemId()
-        .ifPresent(
-            id ->
-                writer
-                    .text
-                    .append("<!DOCTYPE ")
-                    .append(document.root().name())
-                    .append(" SYSTEM \"")
-                    .append(id)
-                    .append("\">\n"));
+    document.systemId().ifPresent(id -> writer.doctype(document.root().name(), id));
     writer.contents(document.prolog(), "");
     writer.element(document.root(), "");
     writer.contents(document.epilog(), "");
     return writer.text.toString();
+  }
+
+  private void doctype(String root, String systemId) {
+    char quote = systemId.indexOf('"') < 0 ? '"' : '\'';
+    text.append("<!DOCTYPE ").append(root).append(" SYSTEM ");
+    text.append(quote).append(systemId).append(quote).append(">\n");
   }
 
   private void contents(List<? extends Content> contents, String indent) {

@@ -61,9 +61,13 @@ final class ElementBuilder extends DefaultHandler2 {
     this.here = here;
   }
 
-  /** Returns what has been read once the end of the outermost element has. */
-  Optional<Document> document() {
-    return root.map(r -> new Document(systemId, prolog, r, epilog));
+  /**
+   * Returns what has been read once the end of the outermost element has.
+   *
+   * @param hasDoctype whether the file itself names the grammar
+   */
+  Optional<Document> document(boolean hasDoctype) {
+    return root.map(r -> new Document(systemId.filter(id -> hasDoctype), prolog, r, epilog));
   }
 
   /** Returns the innermost element whose end has not been read, without its children. */

@@ -1,6 +1,7 @@
 package org.mechservice.solver.closure;
 
 import java.util.Locale;
+import org.mechservice.solver.api.RunNotes.Note;
 
 /**
  * Something about a mechanism's loops that its user should know.
@@ -17,31 +18,40 @@ public record LoopFinding(Kind kind, String part, double amount, String unit, do
   /** Kinds of findings. */
   public enum Kind {
     /** The start positions did not close the loops and were moved; the amount is the residual. */
-    START_MOVED(true),
+    START_MOVED("N-040", true),
     /** The start velocities did not fit the loops and were changed. */
-    START_VELOCITY_CHANGED(true),
+    START_VELOCITY_CHANGED("N-041", true),
     /** No positions near the start close the loops; the amount is the least residual found. */
-    NOT_CLOSED(false),
+    NOT_CLOSED("N-042", false),
     /** No velocities fit the loops; the amount is the least residual found. */
-    NO_VELOCITIES(false),
+    NO_VELOCITIES("N-043", false),
     /** Equations that say nothing new and are left out; the amount is their number. */
-    REDUNDANT(true),
+    REDUNDANT("N-044", true),
     /** The loops start in a singular position; the amount is the number of equations it hides. */
-    SINGULAR_START(true),
+    SINGULAR_START("N-045", true),
     /**
      * The loops pass close to a singular position; the amount is their smallest pivot, compared
      * with the start.
      */
-    NEAR_SINGULAR(true),
+    NEAR_SINGULAR("N-046", true),
     /** The motion cannot be continued through a singular position. */
-    SINGULAR(false),
+    SINGULAR("N-047", false),
     /** Equations that were left out as redundant are not obeyed; the amount is the residual. */
-    CONTRADICTION(false);
+    CONTRADICTION("N-048", false),
+    /** Other coordinates are independent from here on; the amount is how many there are. */
+    CHOSEN_ANEW("N-049", true);
 
+    private final String code;
     private final boolean warning;
 
-    Kind(boolean warning) {
+    Kind(String code, boolean warning) {
+      this.code = code;
       this.warning = warning;
+    }
+
+    /** Returns the entry of the error catalogue. */
+    public String code() {
+      return code;
     }
 
     /** Returns whether a run may go on. */
@@ -50,7 +60,13 @@ public record LoopFinding(Kind kind, String part, double amount, String unit, do
     }
   }
 
-  /** Returns the finding as one message. */
+  /** Returns the finding as a note of the run report. */
+  public Note note() {
+    boolean remarkable = kind != Kind.CHOSEN_ANEW && kind != Kind.REDUNDANT;
+    return new Note(kind.code(), time, remarkable, message());
+  }
+
+  /** Returns the finding as one message, without code and time. */
   public String message() {
     String number = String.format(Locale.ROOT, "%.1e", amount);
     return switch (kind) {
@@ -110,6 +126,8 @@ public record LoopFinding(Kind kind, String part, double amount, String unit, do
               + ". Remaining part of the smallest pivot: "
               + number
               + ".";
+      case CHOSEN_ANEW ->
+          (long) amount + " coordinates are independent from here on: " + part + ".";
       case CONTRADICTION ->
           "Equations of the loops that followed from the others at the start do so no more: "
               + part

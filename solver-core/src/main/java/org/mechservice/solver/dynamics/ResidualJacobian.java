@@ -42,6 +42,13 @@ public final class ResidualJacobian {
   private final VelocityDerivatives changes;
   private final NewtonEuler newtonEuler;
   private final BallColumns balls;
+  private final MassiveRods rods;
+  private final RodDerivatives rodEnds;
+  private final LinkDerivatives links;
+
+  /** External wrenches and those of rods, 6 per link. */
+  private final double[] loads;
+
   private final TreeMatrix mass;
   private final TreeSquare byVelocity;
   private final TreeSquare byPosition;
@@ -71,7 +78,7 @@ public final class ResidualJacobian {
    * Makes a workspace.
    *
    * @param motion swept by the caller, with accelerations, before each evaluation
-   * @param pattern of the same tree
+   * @param pattern of the same tree, with room for its rods and forces
    */
   public ResidualJacobian(TreeMotion motion, TreePattern pattern) {
     this.motion = motion;
@@ -90,6 +97,15 @@ public final class ResidualJacobian {
     first = new double[6 * tree.velocityCount];
     second = new double[6 * tree.velocityCount];
     both = new double[6 * tree.velocityCount];
+    rods = new MassiveRods(tree);
+    loads = new double[6 * tree.linkCount];
+    rodEnds = new RodDerivatives(motion, newtonEuler);
+    links = new LinkDerivatives(motion, byPosition, byVelocity, first, second, both);
+  }
+
+  /** Takes further derivatives of wrenches and joint forces to the joints. */
+  LinkDerivatives links() {
+    return links;
   }
 
   /** Returns M as evaluated last. */
@@ -105,11 +121,6 @@ public final class ResidualJacobian {
   /** Returns ∂F/∂q along the tangent as evaluated last. */
   public TreeSquare byPosition() {
     return byPosition;
-  }
-
-  /** Returns the wrenches between links, and the joint forces of the last evaluation. */
-  NewtonEuler newtonEuler() {
-    return newtonEuler;
   }
 
   /**
@@ -135,6 +146,7 @@ public final class ResidualJacobian {
         }
       }
     }
+    rods.addMass(motion, mass);
   }
 
   private void setMass(int place, int j) {
@@ -162,7 +174,10 @@ public final class ResidualJacobian {
   public void evaluate(double[] wrench) {
     composites.compose();
     changes.compose();
-    newtonEuler.evaluate(wrench, noForces, residual);
+    Arrays.fill(loads, 0);
+    System.arraycopy(wrench, 0, loads, 0, wrench.length);
+    rods.addForces(motion, loads);
+    newtonEuler.evaluate(loads, noForces, residual);
     clear();
     for (int link = 0; link < tree.linkCount; link++) {
       formColumns(link);
@@ -170,6 +185,8 @@ public final class ResidualJacobian {
     for (int place = 0; place < pattern.size; place++) {
       formRowAndColumn(place);
     }
+    rods.addMass(motion, mass);
+    rods.addDerivatives(rodEnds, links);
   }
 
   /**

@@ -9,7 +9,7 @@ import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.spatial.EulerParameters;
 
 /** Where the bodies are in the world, how they move, and their energy. Workspace of one thread. */
-final class WorldMotion {
+public final class WorldMotion {
   private final TreeGeometry tree;
   private final TreeMotion motion;
   private final double[] work = new double[12];
@@ -17,13 +17,13 @@ final class WorldMotion {
   /**
    * @param motion swept by the caller before each question
    */
-  WorldMotion(TreeMotion motion) {
+  public WorldMotion(TreeMotion motion) {
     this.motion = motion;
     tree = motion.tree();
   }
 
   /** Returns Σ ½ (m u_c² + ωᵀ I_c ω) J. */
-  double kineticEnergy() {
+  public double kineticEnergy() {
     double twice = 0;
     for (int link = 0; link < tree.linkCount; link++) {
       int at = 3 * link;
@@ -43,7 +43,7 @@ final class WorldMotion {
   }
 
   /** Returns −Σ m gᵀ p_c, p_c from the world origin, J. */
-  double potentialEnergy() {
+  public double potentialEnergy() {
     double sum = 0;
     for (int link = 0; link < tree.linkCount; link++) {
       apply(motion.worldRotation, 9 * link, tree.centerOfMass, 3 * link, work, 0);
@@ -61,7 +61,7 @@ final class WorldMotion {
    *
    * @param poses 13 numbers per body in file order; overwritten
    */
-  void poses(double[] poses) {
+  public void poses(double[] poses) {
     for (int body = 0; body < tree.linkOfBody.length; body++) {
       int link = tree.linkOfBody[body];
       int at = 13 * body;

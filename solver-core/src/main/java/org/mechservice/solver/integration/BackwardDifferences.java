@@ -201,4 +201,16 @@ final class BackwardDifferences {
     state = corrected;
     corrected = freed;
   }
+
+  /** Carries the state between two steps over. */
+  void transfer(StateTransfer state) {
+    state.numbers(this.state);
+    state.numbers(accepted);
+    state.numbers(correction);
+    state.numbers(predicted);
+    state.numbers(psi);
+    if (state.restoring()) {
+      tried = accepted;
+    }
+  }
 }

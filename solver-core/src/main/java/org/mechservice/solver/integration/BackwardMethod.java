@@ -18,7 +18,10 @@ abstract class BackwardMethod implements Integrator {
   /** Part of the tolerances for systems with algebraic components. */
   private static final double ALGEBRAIC_PART = 1.0 / 3;
 
+  /** Settings with the tolerances of the error test, and these relative to those asked for. */
   private final IntegratorSettings settings;
+
+  private final double toleranceFactor;
   private final BackwardFormulas formulas;
   private final BackwardMode mode;
   private final MaximumNorm norm = new MaximumNorm();
@@ -45,6 +48,8 @@ abstract class BackwardMethod implements Integrator {
   /** First step asked for; 0 for the method's choice. */
   private double initialStep;
 
+  private double longestFirstStep;
+
   /** Whether state and derivative of a start are still to be completed. */
   private boolean startDue;
 
@@ -61,7 +66,8 @@ abstract class BackwardMethod implements Integrator {
    */
   BackwardMethod(IntegratorSettings settings, BackwardFormulas formulas, BackwardMode mode) {
     settings.requireUsable();
-    this.settings = settings;
+    this.settings = settings.working();
+    toleranceFactor = settings.toleranceFactor();
     this.formulas = formulas;
     this.mode = mode;
     control = new BackwardOrderControl(formulas);
@@ -86,37 +92,49 @@ abstract class BackwardMethod implements Integrator {
   @Override
   public final StepResult start(OdeSystem system, double t0, double[] y0, double tEnd) {
     IntegratorSettings.requireUsable(t0, tEnd, y0, system.dimension());
+    return begin(explicit(system, t0, tEnd), t0, y0, tEnd);
+  }
+
+  private StepEquations explicit(OdeSystem system, double t0, double tEnd) {
     RightHandSide rightHandSide = new RightHandSide(system, settings.stop());
     rightHandSide.breakpoints().begin(system, t0, tEnd);
     beginExplicit();
-    return begin(new ExplicitEquations(rightHandSide, smallSizes(y0.length)), t0, y0, tEnd);
+    return new ExplicitEquations(rightHandSide, smallSizes(system.dimension()));
   }
 
   /** Begins a problem. */
   final StepResult begin(StepEquations equations, double t0, double[] y0, double tEnd) {
+    prepare(equations, t0, tEnd);
+    return beginAt(t0, y0, settings.initialStep());
+  }
+
+  private void prepare(StepEquations equations, double t0, double tEnd) {
+    int n = equations.manifold().dimension();
     this.equations = equations;
     this.tEnd = tEnd;
-    differences = new BackwardDifferences(y0.length);
-    firstStep = new FirstStep(y0.length);
+    differences = new BackwardDifferences(n);
+    firstStep = new FirstStep(n);
     relativeTolerance = settings.relativeTolerance();
-    double[] absoluteTolerances = settings.absoluteTolerances(y0.length);
-    if (mode != BackwardMode.FAITHFUL && equations.manifold().anyAlgebraic()) {
+    double[] absoluteTolerances = settings.absoluteTolerances(n);
+    boolean standard = mode != BackwardMode.FAITHFUL && toleranceFactor == 1;
+    if (standard && equations.manifold().anyAlgebraic()) {
       tighten(absoluteTolerances);
     }
     norm.begin(relativeTolerance, absoluteTolerances, equations.manifold());
     bounds.begin(t0, tEnd, settings.maxStep());
-    progress.begin(t0);
-    return beginAt(t0, y0, settings.initialStep());
+    progress.begin(t0, settings.relativeTolerance());
   }
 
   @Override
-  public final StepResult restart(double t, double[] y) {
+  public final StepResult restart(double t, double[] y, double longestFirstStep) {
     progress.requireInLastStep(t);
     IntegratorSettings.requireUsable(y, differences.state().length);
     if (equations.breakpoints().reachedAt(t)) {
       equations.breakpoints().pass();
     }
-    return beginAnew(t, y);
+    StepResult result = beginAnew(t, y);
+    this.longestFirstStep = longestFirstStep;
+    return result;
   }
 
   private StepResult beginAnew(double t, double[] y) {
@@ -130,6 +148,7 @@ abstract class BackwardMethod implements Integrator {
     jumps.begin();
     bounds.stopAt(equations.breakpoints().next());
     this.initialStep = initialStep;
+    longestFirstStep = Double.POSITIVE_INFINITY;
     h = 0;
     triedTime = t;
     begun = false;
@@ -282,7 +301,8 @@ abstract class BackwardMethod implements Integrator {
               longest,
               smallest,
               relativeTolerance);
-      size = passing == 0 ? 0 : Math.max(smallest, cautious(passing, Math.abs(tEnd - t0)));
+      double first = Math.min(longestFirstStep, cautious(passing, Math.abs(tEnd - t0)));
+      size = passing == 0 ? 0 : Math.max(smallest, first);
     }
     h = Math.copySign(size, longest);
     return size > 0;
@@ -419,8 +439,63 @@ abstract class BackwardMethod implements Integrator {
   }
 
   @Override
+  public final byte[] save() {
+    progress.requireBetweenSteps(begun || startDue);
+    return StateTransfer.save(state -> transfer(state, (t0, tEnd) -> equations));
+  }
+
+  @Override
+  public final StepResult resume(OdeSystem system, byte[] saved) {
+    return resume(saved, (t0, tEnd) -> explicit(system, t0, tEnd));
+  }
+
+  /** Goes on with an integration that was saved. */
+  final StepResult resume(byte[] saved, Problem problem) {
+    StateTransfer.restore(saved, state -> transfer(state, problem));
+    return progress.result();
+  }
+
+  /** Carries the integration between two steps over. */
+  private void transfer(StateTransfer state, Problem problem) {
+    state.require("method", getClass().getSimpleName());
+    settings.transfer(state);
+    state.require("mode of the method", mode);
+    state.require("family of formulas", formulas == BackwardFormulas.BDF ? "BDF" : "NDF");
+    double t0 = state.number(progress.start());
+    double end = state.number(tEnd);
+    StepEquations posed = problem.equations(t0, end);
+    int n = posed.manifold().dimension();
+    state.require("number of unknowns", n);
+    if (state.restoring()) {
+      prepare(posed, t0, end);
+      control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER));
+      startDue = false;
+      begun = false;
+    }
+    equations.transfer(state);
+    bounds.stopAt(equations.breakpoints().next());
+    progress.transfer(state);
+    differences.transfer(state);
+    control.transfer(state);
+    jumps.transfer(state);
+    h = state.number(h);
+    triedTime = state.number(triedTime);
+    initialStep = state.number(initialStep);
+    longestFirstStep = state.number(longestFirstStep);
+    writtenSize = state.number(writtenSize);
+    writtenOrder = state.integer(writtenOrder);
+  }
+
+  /** A problem given anew, of which nothing is known yet. */
+  interface Problem {
+    /** Returns its equations for an interval. */
+    StepEquations equations(double t0, double tEnd);
+  }
+
+  @Override
   public final IntegrationStatistics statistics() {
-    return equations.statistics(progress);
+    double part = relativeTolerance / settings.relativeTolerance();
+    return equations.statistics(progress, toleranceFactor * part);
   }
 
   @Override

@@ -144,4 +144,12 @@ final class BackwardOrderControl {
     // StrictMath.pow allocates its tables at every call on JDK 17.
     return StrictMath.exp(-StrictMath.log(error) / (j + 1));
   }
+
+  /** Carries the state between two steps over. */
+  void transfer(StateTransfer state) {
+    order = state.integer(order);
+    equalSteps = state.integer(equalSteps);
+    failedBefore = state.flag(failedBefore);
+    error = state.number(error);
+  }
 }

@@ -192,6 +192,14 @@ final class ExplicitEquations extends StepEquations {
   @Override
   void solved(double hGamma, BackwardDifferences differences) {}
 
+  @Override
+  void transferDerivatives(StateTransfer state) {
+    rightHandSide.transfer(state);
+    manifold().refresh();
+    jacobian.transfer(state);
+    differencing.transfer(state);
+  }
+
   /** f at a state whose passive components are made to fit first. */
   private final class CompletedFunction implements DifferencedFunction {
     private final double[] completed = new double[manifold().dimension()];

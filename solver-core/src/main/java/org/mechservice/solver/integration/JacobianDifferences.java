@@ -321,4 +321,12 @@ final class JacobianDifferences {
   int notFiniteComponent() {
     return notFiniteComponent;
   }
+
+  /** Carries over how far to move, and the value at the next point if that is known. */
+  void transfer(StateTransfer state) {
+    state.numbers(share);
+    state.numbers(nextShare);
+    state.numbers(base);
+    baseKnown = state.flag(baseKnown);
+  }
 }

@@ -159,4 +159,10 @@ final class NewtonIteration {
     int component = equations.notFiniteInEvaluation();
     return component < 0 ? RightHandSide.firstNotFinite(change) : component;
   }
+
+  /** Carries the rate of convergence known over. */
+  void transfer(StateTransfer state) {
+    rate = state.number(rate);
+    rateKnown = state.flag(rateKnown);
+  }
 }

@@ -46,16 +46,27 @@ public final class Ode15sR extends BackwardMethod implements ResidualIntegrator 
       ResidualSystem system, double t0, double[] y0, double[] yDot0, double tEnd) {
     IntegratorSettings.requireUsable(t0, tEnd, y0, system.dimension());
     IntegratorSettings.requireUsableDerivative(yDot0, system.dimension());
+    return begin(implicit(system, yDot0, t0, tEnd), t0, y0, tEnd);
+  }
+
+  private StepEquations implicit(ResidualSystem system, double[] yDot0, double t0, double tEnd) {
     implicit = true;
     Residual residual = new Residual(system, new Manifold(system), settings().stop());
     residual.breakpoints().begin(system, t0, tEnd);
     ResidualLinearisation linearisation =
         system instanceof LinearisedSystem own
             ? new OwnLinearisation(own, residual)
-            : new StoredLinearisation(system, residual, smallSizes(y0.length));
-    StepEquations equations =
-        new ResidualEquations(residual, linearisation, yDot0, tEnd, norm(), settings());
-    return begin(equations, t0, y0, tEnd);
+            : new StoredLinearisation(system, residual, smallSizes(yDot0.length));
+    return new ResidualEquations(residual, linearisation, yDot0, tEnd, norm(), settings());
+  }
+
+  /**
+   * Goes on with an integration in residual form that was saved; see {@link
+   * Integrator#resume(OdeSystem, byte[])}.
+   */
+  public StepResult resume(ResidualSystem system, byte[] saved) {
+    double[] slope = new double[system.dimension()];
+    return resume(saved, (t0, tEnd) -> implicit(system, slope, t0, tEnd));
   }
 
   @Override

@@ -70,4 +70,14 @@ final class Residual {
   long evaluations() {
     return evaluations;
   }
+
+  /** Carries the counter, the places passed and the problem's own state over. */
+  void transfer(StateTransfer state) {
+    evaluations = state.integer(evaluations);
+    breakpoints.transfer(state);
+    if (system instanceof SavedSystem saved) {
+      saved.transfer(state);
+    }
+    manifold.refresh();
+  }
 }

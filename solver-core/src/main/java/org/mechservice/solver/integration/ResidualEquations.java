@@ -241,4 +241,11 @@ final class ResidualEquations extends StepEquations {
     }
     linearisation.knowStep(Math.abs(hGamma));
   }
+
+  @Override
+  void transferDerivatives(StateTransfer state) {
+    residual.transfer(state);
+    state.numbers(slope);
+    linearisation.transfer(state);
+  }
 }

@@ -49,4 +49,7 @@ interface ResidualLinearisation {
    * it.
    */
   double magnitude(int row);
+
+  /** Carries the derivatives over, and what is known for the next ones. */
+  void transfer(StateTransfer state);
 }

@@ -22,6 +22,8 @@ abstract class StepEquations {
   /** Whether the factors are those of the present h, k and derivatives. */
   private boolean factored;
 
+  private double factoredHGamma;
+
   private int notFiniteComponent = -1;
   private long linearisations;
   private long factorisations;
@@ -101,6 +103,9 @@ abstract class StepEquations {
   /** Returns whether the solution may jump although the right-hand side is bounded. */
   abstract boolean solutionMayJump();
 
+  /** Carries over what is known of the derivatives, and the problem's own state. */
+  abstract void transferDerivatives(StateTransfer state);
+
   /** Takes note of the solution of an accepted step. */
   abstract void solved(double hGamma, BackwardDifferences differences);
 
@@ -155,6 +160,7 @@ abstract class StepEquations {
   /** Factors the matrix, for another use than the next iteration; returns whether it is regular. */
   final boolean factorAnew(double hGamma) {
     factored = false;
+    factoredHGamma = hGamma;
     factorisations++;
     return formFactors(hGamma);
   }
@@ -238,7 +244,7 @@ abstract class StepEquations {
     };
   }
 
-  final IntegrationStatistics statistics(Progress progress) {
+  final IntegrationStatistics statistics(Progress progress, double toleranceFactor) {
     return new IntegrationStatistics(
         progress.steps(),
         progress.rejectedSteps(),
@@ -246,11 +252,28 @@ abstract class StepEquations {
         linearisations,
         factorisations,
         solutions,
-        false);
+        false,
+        toleranceFactor);
   }
 
   /** Stands in until a problem is given. */
   static StepEquations none() {
     return new ExplicitEquations(RightHandSide.none(), new double[0]);
+  }
+
+  /** Carries the state between two steps over; the factors are formed anew. */
+  final void transfer(StateTransfer state) {
+    wanted = state.flag(wanted);
+    current = state.flag(current);
+    factored = state.flag(factored);
+    factoredHGamma = state.number(factoredHGamma);
+    linearisations = state.integer(linearisations);
+    factorisations = state.integer(factorisations);
+    solutions = state.integer(solutions);
+    newton.transfer(state);
+    transferDerivatives(state);
+    if (state.restoring() && factored) {
+      formFactors(factoredHGamma);
+    }
   }
 }

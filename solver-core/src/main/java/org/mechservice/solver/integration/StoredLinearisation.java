@@ -179,6 +179,24 @@ final class StoredLinearisation implements ResidualLinearisation {
     return magnitude[row];
   }
 
+  @Override
+  public void transfer(StateTransfer state) {
+    fy.transfer(state);
+    fyDot.transfer(state);
+    inState.transfer(state);
+    inDerivative.transfer(state);
+    state.numbers(smallSlopes);
+    state.numbers(magnitude);
+    for (int l = 0; l < algebraic.length; l++) {
+      algebraic[l] = state.flag(algebraic[l]);
+    }
+    formed = state.flag(formed);
+    if (state.restoring() && formed) {
+      inState.knowMagnitude(magnitude);
+      inDerivative.knowMagnitude(magnitude);
+    }
+  }
+
   /** F at a fixed t with y or y' moved and the other as it is. */
   private final class AtPoint implements DifferencedFunction {
     private final boolean movesState;

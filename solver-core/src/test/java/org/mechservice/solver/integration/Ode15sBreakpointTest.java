@@ -6,7 +6,7 @@ class Ode15sBreakpointTest extends BreakpointContract {
     return new Ode15s(settings);
   }
 
-  /** Errors of one sign per step, at low order: the end has two to three digits fewer. */
+  /** Errors of one sign per step, at low order: the end has up to 2.6 digits fewer than asked. */
   @Override
   IntegratorSettings settingsFor(double tolerance) {
     return new IntegratorSettings(0.01 * tolerance, 0.01 * tolerance);
