@@ -59,9 +59,7 @@ public final class Differentiation {
       case SUBTRACT -> known(node.first()).minus(known(node.second()));
       case NEGATE -> known(node.first()).negated();
       case MULTIPLY ->
-          known(node.first())
-              .times(node.second())
-              .plus(node.first().times(known(node.second())));
+          known(node.first()).times(node.second()).plus(node.first().times(known(node.second())));
       case DIVIDE ->
           known(node.first()).minus(node.times(known(node.second()))).over(node.second());
       case SQUARE_ROOT -> known(node.first()).times(0.5).over(node);

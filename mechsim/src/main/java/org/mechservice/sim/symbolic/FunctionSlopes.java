@@ -38,8 +38,12 @@ final class FunctionSlopes {
         yield argument == 0 ? perSquare : perSquare.negated();
       }
       case HYPOT -> ofHypot(node, argument);
-      case MIN -> e.function(MathFunction.CHOOSE, x, y, indicator(e, argument, 0), indicator(e, argument, 1));
-      case MAX -> e.function(MathFunction.CHOOSE, y, x, indicator(e, argument, 0), indicator(e, argument, 1));
+      case MIN ->
+          e.function(
+              MathFunction.CHOOSE, x, y, indicator(e, argument, 0), indicator(e, argument, 1));
+      case MAX ->
+          e.function(
+              MathFunction.CHOOSE, y, x, indicator(e, argument, 0), indicator(e, argument, 1));
       case POWER -> ofPower(node, argument);
       default -> throw new IllegalArgumentException(node.function() + " has no derivative");
     };

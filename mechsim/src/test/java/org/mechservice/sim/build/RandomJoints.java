@@ -36,13 +36,13 @@ final class RandomJoints {
   /** Returns a joint of a random type with coordinates and velocities around 1. */
   Joint any(String name, Attachment attachment, Vector3 axis) {
     JointType type = TYPES.get(random.nextInt(TYPES.size()));
-    Joint joint = forward(name, type, type.hasEulerParameters() ? parallel(attachment) : attachment, axis);
+    Joint joint =
+        forward(name, type, type.hasEulerParameters() ? parallel(attachment) : attachment, axis);
     // Reversed twice it leads outwards again, but the file's sense leads inwards.
     return random.nextBoolean() ? joint : againstTheFile(name, type, joint.attachment(), axis);
   }
 
-  private Joint againstTheFile(
-      String name, JointType type, Attachment attachment, Vector3 axis) {
+  private Joint againstTheFile(String name, JointType type, Attachment attachment, Vector3 axis) {
     return forward(name, type, attachment.reversed(), axis).reversed();
   }
 
@@ -118,8 +118,7 @@ final class RandomJoints {
   private Expression ofTime() {
     Expression t = new Expression.Time();
     Expression a = Expression.of(number());
-    Expression linear =
-        new Expression.Sum(new Expression.Product(Expression.of(number()), t), a);
+    Expression linear = new Expression.Sum(new Expression.Product(Expression.of(number()), t), a);
     return switch (random.nextInt(3)) {
       case 0 -> new Expression.Product(a, new Expression.Call(Function.SIN, List.of(linear)));
       case 1 ->

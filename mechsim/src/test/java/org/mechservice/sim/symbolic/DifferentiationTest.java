@@ -38,7 +38,8 @@ class DifferentiationTest {
   @EnumSource(MathFunction.class)
   void slopesOfFunctionsAreTheirDifferences(MathFunction function) {
     Scalar[] arguments = {x, y, x.times(y), y.squared()};
-    assertSlope(e.function(function, java.util.Arrays.copyOf(arguments, function.arity())), 0.3, 0.7);
+    assertSlope(
+        e.function(function, java.util.Arrays.copyOf(arguments, function.arity())), 0.3, 0.7);
   }
 
   @ParameterizedTest

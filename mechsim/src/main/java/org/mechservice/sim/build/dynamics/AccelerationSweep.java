@@ -22,7 +22,8 @@ final class AccelerationSweep {
   private final InertiaSweep inertias;
   private final Added[] added;
 
-  AccelerationSweep(Program program, Links mechanism, Coordinates coordinates, InertiaSweep inertias) {
+  AccelerationSweep(
+      Program program, Links mechanism, Coordinates coordinates, InertiaSweep inertias) {
     this.program = program;
     this.expressions = program.expressions();
     this.links = mechanism.links();
@@ -71,9 +72,7 @@ final class AccelerationSweep {
   /** Angular accelerations in link axes, put out in the axes of the file's body 1. */
   private void putOutBall(Link link, ScalarVector rates) {
     ScalarVector out =
-        link.inverse()
-            ? rates.map(Scalar::negated)
-            : coordinates.ballRotation(link).times(rates);
+        link.inverse() ? rates.map(Scalar::negated) : coordinates.ballRotation(link).times(rates);
     program.named("vd_" + link.jointLabel(), out);
     for (int k = 0; k < 3; k++) {
       program.output(link.velocity() + k, out.at(k));

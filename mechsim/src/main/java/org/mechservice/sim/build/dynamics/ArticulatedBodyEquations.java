@@ -7,10 +7,9 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
- * y' = f(t, y) of an open chain, totally recursive (DTR, NUMERICS
- * §2): a sweep out gives the forces that the motion needs while no joint accelerates, a sweep in
- * the articulated inertias and what is left of those forces, a second sweep out the joint
- * accelerations.
+ * y' = f(t, y) of an open chain, totally recursive (DTR, NUMERICS §2): a sweep out gives the forces
+ * that the motion needs while no joint accelerates, a sweep in the articulated inertias and what is
+ * left of those forces, a second sweep out the joint accelerations.
  */
 public final class ArticulatedBodyEquations {
   private ArticulatedBodyEquations() {}
@@ -20,8 +19,8 @@ public final class ArticulatedBodyEquations {
    * joints.
    *
    * @param mechanism the open chain
-   * @return a program whose guards return the index, among the joints that have states, of the joint beyond which
-   *     there is no inertia
+   * @return a program whose guards return the index, among the joints that have states, of the
+   *     joint beyond which there is no inertia
    */
   public static Program derive(Links mechanism) {
     return derive(mechanism, link -> -1);

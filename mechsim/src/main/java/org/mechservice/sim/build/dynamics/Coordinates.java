@@ -41,9 +41,7 @@ final class Coordinates {
 
   /** Returns what is known of the link's acceleration beforehand: 0 unless it is driven. */
   Scalar drivenAcceleration(Link link) {
-    return link.isDriven()
-        ? named("a_", link, byTime.of(velocity(link)))
-        : expressions.zero();
+    return link.isDriven() ? named("a_", link, byTime.of(velocity(link))) : expressions.zero();
   }
 
   private Scalar drivenOr(Link link, int input) {

@@ -87,16 +87,11 @@ record EulerParameters(List<Scalar> e) {
 
   /** Returns the parameters of the inverse rotation. */
   EulerParameters inverse() {
-    return new EulerParameters(
-        List.of(at(0), at(1).negated(), at(2).negated(), at(3).negated()));
+    return new EulerParameters(List.of(at(0), at(1).negated(), at(2).negated(), at(3).negated()));
   }
 
   private Scalar squares() {
-    return at(0)
-        .squared()
-        .plus(at(1).squared())
-        .plus(at(2).squared())
-        .plus(at(3).squared());
+    return at(0).squared().plus(at(1).squared()).plus(at(2).squared()).plus(at(3).squared());
   }
 
   /** Returns e/|e|. */

@@ -34,8 +34,7 @@ record InertiaBound(Scalar mass, Scalar first, Scalar second) {
       Link link = links.get(i);
       if (link.parent() != Links.ROOT) {
         Scalar length = expressions.constant(link.offset().norm());
-        InertiaBound seen =
-            bounds[i].from(link.slides() ? length.plus(slid.apply(link)) : length);
+        InertiaBound seen = bounds[i].from(link.slides() ? length.plus(slid.apply(link)) : length);
         bounds[link.parent()] = bounds[link.parent()].plus(seen);
       }
     }

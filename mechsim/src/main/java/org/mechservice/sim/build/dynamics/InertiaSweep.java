@@ -92,8 +92,7 @@ final class InertiaSweep {
   }
 
   private boolean inwards(int i, Link link) {
-    program.section(
-        "Sweep 2, inwards: " + link.title() + ".\n" + equation(link), link.bodyLabel());
+    program.section("Sweep 2, inwards: " + link.title() + ".\n" + equation(link), link.bodyLabel());
     named(link, inertias[i]);
     if (!link.isDriven()) {
       List<Freedom> freedoms = Freedom.of(link);
@@ -119,8 +118,7 @@ final class InertiaSweep {
   }
 
   /** Lets a freedom give way; returns whether it can have an inertia. */
-  private boolean eliminate(
-      int i, Link link, Freedom freedom, Scalar force, boolean passedOn) {
+  private boolean eliminate(int i, Link link, Freedom freedom, Scalar force, boolean passedOn) {
     String label = link.jointLabel() + (link.isBall() ? "_" + "xyz".charAt(freedom.axis()) : "");
     Wrench column = inertias[i].along(freedom);
     Scalar pivot = program.named("D_" + label, freedom.along(column));

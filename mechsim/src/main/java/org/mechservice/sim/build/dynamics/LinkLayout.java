@@ -81,7 +81,9 @@ final class LinkLayout {
     boolean ball = tree.kind[i] == LinkKind.BALL;
     Rotation zero = RigidGroups.rotation(tree.zeroRotation, 9 * i);
     frames[i] =
-        ball ? Rotation.IDENTITY : new ComputingAxes(tree, groups, i).choose(fromParent.times(zero));
+        ball
+            ? Rotation.IDENTITY
+            : new ComputingAxes(tree, groups, i).choose(fromParent.times(zero));
     Rotation toParent = fromParent.times(zero).times(frames[i].transposed());
     numberOf[i] = links.size();
     links.add(link(i, carrier, toParent));

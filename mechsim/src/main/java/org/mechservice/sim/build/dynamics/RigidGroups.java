@@ -16,8 +16,7 @@ final class RigidGroups {
 
   /** Mass, its centre, and inertia about the centre, in the carrier's axes at its point. */
   record MassProperties(double mass, Vector3 center, InertiaTensor inertia) {
-    static final MassProperties NONE =
-        new MassProperties(0, Vector3.ZERO, InertiaTensor.ZERO);
+    static final MassProperties NONE = new MassProperties(0, Vector3.ZERO, InertiaTensor.ZERO);
 
     MassProperties plus(MassProperties other) {
       double sum = mass + other.mass;
