@@ -8,6 +8,7 @@ import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
@@ -29,7 +30,7 @@ final class LeftOut {
   static List<Omission> of(
       SceneAnalysis scene, Links links, BuildOptions options, Program derivative) {
     LeftOut leftOut = new LeftOut();
-    leftOut.language(scene.mechanism());
+    leftOut.language(scene.mechanism(), links);
     leftOut.scene(scene);
     leftOut.frames(links);
     leftOut.equations(derivative);
@@ -41,20 +42,27 @@ final class LeftOut {
     omissions.add(new Omission(what, why));
   }
 
-  private void language(Mechanism mechanism) {
+  private void language(Mechanism mechanism, Links links) {
     add("loop closures and constraints", "the joints form a tree");
-    add("quaternions", "no joint is spherical or free");
-    boolean turns = mechanism.joints().stream().anyMatch(joint -> joint.type() == JointType.R);
-    boolean slides = mechanism.joints().stream().anyMatch(joint -> joint.type() == JointType.P);
-    if (!turns) {
+    if (!moves(links, LinkKind.BALL)) {
+      add("quaternions", "no joint is spherical or free");
+    }
+    if (!moves(links, LinkKind.TURN) && !moves(links, LinkKind.SCREW)) {
       add("sines and cosines", "no joint turns");
     }
-    if (!slides) {
-      add("sliding joints", "every joint turns");
+    if (!moves(links, LinkKind.SLIDE)) {
+      add("sliding joints", "no joint slides");
+    }
+    if (mechanism.motions().isEmpty()) {
+      add("prescribed motions", "no joint is driven");
     }
     add("force elements", "the scene has no forces but gravity");
     add("events", "the scene has none");
     add("outputs of its own", "the scene has none");
+  }
+
+  private static boolean moves(Links links, LinkKind kind) {
+    return links.links().stream().anyMatch(link -> link.kind() == kind);
   }
 
   private void scene(SceneAnalysis scene) {
@@ -73,6 +81,10 @@ final class LeftOut {
   }
 
   private void frames(Links links) {
+    int welded = (int) mechanismJoints(links, JointType.W);
+    if (welded > 0) {
+      add(welded + " welded bodies", "each is one with what it is welded to");
+    }
     long turned = links.links().stream().filter(Link::hasConstantTurn).count();
     long spared = links.links().size() - turned;
     if (spared > 0) {
@@ -80,6 +92,10 @@ final class LeftOut {
           "constant rotations at " + spared + " of " + links.links().size() + " joints",
           "computing frames were chosen whose axes only change places there");
     }
+  }
+
+  private static long mechanismJoints(Links links, JointType type) {
+    return links.mechanism().joints().stream().filter(joint -> joint.type() == type).count();
   }
 
   private void equations(Program derivative) {

@@ -6,9 +6,7 @@ import java.util.stream.Stream;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
-import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.mechanism.Event;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
 import org.mechservice.solver.mechanism.Parameter;
@@ -64,17 +62,7 @@ public final class GenerationLimits {
     if (!choice.formulation().equals("DTR")) {
       beyond.add("formulation " + choice.formulation());
     }
-    add(
-        beyond,
-        "joints",
-        mechanism.joints().stream()
-            .filter(joint -> joint.type() != JointType.R && joint.type() != JointType.P)
-            .map(Joint::name));
     add(beyond, "constraints", mechanism.closures().stream().map(LoopClosure::name));
-    add(
-        beyond,
-        "driven joints",
-        mechanism.motions().stream().map(m -> mechanism.joints().get(m.joint()).name()));
     add(beyond, "forces", mechanism.forces().stream().map(ForceElement::name));
     add(beyond, "tunable parameters", mechanism.parameters().stream().map(Parameter::name));
     return beyond;

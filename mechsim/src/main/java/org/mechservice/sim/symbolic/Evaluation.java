@@ -4,11 +4,13 @@ import org.mechservice.solver.spatial.SinCos;
 
 /** Evaluates programs in doubles, node by node: what printed code must reproduce bit for bit. */
 final class Evaluation {
+  private final double time;
   private final double[] inputs;
   private final double[] pair = new double[2];
 
-  /** Takes the inputs by index; not modified. */
-  Evaluation(double[] inputs) {
+  /** Takes the time, s, and the inputs by index; not modified. */
+  Evaluation(double time, double[] inputs) {
+    this.time = time;
     this.inputs = inputs;
   }
 
@@ -27,10 +29,16 @@ final class Evaluation {
   private double valueOf(Scalar node, double[] values) {
     return switch (node.operation()) {
       case CONSTANT -> node.value();
-      case INPUT -> inputs[node.index()];
+      case INPUT -> node.index() == Program.TIME ? time : inputs[node.index()];
+      case FUNCTION -> function(node, values);
       case NEGATE, SQUARE_ROOT, SINE, COSINE -> unary(node, values[node.first().id()]);
       default -> binary(node, values[node.first().id()], values[node.second().id()]);
     };
+  }
+
+  private static double function(Scalar node, double[] values) {
+    return node.function()
+        .value(node.operands().stream().mapToDouble(operand -> values[operand.id()]).toArray());
   }
 
   private double unary(Scalar node, double operand) {

@@ -1,7 +1,9 @@
 package org.mechservice.sim.symbolic;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -17,6 +19,9 @@ public final class Expressions {
 
   /** Open table of nodes by what they do, to which nodes; a constant by its bits. Never full. */
   private @Nullable Scalar[] known = new Scalar[FIRST_CAPACITY];
+
+  /** Nodes of functions by their arguments and the function. */
+  private final Map<List<Object>, Scalar> calls = new HashMap<>();
 
   private final Scalar zero = constant(0);
   private final Scalar one = constant(1);
@@ -59,6 +64,11 @@ public final class Expressions {
     return Simplification.cosine(angle);
   }
 
+  /** Returns a function of numbers; of constants it is a constant. */
+  public Scalar function(MathFunction function, Scalar... arguments) {
+    return Simplification.function(function, List.of(arguments));
+  }
+
   /** Returns the number of nodes so far. */
   public int size() {
     return nodes.size();
@@ -81,6 +91,19 @@ public final class Expressions {
     int place = place(operation, first.id(), second.id());
     Scalar node = known[place];
     return node != null ? node : add(place, operation, List.of(first, second), 0, 0);
+  }
+
+  /** Returns the node of a function that needs no simplification. */
+  Scalar call(MathFunction function, List<Scalar> arguments) {
+    List<Object> key = new ArrayList<>(arguments);
+    key.add(function);
+    Scalar node = calls.get(key);
+    if (node == null) {
+      node = new Scalar(this, nodes.size(), function, arguments);
+      nodes.add(node);
+      calls.put(key, node);
+    }
+    return node;
   }
 
   private Scalar leaf(Operation operation, long identity, double value, int index) {
@@ -140,6 +163,9 @@ public final class Expressions {
   private void grow() {
     known = new Scalar[2 * known.length];
     for (Scalar node : nodes) {
+      if (node.operation() == Operation.FUNCTION) {
+        continue;
+      }
       known[place(node.operation(), identity(node, 0), identity(node, 1))] = node;
     }
   }

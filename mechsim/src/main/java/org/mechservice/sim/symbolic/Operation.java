@@ -15,7 +15,9 @@ public enum Operation {
   SQUARE_ROOT(1),
   /** Sine; always computed together with the cosine of the same angle. */
   SINE(0),
-  COSINE(0);
+  COSINE(0),
+  /** A function that is called; as many operations as a polynomial of some length. */
+  FUNCTION(10);
 
   private final int flops;
 

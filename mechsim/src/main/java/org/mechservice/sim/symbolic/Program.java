@@ -146,14 +146,26 @@ public final class Program {
   }
 
   /**
-   * Runs the program in doubles.
+   * Runs the program in doubles at time 0.
    *
    * @param inputs by index; not modified
    * @param outputs by index; overwritten where the program puts something out
    * @return the result of the first guard that fails; −1 if none does
    */
   public int evaluate(double[] inputs, double[] outputs) {
-    double[] values = new Evaluation(inputs).valuesOf(this);
+    return evaluate(0, inputs, outputs);
+  }
+
+  /**
+   * Runs the program in doubles at a time.
+   *
+   * @param time s
+   * @param inputs the others, by index; not modified
+   * @param outputs by index; overwritten where the program puts something out
+   * @return the result of the first guard that fails; −1 if none does
+   */
+  public int evaluate(double time, double[] inputs, double[] outputs) {
+    double[] values = new Evaluation(time, inputs).valuesOf(this);
     for (Section section : sections) {
       for (Output output : section.outputs()) {
         outputs[output.index()] = values[output.value().id()];

@@ -1,6 +1,8 @@
 package org.mechservice.sim.symbolic;
 
 import java.util.List;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A number known only when the program runs: one node of an {@link Expressions} graph.
@@ -14,7 +16,9 @@ public final class Scalar {
   private final List<Scalar> operands;
   private final double value;
   private final int index;
+  private final @Nullable MathFunction function;
 
+  /** A node that is no function. */
   Scalar(
       Expressions expressions,
       int id,
@@ -28,6 +32,18 @@ public final class Scalar {
     this.operands = operands;
     this.value = value;
     this.index = index;
+    this.function = null;
+  }
+
+  /** A function. */
+  Scalar(Expressions expressions, int id, MathFunction function, List<Scalar> operands) {
+    this.expressions = expressions;
+    this.id = id;
+    this.operation = Operation.FUNCTION;
+    this.operands = List.copyOf(operands);
+    this.value = 0;
+    this.index = 0;
+    this.function = function;
   }
 
   /** Returns the graph the node belongs to. */
@@ -63,6 +79,11 @@ public final class Scalar {
   /** Returns the number of a {@link Operation#CONSTANT}. */
   public double value() {
     return value;
+  }
+
+  /** Returns which function a {@link Operation#FUNCTION} is. */
+  public MathFunction function() {
+    return Objects.requireNonNull(function, "not a function");
   }
 
   /** Returns which input an {@link Operation#INPUT} is. */

@@ -57,6 +57,24 @@ public record ScalarMatrix(List<Scalar> rows) {
     return new ScalarVector(at(0, j), at(1, j), at(2, j));
   }
 
+  /** Returns the transpose. */
+  public ScalarMatrix transposed() {
+    return of((i, j) -> at(j, i));
+  }
+
+  /** Returns whether opposite elements are the same expressions. */
+  private boolean isSymmetric() {
+    return at(0, 1) == at(1, 0) && at(0, 2) == at(2, 0) && at(1, 2) == at(2, 1);
+  }
+
+  /** Returns r · this · rᵀ; of a symmetric matrix only one side is computed. */
+  public ScalarMatrix in(ScalarMatrix r) {
+    ScalarMatrix half = r.times(this);
+    return isSymmetric()
+        ? symmetric((i, j) -> half.row(i).dot(r.row(j)))
+        : of((i, j) -> half.row(i).dot(r.row(j)));
+  }
+
   /** Returns this + other. */
   public ScalarMatrix plus(ScalarMatrix other) {
     return of((i, j) -> at(i, j).plus(other.at(i, j)));

@@ -9,6 +9,8 @@ import static org.mechservice.sim.symbolic.Operation.SINE;
 import static org.mechservice.sim.symbolic.Operation.SQUARE_ROOT;
 import static org.mechservice.sim.symbolic.Operation.SUBTRACT;
 
+import java.util.List;
+
 /**
  * What an operation becomes before it becomes a node: constants are folded, 0 and 1 disappear, x −
  * x and a − (a − b) cancel, signs move outwards until a sum or difference takes them up.
@@ -16,6 +18,9 @@ import static org.mechservice.sim.symbolic.Operation.SUBTRACT;
  * <p>Values are taken as finite: 0 · x is 0.
  */
 final class Simplification {
+  /** Inputs and constants in the longest formula whose sine is computed before all else. */
+  private static final int LONGEST_ANGLE = 8;
+
   private Simplification() {}
 
   static Scalar sum(Scalar a, Scalar b) {
@@ -151,20 +156,68 @@ final class Simplification {
         : a.expressions().unary(SQUARE_ROOT, a);
   }
 
+  /** Functions of constants are folded where they have a value; a choice that is known is made. */
+  static Scalar function(MathFunction function, List<Scalar> arguments) {
+    double[] x = new double[arguments.size()];
+    boolean known = true;
+    for (int i = 0; i < x.length; i++) {
+      known &= arguments.get(i).isConstant();
+      x[i] = arguments.get(i).value();
+    }
+    if (known && Double.isFinite(function.value(x))) {
+      return arguments.get(0).expressions().constant(function.value(x));
+    }
+    if (function == MathFunction.CHOOSE) {
+      boolean decided = arguments.get(0).isConstant() && arguments.get(1).isConstant();
+      if (decided || arguments.get(2) == arguments.get(3)) {
+        return arguments.get(x[0] <= x[1] ? 2 : 3);
+      }
+    }
+    return arguments.get(0).expressions().call(function, arguments);
+  }
+
   static Scalar sine(Scalar angle) {
     if (angle.isConstant()) {
       return angle.expressions().constant(StrictMath.sin(angle.value()));
     }
-    return angle.is(NEGATE)
-        ? negation(sine(angle.first()))
-        : angle.expressions().unary(SINE, angle);
+    if (angle.is(NEGATE)) {
+      return negation(sine(angle.first()));
+    }
+    return isSimple(angle)
+        ? angle.expressions().unary(SINE, angle)
+        : function(MathFunction.SIN, List.of(angle));
   }
 
   static Scalar cosine(Scalar angle) {
     if (angle.isConstant()) {
       return angle.expressions().constant(StrictMath.cos(angle.value()));
     }
-    return angle.is(NEGATE) ? cosine(angle.first()) : angle.expressions().unary(COSINE, angle);
+    if (angle.is(NEGATE)) {
+      return cosine(angle.first());
+    }
+    return isSimple(angle)
+        ? angle.expressions().unary(COSINE, angle)
+        : function(MathFunction.COS, List.of(angle));
+  }
+
+  /** Returns whether an angle is a short formula of inputs: sines of such are computed first. */
+  private static boolean isSimple(Scalar angle) {
+    return length(angle) <= LONGEST_ANGLE;
+  }
+
+  /** Returns how many inputs and constants a formula has; many if it has a function in it. */
+  private static int length(Scalar node) {
+    return switch (node.operation()) {
+      case CONSTANT, INPUT -> 1;
+      case SINE, COSINE, SQUARE_ROOT, FUNCTION -> LONGEST_ANGLE + 1;
+      default -> {
+        int sum = 0;
+        for (Scalar operand : node.operands()) {
+          sum += sum <= LONGEST_ANGLE ? length(operand) : 0;
+        }
+        yield sum;
+      }
+    };
   }
 
   private static boolean isNegative(Scalar a) {

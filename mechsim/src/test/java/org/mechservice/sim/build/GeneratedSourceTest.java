@@ -181,10 +181,12 @@ class GeneratedSourceTest {
                             model, new BuildOptions(formulation, Set.of(), Scenes.SETTINGS)))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage(message));
-    RunSettings implicit = new RunSettings(0, 1, 0.1, "ode15s", 1e-5, 1e-5);
+    RunSettings unknown = new RunSettings(0, 1, 0.1, "ode45", 1e-5, 1e-5);
     assertThatThrownBy(
-            () -> ModelFactory.generate(model, new BuildOptions("auto", Set.of(), implicit)))
-        .hasMessage("S-082 integrator \"ode15s\" is not in this version; use ode113 or DE");
+            () -> ModelFactory.generate(model, new BuildOptions("auto", Set.of(), unknown)))
+        .hasMessage(
+            "S-082 integrator \"ode45\" is not in this version; use ode113, DE, ode15s or"
+                + " ode15sR");
   }
 
   @Test

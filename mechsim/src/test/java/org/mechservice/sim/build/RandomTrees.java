@@ -21,14 +21,37 @@ import org.mechservice.solver.spatial.Vector3;
  */
 public final class RandomTrees {
   private final Random random;
+  private final boolean allJoints;
 
-  private RandomTrees(long seed) {
+  private RandomTrees(long seed, boolean allJoints) {
     random = new Random(seed);
+    this.allJoints = allJoints;
   }
 
   /** Returns the tree of a seed. */
   public static Mechanism tree(long seed, int bodies) {
-    return new RandomTrees(seed).tree("tree" + seed, bodies);
+    return new RandomTrees(seed, false).tree("tree" + seed, bodies);
+  }
+
+  /** Returns a tree of joints of all types. */
+  public static Mechanism ofAllJoints(long seed, int bodies) {
+    return new RandomTrees(seed, true).tree("mixed" + seed, bodies);
+  }
+
+  /** Returns a tree of joints of all types, some of which are driven. */
+  public static Mechanism driven(long seed, int bodies) {
+    Mechanism free = ofAllJoints(seed, bodies);
+    return new Mechanism(
+        "driven" + seed,
+        free.root(),
+        free.gravity(),
+        free.bodies(),
+        free.joints(),
+        new RandomJoints(new Random(seed)).motions(free.joints()),
+        free.startRoles(),
+        List.of(),
+        List.of(),
+        List.of());
   }
 
   /** Returns a random state [q; v] of a tree. */
@@ -59,7 +82,7 @@ public final class RandomTrees {
     }
     for (int place = 0; place < count; place++) {
       int i = places.get(place);
-      boolean massless = !leaf[i] && random.nextInt(4) == 0;
+      boolean massless = !allJoints && !leaf[i] && random.nextInt(4) == 0;
       bodies.add(body("b" + i, massless));
       int parent = parents[i] < 0 ? Mechanism.ROOT : places.indexOf(parents[i]);
       joints.add(joint("j" + i, parent, place));
@@ -83,6 +106,9 @@ public final class RandomTrees {
   private Joint joint(String name, int parent, int child) {
     Rotation zero = random.nextInt(3) == 0 ? rotation() : Rotation.IDENTITY;
     Attachment attachment = new Attachment(parent, vector(0.5), child, vector(0.5), zero);
+    if (allJoints) {
+      return new RandomJoints(random).any(name, attachment, axis());
+    }
     String type = random.nextInt(3) == 0 ? "P" : "R";
     return Scenes.joint(name, type, attachment, axis(), vector(1).x(), vector(1).y());
   }

@@ -4,7 +4,7 @@ package org.mechservice.solver.expression;
  * Powers that allocate nothing and have the same bits on every machine ({@link StrictMath#pow}
  * allocates in some versions of Java).
  */
-final class Powers {
+public final class Powers {
   /**
    * Whole and half exponents up to here are products; a product of n factors is good to n/2 ulp.
    */
@@ -16,7 +16,7 @@ final class Powers {
    * Returns a to the power of b, with the special cases of {@link StrictMath#pow}. The error is
    * some ulp for whole and half exponents to 64, else about |b ln a| ulp.
    */
-  static double power(double a, double b) {
+  public static double power(double a, double b) {
     if (Math.abs(b) <= LARGEST_PRODUCT) {
       if (b == (int) b) {
         return whole(a, (int) b);

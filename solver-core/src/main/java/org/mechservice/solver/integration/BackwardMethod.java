@@ -464,7 +464,7 @@ abstract class BackwardMethod implements Integrator {
     state.require("number of unknowns", n);
     if (state.restoring()) {
       prepare(posed, t0, end);
-      control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER), restarted);
+      control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER), false);
       startDue = false;
       begun = false;
     }

@@ -4,6 +4,7 @@ import java.util.List;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarMatrix;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
@@ -17,15 +18,16 @@ final class AccelerationSweep {
   private final Program program;
   private final Expressions expressions;
   private final List<Link> links;
-  private final JointAngles angles;
+  private final Coordinates coordinates;
   private final InertiaSweep inertias;
   private final Added[] added;
 
-  AccelerationSweep(Program program, Links mechanism, JointAngles angles, InertiaSweep inertias) {
+  AccelerationSweep(
+      Program program, Links mechanism, Coordinates coordinates, InertiaSweep inertias) {
     this.program = program;
     this.expressions = program.expressions();
     this.links = mechanism.links();
-    this.angles = angles;
+    this.coordinates = coordinates;
     this.inertias = inertias;
     this.added = new Added[links.size()];
   }
@@ -37,13 +39,43 @@ final class AccelerationSweep {
       program.section(
           "Sweep 3, outwards: " + link.title() + ".\nq'' = u / D - k.A, A = X' A_p + q'' z",
           link.bodyLabel());
-      Added before = fromParent(link);
-      Scalar acceleration = jointAcceleration(i, before);
-      program.named("qdd_" + link.jointLabel(), acceleration);
-      program.output(link.velocity(), acceleration);
-      added[i] = after(link, before, acceleration);
+      added[i] = fromParent(link);
+      if (!link.isDriven()) {
+        accelerate(i, link);
+      }
       program.named("dalpha_" + link.bodyLabel(), added[i].alpha());
       program.named("da_" + link.bodyLabel(), added[i].acceleration());
+    }
+  }
+
+  private void accelerate(int i, Link link) {
+    List<Freedom> freedoms = Freedom.of(link);
+    Scalar[] rates = new Scalar[freedoms.size()];
+    // what was eliminated last is known first
+    for (int k = rates.length - 1; k >= 0; k--) {
+      Wrench share = inertias.shares(i).get(k);
+      Scalar taken =
+          share.moment().dot(added[i].alpha()).plus(share.force().dot(added[i].acceleration()));
+      rates[k] = inertias.atRest(i).get(k).minus(taken);
+      if (rates.length == 1) {
+        program.named("qdd_" + link.jointLabel(), rates[k]);
+      }
+      added[i] = after(freedoms.get(k), added[i], rates[k]);
+    }
+    if (link.isBall()) {
+      putOutBall(link, new ScalarVector(rates[0], rates[1], rates[2]));
+    } else {
+      program.output(link.velocity(), rates[0]);
+    }
+  }
+
+  /** Angular accelerations in link axes, put out in the axes of the file's body 1. */
+  private void putOutBall(Link link, ScalarVector rates) {
+    ScalarVector out =
+        link.inverse() ? rates.map(Scalar::negated) : coordinates.ballRotation(link).times(rates);
+    program.named("vd_" + link.jointLabel(), out);
+    for (int k = 0; k < 3; k++) {
+      program.output(link.velocity() + k, out.at(k));
     }
   }
 
@@ -57,32 +89,35 @@ final class AccelerationSweep {
     ScalarVector atJoint = parent.acceleration().plus(parent.alpha().cross(offset));
     ScalarVector alpha = link.axes().toChild(parent.alpha());
     ScalarVector acceleration = link.axes().toChild(atJoint);
-    if (link.turns()) {
-      Scalar cosine = angles.cosine(link);
-      Scalar back = angles.sine(link).negated();
-      return new Added(alpha.turned(2, cosine, back), acceleration.turned(2, cosine, back));
+    if (link.isBall()) {
+      ScalarMatrix toChild = coordinates.ballRotation(link).transposed();
+      return new Added(toChild.times(alpha), toChild.times(acceleration));
     }
-    Scalar zero = expressions.zero();
-    ScalarVector way = new ScalarVector(zero, zero, angles.position(link));
-    return new Added(alpha, acceleration.plus(alpha.cross(way)));
+    if (link.slides()) {
+      Scalar zero = expressions.zero();
+      ScalarVector way = new ScalarVector(zero, zero, coordinates.way(link));
+      acceleration = acceleration.plus(alpha.cross(way));
+    }
+    if (link.turns()) {
+      Scalar cosine = coordinates.cosine(link);
+      Scalar back = coordinates.sine(link).negated();
+      alpha = alpha.turned(2, cosine, back);
+      acceleration = acceleration.turned(2, cosine, back);
+    }
+    return new Added(alpha, acceleration);
   }
 
-  private Scalar jointAcceleration(int i, Added before) {
-    Wrench share = inertias.shares()[i];
-    Scalar taken =
-        share.moment().dot(before.alpha()).plus(share.force().dot(before.acceleration()));
-    return inertias.driven()[i].minus(taken);
-  }
-
-  private static Added after(Link link, Added before, Scalar jointAcceleration) {
+  private static Added after(Freedom freedom, Added before, Scalar rate) {
     ScalarVector alpha = before.alpha();
     ScalarVector acceleration = before.acceleration();
-    return link.turns()
-        ? new Added(
-            new ScalarVector(alpha.x(), alpha.y(), alpha.z().plus(jointAcceleration)), acceleration)
-        : new Added(
-            alpha,
-            new ScalarVector(
-                acceleration.x(), acceleration.y(), acceleration.z().plus(jointAcceleration)));
+    int axis = freedom.axis();
+    if (freedom.turns()) {
+      alpha = freedom.replaced(alpha, alpha.at(axis).plus(rate));
+    }
+    if (freedom.way() != 0) {
+      Scalar moved = acceleration.at(axis).plus(rate.times(freedom.way()));
+      acceleration = freedom.replaced(acceleration, moved);
+    }
+    return new Added(alpha, acceleration);
   }
 }

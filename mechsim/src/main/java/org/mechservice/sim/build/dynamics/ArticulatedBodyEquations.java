@@ -1,13 +1,15 @@
 package org.mechservice.sim.build.dynamics;
 
 import java.util.function.ToIntFunction;
+import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
- * y' = f(t, y) of an open chain of turning and sliding joints, totally recursive (DTR, NUMERICS
- * §2): a sweep out gives the forces that the motion needs while no joint accelerates, a sweep in
- * the articulated inertias and what is left of those forces, a second sweep out the joint
- * accelerations.
+ * y' = f(t, y) of an open chain, totally recursive (DTR, NUMERICS §2): a sweep out gives the forces
+ * that the motion needs while no joint accelerates, a sweep in the articulated inertias and what is
+ * left of those forces, a second sweep out the joint accelerations.
  */
 public final class ArticulatedBodyEquations {
   private ArticulatedBodyEquations() {}
@@ -17,8 +19,8 @@ public final class ArticulatedBodyEquations {
    * joints.
    *
    * @param mechanism the open chain
-   * @return a program whose guards return the index, in the mechanism, of the joint beyond which
-   *     there is no inertia
+   * @return a program whose guards return the index, among the joints that have states, of the
+   *     joint beyond which there is no inertia
    */
   public static Program derive(Links mechanism) {
     return derive(mechanism, link -> -1);
@@ -31,25 +33,24 @@ public final class ArticulatedBodyEquations {
    */
   static Program derive(Links mechanism, ToIntFunction<Link> forceInput) {
     Program program = new Program();
-    JointAngles angles = new JointAngles(program);
-    program.section("q' = v", "q");
-    for (Link link : mechanism.links()) {
-      program.output(link.position(), angles.velocity(link));
-    }
-    Wrench[] needed = new ForceSweep(program, mechanism, angles).sweep();
+    Coordinates coordinates = new Coordinates(program, mechanism);
+    new PositionRates(program, mechanism, coordinates).putOut();
+    Wrench[] needed = new ForceSweep(program, mechanism, coordinates).sweep();
     InertiaSweep inertias =
         new InertiaSweep(
             program,
             mechanism,
-            angles,
+            coordinates,
             needed,
-            link -> {
-              int input = forceInput.applyAsInt(link);
-              return input < 0 ? program.expressions().zero() : program.expressions().input(input);
-            });
+            link -> given(program.expressions(), forceInput.applyAsInt(link)));
     if (inertias.sweep()) {
-      new AccelerationSweep(program, mechanism, angles, inertias).sweep();
+      new AccelerationSweep(program, mechanism, coordinates, inertias).sweep();
     }
     return program;
+  }
+
+  private static ScalarVector given(Expressions expressions, int input) {
+    Scalar zero = expressions.zero();
+    return new ScalarVector(zero, zero, input < 0 ? zero : expressions.input(input));
   }
 }

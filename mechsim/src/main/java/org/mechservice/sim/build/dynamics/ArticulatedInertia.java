@@ -21,7 +21,7 @@ record ArticulatedInertia(
   /** Returns the inertia of a link's own body: J about the origin, H = m [c]×, M = m 1. */
   static ArticulatedInertia of(Expressions expressions, Link link) {
     Vector3 c = link.centerOfMass();
-    InertiaTensor own = Links.about(link.mass(), c, link.inertia());
+    InertiaTensor own = link.inertiaAtOrigin();
     double[][] j = {
       {own.xx(), own.xy(), own.xz()}, {own.xy(), own.yy(), own.yz()}, {own.xz(), own.yz(), own.zz()}
     };
@@ -38,38 +38,56 @@ record ArticulatedInertia(
         translational.plus(other.translational));
   }
 
-  /** Returns the column along a joint's axis: the moment and force that turn or shift it. */
-  Wrench along(boolean turns) {
-    return turns
-        ? new Wrench(rotational.column(2), coupling.row(2))
-        : new Wrench(coupling.column(2), translational.column(2));
+  /** Returns the column along a freedom: the moment and force that move it. */
+  Wrench along(Freedom freedom) {
+    int axis = freedom.axis();
+    Wrench turning = new Wrench(rotational.column(axis), coupling.row(axis));
+    if (freedom.way() == 0) {
+      return turning;
+    }
+    Wrench moving =
+        new Wrench(coupling.column(axis), translational.column(axis)).times(freedom.way());
+    return freedom.turns() ? turning.plus(moving) : moving;
   }
 
   /**
-   * Returns what remains when the joint gives way: I − U Uᵀ / D. The row and column along the axis
-   * are zero.
+   * Returns what remains when a freedom gives way: I − U Uᵀ / D. The row and column along the axis
+   * of a plain freedom are zero.
    *
-   * @param turns whether the joint turns about z or slides along it
    * @param column U
    * @param share U / D
    */
-  ArticulatedInertia projected(boolean turns, Wrench column, Wrench share) {
+  ArticulatedInertia projected(Freedom freedom, Wrench column, Wrench share) {
     Scalar zero = rotational.at(0, 0).expressions().zero();
+    int axis = freedom.axis();
+    boolean turned = freedom.isPlain() && freedom.turns();
+    boolean moved = freedom.isPlain() && !freedom.turns();
     ScalarVector n = column.moment();
     ScalarVector f = column.force();
     ScalarVector kn = share.moment();
     ScalarVector kf = share.force();
     return new ArticulatedInertia(
         ScalarMatrix.symmetric(
-            (i, j) -> turns && j == 2 ? zero : rotational.at(i, j).minus(kn.at(i).times(n.at(j)))),
+            (i, j) ->
+                turned && (i == axis || j == axis)
+                    ? zero
+                    : rotational.at(i, j).minus(kn.at(i).times(n.at(j)))),
         ScalarMatrix.of(
             (i, j) ->
-                (turns ? i == 2 : j == 2)
+                (turned && i == axis) || (moved && j == axis)
                     ? zero
                     : coupling.at(i, j).minus(kn.at(i).times(f.at(j)))),
         ScalarMatrix.symmetric(
             (i, j) ->
-                !turns && j == 2 ? zero : translational.at(i, j).minus(kf.at(i).times(f.at(j)))));
+                moved && (i == axis || j == axis)
+                    ? zero
+                    : translational.at(i, j).minus(kf.at(i).times(f.at(j)))));
+  }
+
+  /** Returns the same in other axes: components v = rotation · this. */
+  ArticulatedInertia in(ScalarMatrix rotation) {
+    return new ArticulatedInertia(
+        rotational.in(rotation), coupling.in(rotation), translational.in(rotation));
   }
 
   /** Returns the same in axes turned back: R = Rot(axis, angle) takes this frame's axes there. */

@@ -2,16 +2,13 @@ package org.mechservice.sim.build.dynamics;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.solver.mechanism.Attachment;
-import org.mechservice.solver.mechanism.Body;
-import org.mechservice.solver.mechanism.Joint;
-import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Chooses the axes a body is computed in: z along its joint, and of those the ones that cost least.
+ * Chooses the axes a link is computed in: z along its joint, and of those the ones that cost least.
  *
  * <p>Axes that change places cost nothing. A constant turn between parent and child, and a body or
  * child joint that no longer lies along its axes, cost the operations weighed here.
@@ -29,21 +26,32 @@ final class ComputingAxes {
   /** Operations of one more product of inertia. */
   private static final int PRODUCT_COST = 8;
 
-  private ComputingAxes() {}
+  private final RigidGroups.MassProperties mass;
+  private final Vector3 axis;
+  private final List<Vector3> offsets = new ArrayList<>();
+
+  ComputingAxes(TreeGeometry tree, RigidGroups groups, int link) {
+    this.mass = groups.massOf(link);
+    this.axis = RigidGroups.vector(tree.axisInLink, 3 * link);
+    for (int child = link + 1; child < tree.linkCount; child++) {
+      boolean moves = groups.carrier(child) == child;
+      if (moves && groups.carrier(tree.parent[child]) == link) {
+        offsets.add(groups.offsetFromCarrier(child));
+      }
+    }
+  }
 
   /**
-   * Returns the rotation from body axes to computing axes for the child of a joint.
+   * Returns the rotation from the link's axes to computing axes.
    *
-   * @param fromParentBody the same for its parent
+   * @param inParent from the link's axes at q = 0 to the parent's computing axes
    */
-  static Rotation of(Mechanism mechanism, int joint, Rotation fromParentBody) {
-    Attachment attachment = mechanism.joints().get(joint).attachment();
-    Rotation inParent = fromParentBody.times(attachment.zeroRotation());
+  Rotation choose(Rotation inParent) {
     Rotation best = Rotation.IDENTITY;
     int least = Integer.MAX_VALUE;
-    for (Rotation candidate : candidates(mechanism.joints().get(joint), inParent)) {
+    for (Rotation candidate : candidates(inParent)) {
       AxesChange change = AxesChange.of(inParent.times(candidate.transposed()));
-      int cost = TURN_COST * change.turns().size() + cost(mechanism, joint, candidate);
+      int cost = TURN_COST * change.turns().size() + cost(candidate);
       if (cost < least) {
         least = cost;
         best = candidate;
@@ -52,9 +60,8 @@ final class ComputingAxes {
     return best;
   }
 
-  /** Starts from the body's own axes and from the parent's, and takes the joint's axis to z. */
-  private static List<Rotation> candidates(Joint joint, Rotation inParent) {
-    Vector3 axis = joint.attachment().zeroRotation().transposed().apply(Links.axisOf(joint));
+  /** Starts from the link's own axes and from the parent's, and takes the joint's axis to z. */
+  private List<Rotation> candidates(Rotation inParent) {
     List<Rotation> candidates = new ArrayList<>();
     for (Rotation start : List.of(Rotation.IDENTITY, inParent)) {
       for (Rotation permutation : Axes.cyclicPermutations()) {
@@ -65,18 +72,12 @@ final class ComputingAxes {
     return candidates;
   }
 
-  private static int cost(Mechanism mechanism, int joint, Rotation frame) {
-    Attachment attachment = mechanism.joints().get(joint).attachment();
-    Body body = mechanism.bodies().get(attachment.child());
-    InertiaTensor inertia = inFrame(frame, body.inertia());
-    Vector3 center = inFrame(frame, body.centerOfMass().minus(attachment.childPoint()));
+  private int cost(Rotation frame) {
+    InertiaTensor inertia = inFrame(frame, mass.inertia());
     int cost = PRODUCT_COST * nonZeros(new Vector3(inertia.xy(), inertia.xz(), inertia.yz()));
-    cost += body.mass() == 0 ? 0 : CENTER_COST * nonZeros(center);
-    for (Joint child : mechanism.joints()) {
-      if (child.attachment().parent() == attachment.child()) {
-        Vector3 offset = child.attachment().parentPoint().minus(attachment.childPoint());
-        cost += OFFSET_COST * nonZeros(inFrame(frame, offset));
-      }
+    cost += mass.mass() == 0 ? 0 : CENTER_COST * nonZeros(inFrame(frame, mass.center()));
+    for (Vector3 offset : offsets) {
+      cost += OFFSET_COST * nonZeros(inFrame(frame, offset));
     }
     return cost;
   }

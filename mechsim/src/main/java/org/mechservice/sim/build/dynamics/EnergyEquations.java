@@ -31,11 +31,12 @@ public final class EnergyEquations {
 
   private final Program program = new Program();
   private final Expressions expressions = program.expressions();
-  private final JointAngles angles = new JointAngles(program);
+  private final Coordinates coordinates;
   private final Links mechanism;
 
   private EnergyEquations(Links mechanism) {
     this.mechanism = mechanism;
+    this.coordinates = new Coordinates(program, mechanism);
   }
 
   /**
@@ -48,7 +49,7 @@ public final class EnergyEquations {
 
   private Program derive() {
     Scalar kinetic = expressions.zero();
-    Scalar potential = expressions.zero();
+    Scalar potential = expressions.constant(potentialOfFixedMass());
     List<Movement> movements = new ArrayList<>();
     for (Link link : mechanism.links()) {
       program.section(
@@ -98,29 +99,60 @@ public final class EnergyEquations {
             axes.toChild(parent.velocity().plus(parent.omega().cross(offset))),
             axes.toChild(parent.gravity()),
             parent.fall().plus(parent.gravity().dot(offset)));
-    return link.turns() ? turned(link, atJoint) : shifted(link, atJoint);
+    if (link.isBall()) {
+      return link.inverse() ? turnedBack(link, atJoint) : turnedBall(link, atJoint);
+    }
+    Movement slid = link.slides() ? slid(link, atJoint) : atJoint;
+    return link.turns() ? turned(link, slid) : slid;
   }
 
   private Movement turned(Link link, Movement joint) {
-    Scalar cosine = angles.cosine(link);
-    Scalar back = angles.sine(link).negated();
+    Scalar cosine = coordinates.cosine(link);
+    Scalar back = coordinates.sine(link).negated();
     ScalarVector omega = joint.omega().turned(2, cosine, back);
     return new Movement(
-        new ScalarVector(omega.x(), omega.y(), omega.z().plus(angles.velocity(link))),
+        new ScalarVector(omega.x(), omega.y(), omega.z().plus(coordinates.velocity(link))),
         joint.velocity().turned(2, cosine, back),
         joint.gravity().turned(2, cosine, back),
         joint.fall());
   }
 
-  private Movement shifted(Link link, Movement joint) {
+  private Movement slid(Link link, Movement joint) {
     Scalar zero = expressions.zero();
-    ScalarVector way = new ScalarVector(zero, zero, angles.position(link));
-    ScalarVector rate = new ScalarVector(zero, zero, angles.velocity(link));
+    ScalarVector way = new ScalarVector(zero, zero, coordinates.way(link));
+    ScalarVector rate = new ScalarVector(zero, zero, coordinates.wayRate(link));
     return new Movement(
         joint.omega(),
         joint.velocity().plus(joint.omega().cross(way)).plus(rate),
         joint.gravity(),
         joint.fall().plus(joint.gravity().dot(way)));
+  }
+
+  private Movement turnedBall(Link link, Movement joint) {
+    ScalarMatrix toChild = coordinates.ballRotation(link).transposed();
+    ScalarVector omega = joint.omega().plus(coordinates.ballVelocity(link));
+    return new Movement(
+        toChild.times(omega),
+        toChild.times(joint.velocity()),
+        toChild.times(joint.gravity()),
+        joint.fall());
+  }
+
+  private Movement turnedBack(Link link, Movement joint) {
+    ScalarMatrix toChild = coordinates.ballRotation(link).transposed();
+    ScalarVector back = coordinates.ballVelocity(link).map(Scalar::negated);
+    return new Movement(
+        toChild.times(joint.omega()).plus(back),
+        toChild.times(joint.velocity()),
+        toChild.times(joint.gravity()),
+        joint.fall());
+  }
+
+  /** −m g·p of what is welded to the root. */
+  private double potentialOfFixedMass() {
+    Mechanism described = mechanism.mechanism();
+    double atRoot = described.gravity().dot(described.root().position());
+    return -mechanism.fixedMass() * (atRoot + mechanism.gravity().dot(mechanism.fixedCenter()));
   }
 
   private Scalar kinetic(Link link, Movement movement) {

@@ -3,6 +3,8 @@ package org.mechservice.sim.build.dynamics;
 import java.util.List;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarMatrix;
+import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -81,6 +83,49 @@ record EulerParameters(List<Scalar> e) {
       }
     }
     return products;
+  }
+
+  /** Returns the parameters of the inverse rotation. */
+  EulerParameters inverse() {
+    return new EulerParameters(List.of(at(0), at(1).negated(), at(2).negated(), at(3).negated()));
+  }
+
+  private Scalar squares() {
+    return at(0).squared().plus(at(1).squared()).plus(at(2).squared()).plus(at(3).squared());
+  }
+
+  /** Returns e/|e|. */
+  EulerParameters normalised() {
+    Scalar norm = squares().squareRoot();
+    return new EulerParameters(e.stream().map(component -> component.over(norm)).toList());
+  }
+
+  /** Returns R(e/|e|) = 1 + s (e0 [u]× + [u]×²), s = 2/|e|². */
+  ScalarMatrix rotation() {
+    Expressions x = at(0).expressions();
+    Scalar s = x.constant(2).over(squares());
+    return ScalarMatrix.of(
+        (i, j) -> i == j ? diagonal(s, (i + 1) % 3 + 1, (i + 2) % 3 + 1) : beside(s, i, j));
+  }
+
+  private Scalar diagonal(Scalar s, int j, int k) {
+    Scalar sum = at(j).squared().plus(at(k).squared());
+    return s.expressions().one().minus(s.times(sum));
+  }
+
+  /** s (ei ej − e0 ek) for cyclic i, j, k, + for the others. */
+  private Scalar beside(Scalar s, int i, int j) {
+    Scalar product = at(i + 1).times(at(j + 1));
+    Scalar turn = at(0).times(at(3 - i - j + 1));
+    boolean cyclic = (i + 1) % 3 == j;
+    return s.times(cyclic ? product.minus(turn) : product.plus(turn));
+  }
+
+  /** Returns e' = ½ (0, ω) ∘ e. */
+  EulerParameters rate(ScalarVector omega) {
+    Scalar zero = at(0).expressions().zero();
+    ScalarVector half = omega.map(component -> component.times(0.5));
+    return new EulerParameters(List.of(zero, half.x(), half.y(), half.z())).times(this);
   }
 
   /** Returns this ∘ other: the other rotation first. */

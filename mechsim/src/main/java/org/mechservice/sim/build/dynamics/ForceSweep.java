@@ -18,16 +18,16 @@ final class ForceSweep {
   private final Program program;
   private final Expressions expressions;
   private final Links mechanism;
-  private final JointAngles angles;
+  private final Coordinates coordinates;
   private final Motion[] motions;
   private final ScalarMatrix[] spreads;
   private final Motion root;
 
-  ForceSweep(Program program, Links mechanism, JointAngles angles) {
+  ForceSweep(Program program, Links mechanism, Coordinates coordinates) {
     this.program = program;
     this.expressions = program.expressions();
     this.mechanism = mechanism;
-    this.angles = angles;
+    this.coordinates = coordinates;
     this.motions = new Motion[mechanism.links().size()];
     this.spreads = new ScalarMatrix[mechanism.links().size()];
     ScalarVector none = ScalarVector.zero(expressions);
@@ -41,7 +41,7 @@ final class ForceSweep {
     for (int i = 0; i < motions.length; i++) {
       Link link = mechanism.links().get(i);
       program.section(title(link), link.bodyLabel());
-      motions[i] = link.turns() ? turned(link) : shifted(link);
+      motions[i] = moved(link);
       String label = link.bodyLabel();
       program.named("omega_" + label, motions[i].omega());
       program.named("alpha_" + label, motions[i].alpha());
@@ -56,10 +56,24 @@ final class ForceSweep {
     return "Sweep 1, outwards: "
         + link.title()
         + ".\n"
-        + (link.turns()
-            ? "omega = R' omega_p + v z, alpha = R' alpha_p + v omega x z, a = R' (a_p + W_p r)"
-            : "omega = R' omega_p, alpha = R' alpha_p, a = R' (a_p + W_p r) + q W z + 2 v omega x z")
+        + equation(link)
         + (link.mass() == 0 ? "" : ", f = m (a + W c), n = I alpha + omega x I omega + c x f");
+  }
+
+  private static String equation(Link link) {
+    return switch (link.kind()) {
+      case TURN ->
+          "omega = R' omega_p + v z, alpha = R' alpha_p + v omega x z, a = R' (a_p + W_p r)";
+      case SLIDE ->
+          "omega = R' omega_p, alpha = R' alpha_p, a = R' (a_p + W_p r) + q W z + 2 v omega x z";
+      case SCREW ->
+          "omega = R' omega_p + v z, alpha = R' alpha_p + v omega x z,"
+              + " a = R' (a_p + W_p (r + h q z) + 2 h v omega_p x z)";
+      default ->
+          link.inverse()
+              ? "omega = R' omega_p - v, alpha = R' (alpha_p) - R' omega_p x v, a = R' (a_p + W_p r)"
+              : "omega = R' (omega_p + v), alpha = R' (alpha_p + omega_p x v), a = R' (a_p + W_p r)";
+    };
   }
 
   /** Motion of the child's frame at q = 0, in its own axes: that of the parent at the joint. */
@@ -75,27 +89,59 @@ final class ForceSweep {
         axes.toChild(parent.omega()), axes.toChild(parent.alpha()), axes.toChild(acceleration));
   }
 
-  private Motion turned(Link link) {
-    Motion joint = atJoint(link);
-    Scalar cosine = angles.cosine(link);
-    Scalar back = angles.sine(link).negated();
-    Scalar v = angles.velocity(link);
+  private Motion moved(Link link) {
+    Motion motion = atJoint(link);
+    if (link.isBall()) {
+      return link.inverse() ? turnedBack(link, motion) : turnedBall(link, motion);
+    }
+    Motion slid = link.slides() ? slid(link, motion) : motion;
+    return link.turns() ? turned(link, slid) : slid;
+  }
+
+  private Motion turned(Link link, Motion joint) {
+    Scalar cosine = coordinates.cosine(link);
+    Scalar back = coordinates.sine(link).negated();
+    Scalar v = coordinates.velocity(link);
     ScalarVector omega = joint.omega().turned(2, cosine, back);
-    ScalarVector alpha = joint.alpha().turned(2, cosine, back);
+    ScalarVector alpha = joint.alpha().turned(2, cosine, back).plus(acrossZ(omega).times(v));
     return new Motion(
-        new ScalarVector(omega.x(), omega.y(), omega.z().plus(v)),
-        alpha.plus(acrossZ(omega).times(v)),
+        alongZ(omega, v),
+        alongZ(alpha, coordinates.drivenAcceleration(link)),
         joint.acceleration().turned(2, cosine, back));
   }
 
-  private Motion shifted(Link link) {
-    Motion joint = atJoint(link);
-    Scalar q = angles.position(link);
-    Scalar twiceV = angles.velocity(link).times(2);
-    ScalarVector relative = joint.spread().column(2).times(q);
+  private Motion slid(Link link, Motion joint) {
+    Scalar twiceV = coordinates.wayRate(link).times(2);
+    ScalarVector relative = joint.spread().column(2).times(coordinates.way(link));
     ScalarVector coriolis = acrossZ(joint.omega()).times(twiceV);
+    ScalarVector acceleration = joint.acceleration().plus(relative).plus(coriolis);
+    Scalar driven = coordinates.drivenAcceleration(link).times(link.way());
+    return new Motion(joint.omega(), joint.alpha(), alongZ(acceleration, driven));
+  }
+
+  /** The angular velocity v is given in parent axes. */
+  private Motion turnedBall(Link link, Motion joint) {
+    ScalarMatrix toChild = coordinates.ballRotation(link).transposed();
+    ScalarVector v = coordinates.ballVelocity(link);
     return new Motion(
-        joint.omega(), joint.alpha(), joint.acceleration().plus(relative).plus(coriolis));
+        toChild.times(joint.omega().plus(v)),
+        toChild.times(joint.alpha().plus(joint.omega().cross(v))),
+        toChild.times(joint.acceleration()));
+  }
+
+  /** The angular velocity −v is given in the link's own axes. */
+  private Motion turnedBack(Link link, Motion joint) {
+    ScalarMatrix toChild = coordinates.ballRotation(link).transposed();
+    ScalarVector back = coordinates.ballVelocity(link).map(Scalar::negated);
+    ScalarVector omega = toChild.times(joint.omega());
+    return new Motion(
+        omega.plus(back),
+        toChild.times(joint.alpha()).plus(omega.cross(back)),
+        toChild.times(joint.acceleration()));
+  }
+
+  private static ScalarVector alongZ(ScalarVector vector, Scalar more) {
+    return new ScalarVector(vector.x(), vector.y(), vector.z().plus(more));
   }
 
   /** Returns v × z. */

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.function.Function;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.kinematics.LinkKind;
 
 /**
  * A bound of the inertia beyond a joint with every joint beyond it locked: what an articulated
@@ -33,7 +34,7 @@ record InertiaBound(Scalar mass, Scalar first, Scalar second) {
       Link link = links.get(i);
       if (link.parent() != Links.ROOT) {
         Scalar length = expressions.constant(link.offset().norm());
-        InertiaBound seen = bounds[i].from(link.turns() ? length : length.plus(slid.apply(link)));
+        InertiaBound seen = bounds[i].from(link.slides() ? length.plus(slid.apply(link)) : length);
         bounds[link.parent()] = bounds[link.parent()].plus(seen);
       }
     }
@@ -62,6 +63,9 @@ record InertiaBound(Scalar mass, Scalar first, Scalar second) {
 
   /** Returns the bound along a joint: of the moment of inertia, or of the mass. */
   Scalar along(Link link) {
-    return link.turns() ? second : mass;
+    if (link.kind() == LinkKind.SLIDE) {
+      return mass;
+    }
+    return second.plus(mass.times(link.way() * link.way()));
   }
 }

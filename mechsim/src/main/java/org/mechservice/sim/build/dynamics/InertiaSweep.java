@@ -1,10 +1,11 @@
 package org.mechservice.sim.build.dynamics;
 
+import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Function;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarMatrix;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
@@ -28,36 +29,38 @@ final class InertiaSweep {
   private final Program program;
   private final Expressions expressions;
   private final List<Link> links;
-  private final JointAngles angles;
-  private final Function<Link, Scalar> jointForce;
+  private final Coordinates coordinates;
+  private final JointForces jointForces;
   private final InertiaBound[] bounds;
   private final InertiaBound[] boundsAtStart;
   private final ArticulatedInertia[] inertias;
   private final Wrench[] wrenches;
-  private final Wrench[] shares;
-  private final Scalar[] driven;
+  private final List<List<Wrench>> shares = new ArrayList<>();
+  private final List<List<Scalar>> atRest = new ArrayList<>();
 
   /**
    * @param wrenches what each body needs; overwritten with what all beyond it need
-   * @param jointForce force along each joint, N·m or N
+   * @param jointForces what acts in the joints
    */
   InertiaSweep(
       Program program,
       Links mechanism,
-      JointAngles angles,
+      Coordinates coordinates,
       Wrench[] wrenches,
-      Function<Link, Scalar> jointForce) {
+      JointForces jointForces) {
     this.program = program;
     this.expressions = program.expressions();
     this.links = mechanism.links();
-    this.angles = angles;
-    this.jointForce = jointForce;
-    this.bounds = InertiaBound.of(expressions, links, link -> slid(angles, link));
-    this.boundsAtStart = InertiaBound.of(expressions, links, link -> slidAtStart(angles, link));
+    this.coordinates = coordinates;
+    this.jointForces = jointForces;
+    this.bounds = InertiaBound.of(expressions, links, this::slid);
+    this.boundsAtStart = InertiaBound.of(expressions, links, this::slidAtStart);
     this.inertias = new ArticulatedInertia[links.size()];
     this.wrenches = wrenches;
-    this.shares = new Wrench[links.size()];
-    this.driven = new Scalar[links.size()];
+    for (int i = 0; i < links.size(); i++) {
+      shares.add(new ArrayList<>());
+      atRest.add(new ArrayList<>());
+    }
   }
 
   /**
@@ -78,53 +81,69 @@ final class InertiaSweep {
     return true;
   }
 
-  /** Returns U / D of each joint; the element along the axis is 1. */
-  Wrench[] shares() {
-    return shares;
+  /** Returns U / D of each freedom of a link; the element along a plain freedom is 1. */
+  List<Wrench> shares(int link) {
+    return shares.get(link);
   }
 
-  /** Returns u / D of each joint: its acceleration if its parent did not accelerate. */
-  Scalar[] driven() {
-    return driven;
+  /** Returns u / D of each freedom of a link: its acceleration if its parent did not accelerate. */
+  List<Scalar> atRest(int link) {
+    return atRest.get(link);
   }
 
   private boolean inwards(int i, Link link) {
-    program.section(
-        "Sweep 2, inwards: "
-            + link.title()
-            + ".\nk = U / D, u = tau - p.z, I_p += X (I - U k') X', p_p += X (p + k u)",
-        link.bodyLabel());
-    Wrench column = named(link, inertias[i]).along(link.turns());
-    Scalar pivot = program.named("D_" + link.jointLabel(), onAxis(link, column));
-    if (guarded(i, link, pivot)) {
-      return false;
+    program.section("Sweep 2, inwards: " + link.title() + ".\n" + equation(link), link.bodyLabel());
+    named(link, inertias[i]);
+    if (!link.isDriven()) {
+      List<Freedom> freedoms = Freedom.of(link);
+      ScalarVector forces = jointForces.of(link);
+      for (int k = 0; k < freedoms.size(); k++) {
+        Freedom freedom = freedoms.get(k);
+        boolean passedOn = link.parent() != Links.ROOT || k + 1 < freedoms.size();
+        if (!eliminate(i, link, freedom, forces.at(freedom.axis()), passedOn)) {
+          return false;
+        }
+      }
     }
-    Scalar reciprocal =
-        program.named("one_over_D_" + link.jointLabel(), expressions.one().over(pivot));
-    Wrench share = share(link, column, reciprocal);
-    Scalar force = jointForce.apply(link);
-    Scalar left = force.minus(onAxis(link, wrenches[i]));
-    shares[i] = share;
-    // The reciprocal pays where the column is divided too, which nothing needs at the root.
-    Scalar atRest = link.parent() == Links.ROOT ? left.over(pivot) : left.times(reciprocal);
-    driven[i] = program.named("u_over_D_" + link.jointLabel(), atRest);
     if (link.parent() != Links.ROOT) {
-      ArticulatedInertia projected = inertias[i].projected(link.turns(), column, share);
-      Wrench rest = rest(link, wrenches[i], column, driven[i], force);
-      pass(link, projected, rest);
+      pass(link, inertias[i], wrenches[i]);
     }
     return true;
   }
 
-  private ArticulatedInertia named(Link link, ArticulatedInertia inertia) {
+  private static String equation(Link link) {
+    return link.isDriven()
+        ? "I_p += X I X', p_p += X p"
+        : "k = U / D, u = tau - p.z, I_p += X (I - U k') X', p_p += X (p + k u)";
+  }
+
+  /** Lets a freedom give way; returns whether it can have an inertia. */
+  private boolean eliminate(int i, Link link, Freedom freedom, Scalar force, boolean passedOn) {
+    String label = link.jointLabel() + (link.isBall() ? "_" + "xyz".charAt(freedom.axis()) : "");
+    Wrench column = inertias[i].along(freedom);
+    Scalar pivot = program.named("D_" + label, freedom.along(column));
+    if (guarded(i, link, freedom, pivot)) {
+      return false;
+    }
+    Scalar reciprocal = program.named("one_over_D_" + label, expressions.one().over(pivot));
+    Wrench share = share(freedom, column, reciprocal, label);
+    Scalar left = force.minus(freedom.along(wrenches[i]));
+    // The reciprocal pays where the column is divided too, which nothing needs at the root.
+    Scalar rate =
+        program.named("u_over_D_" + label, passedOn ? left.times(reciprocal) : left.over(pivot));
+    shares.get(i).add(share);
+    atRest.get(i).add(rate);
+    if (passedOn) {
+      wrenches[i] = rest(freedom, wrenches[i], column, rate, force);
+      inertias[i] = inertias[i].projected(freedom, column, share);
+    }
+    return true;
+  }
+
+  private void named(Link link, ArticulatedInertia inertia) {
     program.named("J_" + link.bodyLabel(), inertia.rotational());
     program.named("H_" + link.bodyLabel(), inertia.coupling());
     program.named("M_" + link.bodyLabel(), inertia.translational());
-    return inertia;
-  }
-
-  private static Scalar onAxis(Link link, Wrench wrench) {
-    return link.turns() ? wrench.moment().z() : wrench.force().z();
   }
 
   /**
@@ -132,68 +151,75 @@ final class InertiaSweep {
    *
    * @return whether it vanishes always
    */
-  private boolean guarded(int i, Link link, Scalar pivot) {
+  private boolean guarded(int i, Link link, Freedom freedom, Scalar pivot) {
     Scalar all = bounds[i].along(link);
     double clearly = all.isConstant() ? CLEARLY_POSITIVE : CLEARLY_POSITIVE_SLIDING;
-    if (link.ownInertia() > clearly * boundsAtStart[i].along(link).value()) {
+    if (freedom.ownInertia(link) > clearly * boundsAtStart[i].along(link).value()) {
       return false;
     }
     Scalar bound = all.times(SINGULAR);
     boolean known = pivot.isConstant() && bound.isConstant();
     boolean always = pivot.isZero() || (known && pivot.value() <= bound.value());
     if (always || !known) {
-      program.guard(new Program.Guard(pivot, bound, link.joint(), "no inertia beyond the joint"));
+      String meaning = "no inertia beyond the joint";
+      program.guard(new Program.Guard(pivot, bound, link.stateJoint(), meaning));
     }
     return always;
   }
 
-  /** |q| of a joint that slides. */
-  private static Scalar slid(JointAngles angles, Link link) {
-    return angles.position(link).squared().squareRoot();
+  /** The size of the way along a sliding link. */
+  private Scalar slid(Link link) {
+    return coordinates.way(link).squared().squareRoot();
   }
 
   /** The same at the start, with a metre to spare. */
-  private static Scalar slidAtStart(JointAngles angles, Link link) {
-    return angles.position(link).expressions().constant(1 + Math.abs(link.initialPosition()));
+  private Scalar slidAtStart(Link link) {
+    return expressions.constant(1 + Math.abs(link.way() * link.initialPosition()));
   }
 
-  private Wrench share(Link link, Wrench column, Scalar reciprocal) {
-    ScalarVector moment = column.moment().times(reciprocal);
-    ScalarVector force = column.force().times(reciprocal);
-    Scalar one = expressions.one();
-    Wrench share =
-        link.turns()
-            ? new Wrench(new ScalarVector(moment.x(), moment.y(), one), force)
-            : new Wrench(moment, new ScalarVector(force.x(), force.y(), one));
-    program.named("kn_" + link.jointLabel(), share.moment());
-    program.named("kf_" + link.jointLabel(), share.force());
+  private Wrench share(Freedom freedom, Wrench column, Scalar reciprocal, String label) {
+    Wrench divided =
+        new Wrench(column.moment().times(reciprocal), column.force().times(reciprocal));
+    Wrench share = freedom.with(divided, expressions.one());
+    program.named("kn_" + label, share.moment());
+    program.named("kf_" + label, share.force());
     return share;
   }
 
-  /** p + U u / D; along the axis that is the joint force. */
+  /** p + U u / D; along the axis of a plain freedom that is the joint force. */
   private static Wrench rest(
-      Link link, Wrench wrench, Wrench column, Scalar driven, Scalar jointForce) {
-    ScalarVector moment = wrench.moment().plus(column.moment().times(driven));
-    ScalarVector force = wrench.force().plus(column.force().times(driven));
-    return link.turns()
-        ? new Wrench(new ScalarVector(moment.x(), moment.y(), jointForce), force)
-        : new Wrench(moment, new ScalarVector(force.x(), force.y(), jointForce));
+      Freedom freedom, Wrench wrench, Wrench column, Scalar rate, Scalar jointForce) {
+    Wrench rest =
+        new Wrench(
+            wrench.moment().plus(column.moment().times(rate)),
+            wrench.force().plus(column.force().times(rate)));
+    return freedom.with(rest, perWay(freedom, jointForce));
+  }
+
+  private static Scalar perWay(Freedom freedom, Scalar jointForce) {
+    return freedom.turns() ? jointForce : jointForce.times(1 / freedom.way());
   }
 
   /** Adds what the parent sees of a link to the parent. */
   private void pass(Link link, ArticulatedInertia inertia, Wrench wrench) {
-    ArticulatedInertia atJoint;
-    Wrench wrenchAtJoint;
+    ArticulatedInertia atJoint = inertia;
+    Wrench wrenchAtJoint = wrench;
+    if (link.isBall()) {
+      ScalarMatrix rotation = coordinates.ballRotation(link);
+      atJoint = inertia.in(rotation);
+      wrenchAtJoint = wrench.in(rotation);
+    }
     if (link.turns()) {
-      Scalar cosine = angles.cosine(link);
-      Scalar sine = angles.sine(link);
-      atJoint = inertia.turned(2, cosine, sine);
-      wrenchAtJoint = wrench.turned(2, cosine, sine);
-    } else {
+      Scalar cosine = coordinates.cosine(link);
+      Scalar sine = coordinates.sine(link);
+      atJoint = atJoint.turned(2, cosine, sine);
+      wrenchAtJoint = wrenchAtJoint.turned(2, cosine, sine);
+    }
+    if (link.slides()) {
       Scalar zero = expressions.zero();
-      ScalarVector way = new ScalarVector(zero, zero, angles.position(link));
-      atJoint = inertia.shifted(way);
-      wrenchAtJoint = wrench.shifted(way);
+      ScalarVector way = new ScalarVector(zero, zero, coordinates.way(link));
+      atJoint = atJoint.shifted(way);
+      wrenchAtJoint = wrenchAtJoint.shifted(way);
     }
     ScalarVector offset = ScalarVector.of(expressions, link.offset());
     int p = link.parent();

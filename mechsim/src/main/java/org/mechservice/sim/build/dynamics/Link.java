@@ -1,52 +1,59 @@
 package org.mechservice.sim.build.dynamics;
 
-import org.mechservice.solver.api.JointType;
+import java.util.Optional;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * A body with the joint that leads to it, in computing frames.
+ * An elementary link with what is welded to it, in computing frames.
  *
- * <p>The computing frame of a body has its origin at the joint's point on the body and its z axis
- * along the joint. With q = 0 it stands at {@code offset} in the parent's computing frame, turned
- * by {@code axes}; the joint then turns it about z or shifts it along z. The root's computing frame
- * is its body frame.
+ * <p>The computing frame of a link has its origin at the joint's point on it and its z axis along
+ * the joint. With q = 0 it stands at {@code offset} in the parent's computing frame, turned by
+ * {@code axes}; a link that turns then turns about z, one that slides moves along z. The frame of a
+ * link with Euler parameters has the link's own axes, and {@code axes} leads from the parent link's
+ * own axes to the parent's computing axes. The root's computing frame is its body frame.
  *
- * @param parent index of the parent link; {@link Links#ROOT} for the root
- * @param body index of the body in the mechanism
+ * @param parent index of the parent; {@link Links#ROOT} for the root
+ * @param kind how it moves
  * @param joint index of the joint in the mechanism
- * @param type kind of the joint
- * @param position index of the joint's coordinate in the state [q; v]
- * @param velocity index of the joint's velocity in the state [q; v]
+ * @param stateJoint index of the joint among those that have states; −1 for a driven joint
+ * @param position index of the link's first coordinate in the state [q; v]; −1 for a driven link
+ * @param velocity index of its first velocity in the state [q; v]; −1 for a driven link
+ * @param motion its coordinate as a function of time, if it is driven
+ * @param way along z per coordinate: 1 for a slide, the pitch of a screw in m/rad, else 0
+ * @param inverse whether Euler parameters turn the parent relative to the link
  * @param offset from the parent's computing origin to the joint's point, in parent computing axes,
  *     m
  * @param axes from this link's computing axes to the parent's at q = 0
- * @param fromBody from the body's own axes to its computing axes
- * @param zeroRotation from the body's own axes to its parent body's own axes at q = 0
- * @param axis the joint's unit vector in the body's own axes
- * @param bodyOrigin from the computing origin to the body's own origin, in computing axes, m
+ * @param frame from the link's own axes to its computing axes
+ * @param zeroRotation from the link's own axes to those of the parent at q = 0
+ * @param axis the joint's unit vector in the link's own axes
  * @param mass kg
  * @param centerOfMass from the computing origin, in computing axes, m
  * @param inertia about the centre of mass, in computing axes, kg·m²
- * @param initialPosition the joint's coordinate at the start, rad or m
- * @param bodyLabel identifier of the body in programs
- * @param jointLabel identifier of the joint in programs
+ * @param initialPosition the coordinate at the start, rad or m; 0 for Euler parameters
+ * @param bodyLabel identifier of the link in programs
+ * @param jointLabel identifier of its coordinate in programs
  * @param title body, joint and type as the file names them, for people
  */
 public record Link(
     int parent,
-    int body,
+    LinkKind kind,
     int joint,
-    JointType type,
+    int stateJoint,
     int position,
     int velocity,
+    Optional<Expression> motion,
+    double way,
+    boolean inverse,
     Vector3 offset,
     AxesChange axes,
-    Rotation fromBody,
+    Rotation frame,
     Rotation zeroRotation,
     Vector3 axis,
-    Vector3 bodyOrigin,
     double mass,
     Vector3 centerOfMass,
     InertiaTensor inertia,
@@ -55,9 +62,24 @@ public record Link(
     String jointLabel,
     String title) {
 
-  /** Returns whether the joint turns; otherwise it slides. */
+  /** Returns whether the link turns about z, and perhaps moves along it. */
   boolean turns() {
-    return type == JointType.R;
+    return kind == LinkKind.TURN || kind == LinkKind.SCREW;
+  }
+
+  /** Returns whether the link moves along z, and perhaps turns about it. */
+  boolean slides() {
+    return way != 0;
+  }
+
+  /** Returns whether the link turns as Euler parameters say. */
+  boolean isBall() {
+    return kind == LinkKind.BALL;
+  }
+
+  /** Returns whether the link's coordinate is a function of time. */
+  boolean isDriven() {
+    return motion.isPresent();
   }
 
   /** Returns whether a constant rotation by more than a change of axes lies before the joint. */
@@ -65,13 +87,8 @@ public record Link(
     return !axes.turns().isEmpty();
   }
 
-  /** Returns the body's own inertia along the joint: about its axis, kg·m², or its mass, kg. */
-  double ownInertia() {
-    if (!turns()) {
-      return mass;
-    }
-    double x = centerOfMass.x();
-    double y = centerOfMass.y();
-    return inertia.zz() + mass * (x * x + y * y);
+  /** Returns the link's own tensor of inertia about its computing origin, kg·m². */
+  InertiaTensor inertiaAtOrigin() {
+    return RigidGroups.about(mass, centerOfMass, inertia);
   }
 }

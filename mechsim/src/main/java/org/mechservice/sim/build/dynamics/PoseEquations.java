@@ -23,7 +23,7 @@ public final class PoseEquations {
    *
    * @param position of its computing origin from the world origin, m
    * @param rotation from its computing axes to world axes
-   * @param attitude from its body's own axes to world axes
+   * @param attitude from its own axes to world axes
    * @param velocity of its origin, world axes, m/s
    * @param omega angular velocity, world axes, rad/s
    */
@@ -36,11 +36,12 @@ public final class PoseEquations {
 
   private final Program program = new Program();
   private final Expressions expressions = program.expressions();
-  private final JointAngles angles = new JointAngles(program);
+  private final Coordinates coordinates;
   private final Links mechanism;
 
   private PoseEquations(Links mechanism) {
     this.mechanism = mechanism;
+    this.coordinates = new Coordinates(program, mechanism);
   }
 
   /**
@@ -57,12 +58,23 @@ public final class PoseEquations {
       program.section(
           "Pose: " + link.title() + ".\np = p_p + R_p r, R = R_p R_q, e = e_p e_q",
           link.bodyLabel());
-      Pose parent = link.parent() == Links.ROOT ? root() : poses.get(link.parent());
-      Pose pose = named(link, link.turns() ? turned(link, parent) : shifted(link, parent));
-      poses.add(pose);
-      putOut(link, pose);
+      Pose joint = atJoint(link, link.parent() == Links.ROOT ? root() : poses.get(link.parent()));
+      Pose slid = link.slides() ? slid(link, joint) : joint;
+      Pose pose = link.turns() ? turned(link, slid) : link.isBall() ? ball(link, slid) : slid;
+      poses.add(named(link, pose));
+      putOutBodies(poses.size() - 1, pose);
     }
+    program.section("Pose: bodies welded to the root.", "root");
+    putOutBodies(Links.ROOT, root());
     return program;
+  }
+
+  private void putOutBodies(int link, Pose pose) {
+    for (int body = 0; body < mechanism.bodies().size(); body++) {
+      if (mechanism.bodies().get(body).link() == link) {
+        putOut(body, mechanism.bodies().get(body), pose);
+      }
+    }
   }
 
   private Pose root() {
@@ -81,7 +93,7 @@ public final class PoseEquations {
     return ScalarMatrix.of((i, j) -> expressions.constant(elements[i][j]));
   }
 
-  /** The child's frame at q = 0: the parent's, taken to the joint. */
+  /** The link's frame at q = 0: the parent's, taken to the joint. */
   private Pose atJoint(Link link, Pose parent) {
     ScalarVector way = parent.rotation().times(ScalarVector.of(expressions, link.offset()));
     Rotation axes = link.axes().rotation();
@@ -93,17 +105,16 @@ public final class PoseEquations {
         parent.omega());
   }
 
-  private Pose turned(Link link, Pose parent) {
-    Pose joint = atJoint(link, parent);
-    Scalar cosine = angles.cosine(link);
-    Scalar sine = angles.sine(link);
+  private Pose turned(Link link, Pose joint) {
+    Scalar cosine = coordinates.cosine(link);
+    Scalar sine = coordinates.sine(link);
     ScalarVector x = joint.rotation().column(0);
     ScalarVector y = joint.rotation().column(1);
     ScalarVector z = joint.rotation().column(2);
     ScalarVector turnedX = x.times(cosine).plus(y.times(sine));
     ScalarVector turnedY = y.times(cosine).plus(x.times(sine.negated()));
     List<ScalarVector> columns = List.of(turnedX, turnedY, z);
-    Scalar half = angles.position(link).times(0.5);
+    Scalar half = coordinates.position(link).times(0.5);
     EulerParameters turn =
         EulerParameters.about(
             link.axis(),
@@ -114,19 +125,32 @@ public final class PoseEquations {
         ScalarMatrix.of((i, j) -> columns.get(j).at(i)),
         joint.attitude().times(turn),
         joint.velocity(),
-        joint.omega().plus(z.times(angles.velocity(link))));
+        joint.omega().plus(z.times(coordinates.velocity(link))));
   }
 
-  private Pose shifted(Link link, Pose parent) {
-    Pose joint = atJoint(link, parent);
+  private Pose slid(Link link, Pose joint) {
     ScalarVector z = joint.rotation().column(2);
-    ScalarVector way = z.times(angles.position(link));
+    ScalarVector way = z.times(coordinates.way(link));
     return new Pose(
         joint.position().plus(way),
         joint.rotation(),
         joint.attitude(),
-        joint.velocity().plus(joint.omega().cross(way)).plus(z.times(angles.velocity(link))),
+        joint.velocity().plus(joint.omega().cross(way)).plus(z.times(coordinates.wayRate(link))),
         joint.omega());
+  }
+
+  private Pose ball(Link link, Pose joint) {
+    EulerParameters e = coordinates.eulerParameters(link).normalised();
+    ScalarMatrix rotation = joint.rotation().times(coordinates.ballRotation(link));
+    ScalarVector v = coordinates.ballVelocity(link);
+    ScalarVector relative =
+        link.inverse() ? rotation.times(v.map(Scalar::negated)) : joint.rotation().times(v);
+    return new Pose(
+        joint.position(),
+        rotation,
+        joint.attitude().times(link.inverse() ? e.inverse() : e),
+        joint.velocity(),
+        joint.omega().plus(relative));
   }
 
   private Pose named(Link link, Pose pose) {
@@ -142,17 +166,19 @@ public final class PoseEquations {
   }
 
   /** From the computing frame to the body's own. */
-  private void putOut(Link link, Pose pose) {
-    ScalarVector arm = pose.rotation().times(ScalarVector.of(expressions, link.bodyOrigin()));
+  private void putOut(int body, BodyPlace place, Pose pose) {
+    ScalarVector arm = pose.rotation().times(ScalarVector.of(expressions, place.origin()));
     ScalarVector velocity = pose.velocity().plus(pose.omega().cross(arm));
+    EulerParameters attitude =
+        pose.attitude().times(EulerParameters.of(expressions, place.toLink()));
     List<Scalar> numbers = new ArrayList<>(pose.position().plus(arm).components());
     for (int i = 0; i < 4; i++) {
-      numbers.add(pose.attitude().at(i));
+      numbers.add(attitude.at(i));
     }
     numbers.addAll(velocity.components());
     numbers.addAll(pose.omega().components());
     for (int i = 0; i < numbers.size(); i++) {
-      program.output(BodyPoses.NUMBERS_PER_BODY * link.body() + i, numbers.get(i));
+      program.output(BodyPoses.NUMBERS_PER_BODY * body + i, numbers.get(i));
     }
   }
 }

@@ -1,6 +1,7 @@
 package org.mechservice.sim.build.dynamics;
 
 import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarMatrix;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
@@ -13,6 +14,18 @@ record Wrench(ScalarVector moment, ScalarVector force) {
 
   Wrench plus(Wrench other) {
     return new Wrench(moment.plus(other.moment), force.plus(other.force));
+  }
+
+  /** Returns factor · this. */
+  Wrench times(double factor) {
+    return new Wrench(
+        moment.map(component -> component.times(factor)),
+        force.map(component -> component.times(factor)));
+  }
+
+  /** Returns the same wrench in other axes: components v = rotation · this. */
+  Wrench in(ScalarMatrix rotation) {
+    return new Wrench(rotation.times(moment), rotation.times(force));
   }
 
   /** Returns the same wrench in axes turned back: components v = Rot(axis, angle) · this. */

@@ -1,5 +1,6 @@
 package org.mechservice.sim.build.emit;
 
+import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
@@ -95,6 +96,11 @@ final class CodeSize implements StackCode.Machine {
   @Override
   public void operate(Operation operation) {
     bytes += operation == Operation.SQUARE_ROOT ? CALL : 1;
+  }
+
+  @Override
+  public void call(MathFunction function) {
+    bytes += CALL;
   }
 
   @Override

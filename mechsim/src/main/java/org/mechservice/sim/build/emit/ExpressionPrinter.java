@@ -61,9 +61,20 @@ final class ExpressionPrinter {
       case INPUT -> input(node.index());
       case NEGATE -> "-" + atLeast(node.first(), SIGN);
       case SQUARE_ROOT -> "Math.sqrt(" + value(node.first()) + ")";
+      case FUNCTION -> call(node);
       case SINE, COSINE -> throw new IllegalStateException("an angle function has a place");
       default -> binary(node);
     };
+  }
+
+  private String call(Scalar node) {
+    String owner = node.function().owner();
+    StringBuilder text = new StringBuilder(owner.substring(owner.lastIndexOf('/') + 1));
+    text.append('.').append(node.function().method()).append('(');
+    for (int i = 0; i < node.operands().size(); i++) {
+      text.append(i == 0 ? "" : ", ").append(value(node.operands().get(i)));
+    }
+    return text.append(')').toString();
   }
 
   /**

@@ -3,6 +3,7 @@ package org.mechservice.sim.build.emit;
 import java.util.BitSet;
 import java.util.HashMap;
 import java.util.Map;
+import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Scalar;
 
@@ -83,6 +84,9 @@ final class LocalSlots {
 
     @Override
     public void operate(Operation operation) {}
+
+    @Override
+    public void call(MathFunction function) {}
 
     @Override
     public void beginSlot(int index) {}

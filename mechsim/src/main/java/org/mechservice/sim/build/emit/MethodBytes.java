@@ -2,6 +2,7 @@ package org.mechservice.sim.build.emit;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.api.ExplicitModel;
@@ -76,6 +77,13 @@ final class MethodBytes implements StackCode.Machine {
           code.visitMethodInsn(Opcodes.INVOKESTATIC, "java/lang/Math", "sqrt", "(D)D", false);
       default -> throw new IllegalStateException(operation + " is no operation of a stack machine");
     }
+  }
+
+  @Override
+  public void call(MathFunction function) {
+    String descriptor = "(" + "D".repeat(function.arity()) + ")D";
+    code.visitMethodInsn(
+        Opcodes.INVOKESTATIC, function.owner(), function.method(), descriptor, false);
   }
 
   @Override

@@ -1,5 +1,6 @@
 package org.mechservice.sim.build.emit;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.sim.symbolic.Program;
@@ -33,12 +34,15 @@ public record ModelClass(
     return JavaText.className(description.name());
   }
 
-  /** Returns the joints of a mechanism as the description lists them. */
+  /** Returns the joints that have states, in state order. */
   public static List<JointVariables> joints(Mechanism mechanism) {
-    return mechanism.joints().stream().map(ModelClass::variables).toList();
-  }
-
-  private static JointVariables variables(Joint joint) {
-    return new JointVariables(joint.name(), joint.type());
+    List<JointVariables> joints = new ArrayList<>();
+    for (int j = 0; j < mechanism.joints().size(); j++) {
+      Joint joint = mechanism.joints().get(j);
+      if (!mechanism.isDriven(j)) {
+        joints.add(new JointVariables(joint.name(), joint.type()));
+      }
+    }
+    return joints;
   }
 }

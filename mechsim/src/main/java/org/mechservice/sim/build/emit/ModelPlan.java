@@ -3,7 +3,11 @@ package org.mechservice.sim.build.emit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.api.RunSettings;
 
 /**
@@ -108,6 +112,25 @@ public final class ModelPlan implements WrittenClass {
       slots = Math.max(slots, part.plan().slots());
     }
     return slots;
+  }
+
+  /** Returns the solver's classes whose functions are called, internal names in order. */
+  SortedSet<String> functionOwners() {
+    SortedSet<String> owners = new TreeSet<>();
+    List<Part> all = new ArrayList<>(programs);
+    poses.ifPresent(all::add);
+    for (Part part : all) {
+      int[] uses = part.plan().program().uses();
+      for (int id = 0; id < uses.length; id++) {
+        Scalar node = part.plan().program().expressions().node(id);
+        if (uses[id] > 0
+            && node.operation() == Operation.FUNCTION
+            && !node.function().owner().startsWith("java/lang/")) {
+          owners.add(node.function().owner());
+        }
+      }
+    }
+    return owners;
   }
 
   /** Returns the names of the joints, as the description takes them. */

@@ -60,6 +60,7 @@ final class ModelSource {
       imports.add("java.util.List");
       imports.add("org.mechservice.solver.api.BodyPoses");
     }
+    plan.functionOwners().forEach(owner -> imports.add(owner.replace('/', '.')));
     imports.stream().sorted().forEach(name -> source.line("import " + name + ";"));
     source.blank().documentation(documentation());
     source.open(
@@ -85,18 +86,36 @@ final class ModelSource {
     lines.add("<p>State y = [q; v]:");
     lines.add("");
     lines.add("<ul>");
-    int n = description.joints().size();
-    for (int i = 0; i < n; i++) {
-      JointVariables joint = description.joints().get(i);
-      String units = joint.type().positionUnit(0) + ", " + joint.type().velocityUnit(0);
-      lines.add(
-          JavaText.comment(
-                  "  [li]y[%d], y[%d]: joint %s (%s), %s"
-                      .formatted(i, n + i, joint.name(), joint.type(), units))
-              .replace("[li]", "<li>"));
+    int position = 0;
+    int velocity = description.positionCount();
+    for (JointVariables joint : description.joints()) {
+      lines.add(state(joint, position, velocity));
+      position += joint.type().positionCount();
+      velocity += joint.type().velocityCount();
     }
     lines.add("</ul>");
     return lines;
+  }
+
+  private static String state(JointVariables joint, int position, int velocity) {
+    String name = JavaText.comment("joint " + joint.name() + " (" + joint.type() + ")");
+    StringBuilder line = new StringBuilder("  <li>");
+    if (joint.type().positionCount() == 0) {
+      return line.append("none: ").append(name).toString();
+    }
+    line.append(range(position, joint.type().positionCount())).append(", ");
+    line.append(range(velocity, joint.type().velocityCount())).append(": ").append(name);
+    for (int i = 0; i < joint.type().positionCount(); i++) {
+      line.append(i == 0 ? ", " : " ").append(joint.type().positionUnit(i));
+    }
+    for (int i = 0; i < joint.type().velocityCount(); i++) {
+      line.append(i == 0 ? ", " : " ").append(joint.type().velocityUnit(i));
+    }
+    return line.toString();
+  }
+
+  private static String range(int first, int count) {
+    return count == 1 ? "y[" + first + "]" : "y[" + first + "] to y[" + (first + count - 1) + "]";
   }
 
   private void describe() {

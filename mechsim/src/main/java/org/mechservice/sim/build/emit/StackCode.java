@@ -2,6 +2,7 @@ package org.mechservice.sim.build.emit;
 
 import java.util.List;
 import java.util.Map;
+import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Scalar;
 
@@ -31,6 +32,9 @@ final class StackCode {
 
     /** Pops the operands of an operation and pushes its result. */
     void operate(Operation operation);
+
+    /** Pops the arguments of a function and pushes its result. */
+    void call(MathFunction function);
 
     /** Gets ready to pop into an element of the workspace. */
     void beginSlot(int index);
@@ -121,7 +125,11 @@ final class StackCode {
         for (Scalar operand : node.operands()) {
           value(operand);
         }
-        machine.operate(node.operation());
+        if (node.operation() == Operation.FUNCTION) {
+          machine.call(node.function());
+        } else {
+          machine.operate(node.operation());
+        }
       }
     }
   }

@@ -27,6 +27,7 @@ final class MemoryFiles extends ForwardingJavaFileManager<JavaFileManager> {
       Set.of(
           "org.mechservice.solver.api",
           "org.mechservice.solver.spatial",
+          "org.mechservice.solver.expression",
           "org.mechservice.solver.integration",
           "org.mechservice.solver.standalone");
 

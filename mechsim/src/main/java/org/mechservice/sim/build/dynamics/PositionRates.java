@@ -1,0 +1,33 @@
+package org.mechservice.sim.build.dynamics;
+
+import org.mechservice.sim.symbolic.Program;
+
+/** How the positions change: q' = v, but e' = ½ (0, ω) ∘ e for Euler parameters (NUMERICS §1a). */
+final class PositionRates {
+  private final Program program;
+  private final Links mechanism;
+  private final Coordinates coordinates;
+
+  PositionRates(Program program, Links mechanism, Coordinates coordinates) {
+    this.program = program;
+    this.mechanism = mechanism;
+    this.coordinates = coordinates;
+  }
+
+  /** Puts the rates out in a section of their own. */
+  void putOut() {
+    boolean balls = mechanism.links().stream().anyMatch(Link::isBall);
+    program.section(balls ? "q' = v, e' = (0, v) e / 2" : "q' = v", "q");
+    for (Link link : mechanism.links()) {
+      if (link.isBall()) {
+        EulerParameters rate =
+            coordinates.eulerParameters(link).rate(coordinates.ballVelocity(link));
+        for (int i = 0; i < 4; i++) {
+          program.output(link.position() + i, rate.at(i));
+        }
+      } else if (!link.isDriven()) {
+        program.output(link.position(), coordinates.velocity(link));
+      }
+    }
+  }
+}

@@ -1,0 +1,82 @@
+package org.mechservice.sim.symbolic;
+
+import org.mechservice.solver.expression.Powers;
+import org.mechservice.solver.spatial.Piecewise;
+
+/**
+ * Functions that generated code calls. StrictMath wherever Math may differ between machines, so
+ * that all of them have the same bits everywhere.
+ */
+public enum MathFunction {
+  ABS("java/lang/Math", "abs", 1),
+  /** Of angles that are not simple enough for the kernel that gives sine and cosine together. */
+  SIN("java/lang/StrictMath", "sin", 1),
+  COS("java/lang/StrictMath", "cos", 1),
+  ASIN("java/lang/StrictMath", "asin", 1),
+  ACOS("java/lang/StrictMath", "acos", 1),
+  ATAN("java/lang/StrictMath", "atan", 1),
+  ATAN2("java/lang/StrictMath", "atan2", 2),
+  EXP("java/lang/StrictMath", "exp", 1),
+  LOG("java/lang/StrictMath", "log", 1),
+  SINH("java/lang/StrictMath", "sinh", 1),
+  COSH("java/lang/StrictMath", "cosh", 1),
+  TANH("java/lang/StrictMath", "tanh", 1),
+  HYPOT("java/lang/StrictMath", "hypot", 2),
+  MIN("java/lang/Math", "min", 2),
+  MAX("java/lang/Math", "max", 2),
+  SIGNUM("java/lang/Math", "signum", 1),
+  FLOOR("java/lang/Math", "floor", 1),
+  POWER("org/mechservice/solver/expression/Powers", "power", 2),
+  /** {@code choose(a, b, x, y)}: x where a ≤ b, else y. */
+  CHOOSE("org/mechservice/solver/spatial/Piecewise", "choose", 4);
+
+  private final String owner;
+  private final String method;
+  private final int arity;
+
+  MathFunction(String owner, String method, int arity) {
+    this.owner = owner;
+    this.method = method;
+    this.arity = arity;
+  }
+
+  /** Returns the internal name of the class that has it. */
+  public String owner() {
+    return owner;
+  }
+
+  /** Returns the name of its static method. */
+  public String method() {
+    return method;
+  }
+
+  /** Returns how many numbers it takes. */
+  public int arity() {
+    return arity;
+  }
+
+  /** Returns its value; {@code x} holds the arguments. */
+  double value(double[] x) {
+    return switch (this) {
+      case ABS -> Math.abs(x[0]);
+      case SIN -> StrictMath.sin(x[0]);
+      case COS -> StrictMath.cos(x[0]);
+      case ASIN -> StrictMath.asin(x[0]);
+      case ACOS -> StrictMath.acos(x[0]);
+      case ATAN -> StrictMath.atan(x[0]);
+      case ATAN2 -> StrictMath.atan2(x[0], x[1]);
+      case EXP -> StrictMath.exp(x[0]);
+      case LOG -> StrictMath.log(x[0]);
+      case SINH -> StrictMath.sinh(x[0]);
+      case COSH -> StrictMath.cosh(x[0]);
+      case TANH -> StrictMath.tanh(x[0]);
+      case HYPOT -> StrictMath.hypot(x[0], x[1]);
+      case MIN -> Math.min(x[0], x[1]);
+      case MAX -> Math.max(x[0], x[1]);
+      case SIGNUM -> Math.signum(x[0]);
+      case FLOOR -> Math.floor(x[0]);
+      case POWER -> Powers.power(x[0], x[1]);
+      case CHOOSE -> Piecewise.choose(x[0], x[1], x[2], x[3]);
+    };
+  }
+}

@@ -1,0 +1,56 @@
+package org.mechservice.sim.symbolic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Map;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class DifferentiationTest {
+  private static final double H = 1e-5;
+
+  /** Central differences leave h² and the rounding of two values over h. */
+  private static final double TOLERANCE = 1e-8;
+
+  private final Program program = new Program();
+  private final Expressions e = program.expressions();
+  private final Scalar x = e.input(0);
+  private final Scalar y = e.input(1);
+
+  private void assertSlope(Scalar value, double atX, double atY) {
+    Scalar slope = new Differentiation(e, Map.of(x, e.one(), y, e.constant(2))).of(value);
+    program.section("value and slope", "s");
+    program.output(0, value);
+    program.output(1, slope);
+    double[] ahead = new double[2];
+    double[] behind = new double[2];
+    double[] here = new double[2];
+    program.evaluate(new double[] {atX + H, atY + 2 * H}, ahead);
+    program.evaluate(new double[] {atX - H, atY - 2 * H}, behind);
+    program.evaluate(new double[] {atX, atY}, here);
+    double difference = (ahead[0] - behind[0]) / (2 * H);
+    assertThat(here[1]).isCloseTo(difference, within(TOLERANCE * (1 + Math.abs(difference))));
+  }
+
+  @ParameterizedTest
+  @EnumSource(MathFunction.class)
+  void slopesOfFunctionsAreTheirDifferences(MathFunction function) {
+    Scalar[] arguments = {x, y, x.times(y), y.squared()};
+    assertSlope(
+        e.function(function, java.util.Arrays.copyOf(arguments, function.arity())), 0.3, 0.7);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {-0.4, 0.2, 1.3})
+  void slopesOfRationalFormulasAreTheirDifferences(double at) {
+    Scalar angle = x.times(2).minus(y);
+    Scalar value =
+        e.sine(angle)
+            .times(e.cosine(x))
+            .plus(x.over(y.squared().plus(e.one())))
+            .minus(x.squared().plus(e.constant(3)).squareRoot().negated());
+    assertSlope(value, at, 0.6);
+  }
+}
