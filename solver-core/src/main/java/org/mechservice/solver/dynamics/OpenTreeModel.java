@@ -136,11 +136,25 @@ public abstract class OpenTreeModel
       weakPivots.observe(t, check());
       return REGULAR;
     }
-    if (joints.hasSeveral(singular)) {
-      defect = Optional.of(joints.singular(singular));
-      return DEFECT;
+    double[] unresisted = unresistedMotion(singular);
+    return joints.isSingle(unresisted)
+        ? joints.jointOf(singular)
+        : fail(joints.singular(unresisted));
+  }
+
+  /**
+   * Returns the motion that the inertia does not resist; the velocity alone if that is not clear.
+   */
+  private double[] unresistedMotion(int velocity) {
+    SemiRecursive.Workspace w = new SemiRecursive(tree).newWorkspace(motion);
+    w.formMassMatrix();
+    int found = w.factorMassMatrix();
+    if (found != REGULAR) {
+      return w.massMatrix().unresistedMotion(found);
     }
-    return joints.jointOf(singular);
+    double[] alone = new double[tree.stateVelocityCount];
+    alone[velocity] = 1;
+    return alone;
   }
 
   /** Keeps why an evaluation failed; returns DEFECT. */

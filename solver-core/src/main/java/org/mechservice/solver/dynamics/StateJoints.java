@@ -3,6 +3,8 @@ package org.mechservice.solver.dynamics;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.mechservice.solver.api.Defects.Defect;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.mechanism.Joint;
@@ -10,6 +12,9 @@ import org.mechservice.solver.mechanism.Mechanism;
 
 /** The joints that have states, and which velocity belongs to which. Immutable. */
 final class StateJoints {
+  /** What moves less than this part of the largest is rounding: pivots are judged at 1e-14. */
+  private static final double TAKES_PART = 1e-6;
+
   private final List<JointVariables> joints = new ArrayList<>();
 
   /** For each velocity the index of its joint among those that have states. */
@@ -61,13 +66,41 @@ final class StateJoints {
         : name;
   }
 
-  /** Says that nothing resists a velocity of a joint that has several. */
-  Defect singular(int velocity) {
-    return new Defect(
-        "N-002",
-        name(velocity),
-        "The inertia is singular: nothing beyond this joint resists its motion in this direction.",
-        "Give a body beyond it mass or inertia in this direction, or take a joint without this"
-            + " freedom.");
+  /** Returns whether just one joint takes part in a motion, and has no other velocity. */
+  boolean isSingle(double[] motion) {
+    return moving(motion).size() == 1 && !hasSeveral(moving(motion).get(0));
+  }
+
+  /**
+   * Says that nothing resists a motion.
+   *
+   * @param motion one number per velocity
+   */
+  Defect singular(double[] motion) {
+    List<Integer> moving = moving(motion);
+    String names = moving.stream().map(this::name).collect(Collectors.joining(" and "));
+    return moving.size() == 1
+        ? new Defect(
+            "N-002",
+            names,
+            "The inertia is singular: nothing beyond this joint resists its motion in this"
+                + " direction.",
+            "Give a body beyond it mass or inertia in this direction, or take a joint without this"
+                + " freedom.")
+        : new Defect(
+            "N-002",
+            names,
+            "The inertia is singular: nothing resists these joints when they move together.",
+            "Give the bodies between them mass or inertia, or remove a joint; turning axes that"
+                + " coincide, with massless bodies between them, do this.");
+  }
+
+  /** Returns the velocities that take part in a motion. */
+  private static List<Integer> moving(double[] motion) {
+    double largest = Arrays.stream(motion).map(Math::abs).max().orElse(0);
+    return IntStream.range(0, motion.length)
+        .filter(k -> Math.abs(motion[k]) > TAKES_PART * largest)
+        .boxed()
+        .toList();
   }
 }

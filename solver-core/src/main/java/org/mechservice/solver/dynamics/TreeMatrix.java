@@ -229,6 +229,31 @@ public final class TreeMatrix implements TreeElements {
   }
 
   /**
+   * Returns the motion that no inertia resists, after {@link #factor} has found a pivot of zero:
+   * the velocity it named moves by 1, those beyond it so that M times the motion vanishes there.
+   *
+   * @param velocity what {@code factor} returned
+   * @return one number per velocity of the state
+   */
+  double[] unresistedMotion(int velocity) {
+    double[] motion = new double[pattern.size];
+    int from = pattern.placeOf[velocity];
+    work[from] = 1;
+    motion[velocity] = 1;
+    for (int k = from + 1; k < pattern.size; k++) {
+      double sum = 0;
+      for (int e = pattern.rowStart[k]; e < pattern.rowStart[k + 1]; e++) {
+        if (pattern.column[e] >= from) {
+          sum -= lower[e] * work[pattern.column[e]];
+        }
+      }
+      work[k] = sum;
+      motion[pattern.velocityAt[k]] = sum;
+    }
+    return motion;
+  }
+
+  /**
    * Multiplies by half of the inverse: x ← D^(−1/2) L⁻ᵀ x, so that the square of its length is xᵀ
    * M⁻¹ x.
    *

@@ -1,12 +1,14 @@
 package org.mechservice.solver.simulation;
 
 import java.io.IOException;
+import java.util.List;
 import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunNotes.Note;
 import org.mechservice.solver.api.RunRequest;
 
 /** Completes states to rows and hands them to the sink. */
@@ -17,6 +19,7 @@ final class RowWriter {
   private final ExplicitModel model;
   private final RowLayout layout;
   private final ResultSink sink;
+  private final UnitOutput unitOutput;
   private final EnergyMonitor energyMonitor = new EnergyMonitor();
   private final double[] row;
   private final double[] yDot;
@@ -36,6 +39,7 @@ final class RowWriter {
     row = new double[layout.columns().size()];
     yDot = new double[model.description().stateCount()];
     positionCount = model.description().positionCount();
+    unitOutput = new UnitOutput(model.description());
     poses =
         layout.bodies() != RowLayout.ABSENT && model instanceof BodyPoses posed
             ? new double[posed.bodies().size() * BodyPoses.NUMBERS_PER_BODY]
@@ -55,6 +59,7 @@ final class RowWriter {
   int write(double t, double[] y) throws IOException {
     row[0] = t;
     System.arraycopy(y, 0, row, 1, y.length);
+    unitOutput.normalize(t, row, 1);
     if (layout.accelerations() != RowLayout.ABSENT) {
       model.derivative(t, y, yDot);
       System.arraycopy(
@@ -96,6 +101,11 @@ final class RowWriter {
   /** Returns how many rows were put out. */
   long rows() {
     return rows;
+  }
+
+  /** Returns what the rows have to say of the run. */
+  List<Note> notes() {
+    return unitOutput.notes();
   }
 
   EnergyMonitor energyMonitor() {

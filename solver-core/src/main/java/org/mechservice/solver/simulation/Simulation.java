@@ -1,6 +1,7 @@
 package org.mechservice.solver.simulation;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import org.mechservice.solver.api.ColumnGroup;
@@ -195,6 +196,14 @@ public final class Simulation implements Solver {
               : FailureText.notFiniteColumn(t, rows.columnName(column)));
     }
 
+    private List<RunNotes.Note> notes() {
+      List<RunNotes.Note> notes = new ArrayList<>(rows.notes());
+      if (model instanceof RunNotes noted) {
+        notes.addAll(0, noted.notes());
+      }
+      return notes;
+    }
+
     private RunReport report(Outcome outcome) {
       IntegrationStatistics done = integrator.statistics();
       EnergyMonitor energy = rows.energyMonitor();
@@ -214,7 +223,7 @@ public final class Simulation implements Solver {
           done.stiffnessSuspected(),
           done.jacobians(),
           done.factorisations(),
-          model instanceof RunNotes noted ? noted.notes() : List.of(),
+          notes(),
           SolverVersion.CURRENT);
     }
   }

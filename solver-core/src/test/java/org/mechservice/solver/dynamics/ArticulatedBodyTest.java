@@ -15,18 +15,22 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.JointStart;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.RandomTrees;
 import org.mechservice.solver.mechanism.Revolute;
 import org.mechservice.solver.mechanism.Root;
+import org.mechservice.solver.mechanism.Spherical;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
@@ -133,7 +137,7 @@ class ArticulatedBodyTest {
   @Test
   void masslessBodyBetweenTwoAxesThatCoincideIsNamed() {
     Mechanism chain = chain(Vector3.ZERO, new Body[] {massless("link"), bar("bar")});
-    assertThat(singularJoint(chain)).isEqualTo(0);
+    assertThat(singularJoints(chain)).isEqualTo("joint \"j0\" and joint \"j1\"");
   }
 
   @Test
@@ -148,9 +152,41 @@ class ArticulatedBodyTest {
    */
   @Test
   void gimbalLockIsNamed() {
-    assertThat(singularJoint(gimbal(0))).isEqualTo(0);
-    assertThat(singularJoint(gimbal(1e-9))).isEqualTo(0);
+    assertThat(singularJoints(gimbal(0))).isEqualTo("joint \"j0\" and joint \"j2\"");
+    assertThat(singularJoints(gimbal(1e-9))).isEqualTo("joint \"j0\" and joint \"j2\"");
     assertThat(singularJoint(gimbal(1e-3))).isEqualTo(ExplicitModel.REGULAR);
+  }
+
+  @Test
+  void nearGimbalLockIsNotedWithTheDigitsItCosts() {
+    Mechanism near = gimbal(1e-6 / 3);
+    double[] y = initialState(near);
+    DataDrivenModel model = new DataDrivenModel(near, SETTINGS);
+    assertThat(model.derivative(0.25, y, new double[y.length])).isEqualTo(ExplicitModel.REGULAR);
+    assertThat(model.notes()).hasSize(1);
+    assertThat(model.notes().get(0).message())
+        .startsWith("N-008 t=0.25 s: The inertia at joint \"j0\" is nearly singular")
+        .contains("about 2 digits");
+  }
+
+  /** A point mass on a ball joint: it does not resist turning about the line to the joint. */
+  @Test
+  void directionThatNothingResistsIsNamed() {
+    Attachment attachment = new Attachment(-1, Vector3.ZERO, 0, Vector3.ZERO, Rotation.IDENTITY);
+    Body point = new Body("point", 1, new Vector3(0, 0, 1), InertiaTensor.ZERO, Origin.NONE);
+    JointStart start = JointStart.atZero(JointType.S);
+    Joint ball = new Spherical("ball", attachment, start, false, Origin.NONE);
+    Root root = new Root("ground", Vector3.ZERO, Rotation.IDENTITY);
+    Mechanism pendulum =
+        new Mechanism("m", root, new Vector3(0, 0, -9.81), List.of(point), List.of(ball));
+    assertThat(singularJoints(pendulum)).isEqualTo("joint \"ball\", velocity ball.v[2]");
+  }
+
+  private static String singularJoints(Mechanism mechanism) {
+    double[] y = initialState(mechanism);
+    DataDrivenModel model = new DataDrivenModel(mechanism, SETTINGS);
+    assertThat(model.derivative(0, y, new double[y.length])).isEqualTo(Defects.DEFECT);
+    return model.lastDefect().part();
   }
 
   private static Mechanism gimbal(double middle) {

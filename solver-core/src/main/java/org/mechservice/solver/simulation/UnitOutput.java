@@ -1,0 +1,66 @@
+package org.mechservice.solver.simulation;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.solver.api.JointVariables;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.spatial.EulerParameters;
+
+/**
+ * Puts out Euler parameters of norm one, and remembers how far the norm of those integrated had
+ * gone: it is free to drift, since nothing depends on it (NUMERICS §1a).
+ */
+final class UnitOutput {
+  private final int[] start;
+  private final List<String> joints = new ArrayList<>();
+  private double largest;
+  private double time;
+  private int worst;
+
+  UnitOutput(ModelDescription description) {
+    List<Integer> starts = new ArrayList<>();
+    int position = 0;
+    for (JointVariables joint : description.joints()) {
+      if (joint.type().hasEulerParameters()) {
+        starts.add(position);
+        joints.add(joint.name());
+      }
+      position += joint.type().positionCount();
+    }
+    start = starts.stream().mapToInt(Integer::intValue).toArray();
+  }
+
+  /**
+   * Scales the Euler parameters of a row.
+   *
+   * @param row overwritten
+   * @param at where the positions begin
+   */
+  void normalize(double t, double[] row, int at) {
+    for (int i = 0; i < start.length; i++) {
+      double norm = EulerParameters.norm(row, at + start[i]);
+      if (Math.abs(norm - 1) > largest) {
+        largest = Math.abs(norm - 1);
+        time = t;
+        worst = i;
+      }
+      for (int k = at + start[i]; k < at + start[i] + 4; k++) {
+        row[k] /= norm;
+      }
+    }
+  }
+
+  /** Returns what there is to say: nothing if there are no Euler parameters. */
+  List<Note> notes() {
+    if (start.length == 0) {
+      return List.of();
+    }
+    String text =
+        String.format(
+            "The norm of the Euler parameters of joint \"%s\" had left one by %.1e, the most of"
+                + " all; they are put out with norm one.",
+            joints.get(worst), largest);
+    return List.of(new Note("N-010", time, false, text));
+  }
+}
