@@ -35,7 +35,9 @@ final class OracleForces {
   private AppliedForce jointSpring(JsonObject force) {
     JsonObject joint = scene.jointNamed(force.get("joint").getAsString());
     if (number(force, "k") != 0 || number(force, "c") != 0) {
-      throw new IllegalArgumentException("only constant torques are needed: " + force);
+      return (t, pose, loads) -> {
+        throw new IllegalStateException("the oracle knows constant torques only, not " + force);
+      };
     }
     int inner = scene.bodyIndex(joint.get("body1").getAsString());
     int outer = scene.bodyIndex(joint.get("body2").getAsString());
