@@ -17,7 +17,10 @@ abstract class AdamsPece implements Integrator {
 
   private static final double UNIT_ROUNDOFF = Math.ulp(1.0);
 
+  /** Settings with the tolerances of the error test, and these relative to those asked for. */
   private final IntegratorSettings settings;
+
+  private final double toleranceFactor;
   private final ErrorNorm norm;
   private final StepBounds bounds;
   private final AdamsCoefficients coefficients = new AdamsCoefficients();
@@ -51,7 +54,8 @@ abstract class AdamsPece implements Integrator {
    */
   AdamsPece(IntegratorSettings settings, ErrorNorm norm, StepBounds bounds) {
     settings.requireUsable();
-    this.settings = settings;
+    this.settings = settings.working();
+    toleranceFactor = settings.toleranceFactor();
     this.norm = norm;
     this.bounds = bounds;
   }
@@ -92,13 +96,15 @@ abstract class AdamsPece implements Integrator {
   }
 
   @Override
-  public final StepResult restart(double t, double[] y) {
+  public final StepResult restart(double t, double[] y, double longestFirstStep) {
     progress.requireInLastStep(t);
     IntegratorSettings.requireUsable(y, history.state().length);
     if (equations.breakpoints().reachedAt(t)) {
       equations.breakpoints().pass();
     }
-    return beginAnew(t, y);
+    StepResult result = beginAnew(t, y);
+    h = Math.copySign(Math.min(Math.abs(h), longestFirstStep), h);
+    return result;
   }
 
   private StepResult beginAnew(double t, double[] y) {
@@ -413,7 +419,8 @@ abstract class AdamsPece implements Integrator {
         0,
         0,
         0,
-        stiffness.suspectsStiffness());
+        stiffness.suspectsStiffness(),
+        toleranceFactor);
   }
 
   @Override
