@@ -33,7 +33,6 @@ final class ClosedTree {
   final double[] wrench;
 
   final double[] tau;
-  private final double[] noAcceleration;
 
   ClosedTree(TreeGeometry tree, UserForceSource userForces) {
     this.tree = tree;
@@ -42,14 +41,13 @@ final class ClosedTree {
     coordinates = new StateCoordinates(tree.mechanism());
     units = new CoordinateUnits(tree.mechanism(), loops.length());
     rods = new MassiveRods(tree);
-    open = new SemiRecursive(tree, rods.pairs()).newWorkspace(motion);
+    open = new SemiRecursive(tree).newWorkspace(motion);
     forces = new ForceSet(motion, userForces);
     nq = tree.statePositionCount;
     nv = tree.stateVelocityCount;
     mass = new double[nv * nv];
     wrench = new double[6 * tree.linkCount];
     tau = new double[tree.velocityCount];
-    noAcceleration = new double[nv];
   }
 
   /** Sweeps the motion and evaluates Φ, J and Φ'. */
@@ -63,7 +61,6 @@ final class ClosedTree {
   /** Forms M at the places of the last sweep. */
   void formMass() {
     open.formMassMatrix();
-    rods.addMass(motion, open.massMatrix());
     open.massMatrix().toDense(mass);
   }
 
@@ -89,10 +86,6 @@ final class ClosedTree {
   boolean formBias(double t) {
     if (!applyForces(t)) {
       return false;
-    }
-    if (!rods.isEmpty()) {
-      motion.accelerationSweep(noAcceleration);
-      rods.addForces(motion, wrench);
     }
     open.formBias(wrench, tau);
     loops.accelerate(motion, t);

@@ -6,7 +6,6 @@ import java.util.Random;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.dynamics.MassiveRods;
 import org.mechservice.solver.dynamics.OpenTree;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.kinematics.StateCoordinates;
@@ -44,7 +43,6 @@ public final class RankAnalysis {
   private final CoordinateUnits units;
   private final Assembly assembly;
   private final OpenTree open;
-  private final MassiveRods rods;
   private final int m;
   private final int n;
   private final int rankAtStart;
@@ -64,8 +62,7 @@ public final class RankAnalysis {
     coordinates = new StateCoordinates(tree.mechanism());
     units = new CoordinateUnits(tree.mechanism(), loops.length());
     assembly = new Assembly(tree);
-    rods = new MassiveRods(tree);
-    open = new SemiRecursive(tree, rods.pairs()).newWorkspace(motion);
+    open = new SemiRecursive(tree).newWorkspace(motion);
     m = loops.count();
     n = tree.stateVelocityCount;
     rankAtStart = judge(t, y);
@@ -114,7 +111,6 @@ public final class RankAnalysis {
     double[] bounds = new double[loops.jacobian.length];
     loops.addBounds(motion, bounds);
     open.formMassMatrix();
-    rods.addMass(motion, open.massMatrix());
     double[] dense = new double[n * n];
     open.massMatrix().toDense(dense);
     boolean regular = open.factorMassMatrix() == ExplicitModel.REGULAR;

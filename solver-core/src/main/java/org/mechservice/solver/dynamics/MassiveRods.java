@@ -156,6 +156,19 @@ public final class MassiveRods {
     }
   }
 
+  /**
+   * Adds the derivatives of the inertia forces and weights, which are taken to be in M a + b.
+   *
+   * @param target of a pattern made with {@link #pairs()}
+   */
+  void addDerivatives(RodDerivatives end, LinkDerivatives target) {
+    for (int rod = 0; rod < rods.length; rod++) {
+      double sixth = rods[rod].rodMass() / 6;
+      end.add(target, sixth, linkA[rod], endA, 3 * rod, linkB[rod], endB, 3 * rod);
+      end.add(target, sixth, linkB[rod], endB, 3 * rod, linkA[rod], endA, 3 * rod);
+    }
+  }
+
   /** Returns the kinetic energy of all rods after a sweep, J. */
   public double kineticEnergy(TreeMotion motion) {
     double energy = 0;

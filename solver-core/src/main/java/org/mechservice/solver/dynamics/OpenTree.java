@@ -39,4 +39,15 @@ public interface OpenTree {
 
   /** Returns the b − τ − Jᵀ w formed last, one per extended velocity; not to be modified. */
   double[] bias();
+
+  /**
+   * Evaluates M a + b − τ − Jᵀ w by one sweep inwards, for the accelerations a of the motion's last
+   * acceleration sweep; M need not be formed.
+   *
+   * @param wrench as for {@link #formBias}; not modified
+   * @param tau as for {@link #formBias}; not modified
+   * @param residual one number per extended velocity, N·m or N; overwritten. Those of driven
+   *     velocities are the forces that drive them
+   */
+  void formResidual(double[] wrench, double[] tau, double[] residual);
 }

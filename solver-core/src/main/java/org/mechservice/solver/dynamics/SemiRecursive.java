@@ -2,6 +2,7 @@ package org.mechservice.solver.dynamics;
 
 import static org.mechservice.solver.spatial.Blocks.dot;
 
+import java.util.Arrays;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
@@ -9,7 +10,8 @@ import org.mechservice.solver.kinematics.TreeMotion;
 /**
  * DSR: joint accelerations by composite inertias. The mass matrix M is formed between each joint
  * and those on its way to the root alone, factored LᵀDL along the tree without fill (Featherstone
- * 2008, §6.2 and §6.5), and b comes from one Newton-Euler sweep.
+ * 2008, §6.2 and §6.5), and b comes from one Newton-Euler sweep. A rod with mass adds the elements
+ * between the ways of its two ends.
  *
  * <p>Immutable; give each thread its own {@link Workspace}.
  */
@@ -18,20 +20,11 @@ public final class SemiRecursive {
   private final LinkInertias inertias;
   private final TreePattern pattern;
 
-  /** Prepares the formulation for an open tree. */
+  /** Prepares the formulation for an open tree and the rods that hang on it. */
   public SemiRecursive(TreeGeometry tree) {
-    this(tree, new int[0]);
-  }
-
-  /**
-   * Prepares the formulation for a tree whose mass matrix is to have room for more.
-   *
-   * @param pairs links coupled by rods or forces, two numbers per pair; not modified
-   */
-  public SemiRecursive(TreeGeometry tree, int[] pairs) {
     this.tree = tree;
     inertias = new LinkInertias(tree);
-    pattern = new TreePattern(tree, pairs);
+    pattern = new TreePattern(tree, new MassiveRods(tree).pairs());
   }
 
   /**
@@ -51,6 +44,7 @@ public final class SemiRecursive {
     private final CompositeInertias composites;
     private final NewtonEuler newtonEuler;
     private final PivotCheck check = new PivotCheck();
+    private final MassiveRods rods;
     private final TreeMatrix mass;
 
     /** What each pivot is judged by, one per velocity of the state. */
@@ -60,6 +54,10 @@ public final class SemiRecursive {
     private final double[] bias;
 
     private final double[] noAcceleration;
+
+    /** External wrenches and those of rods, 6 per link. */
+    private final double[] loads;
+
     private final double[] work = new double[6];
 
     private Workspace(
@@ -73,6 +71,8 @@ public final class SemiRecursive {
       scale = new double[tree.stateVelocityCount];
       bias = new double[tree.velocityCount];
       noAcceleration = new double[tree.stateVelocityCount];
+      rods = new MassiveRods(tree);
+      loads = new double[rods.isEmpty() ? 0 : 6 * tree.linkCount];
     }
 
     @Override
@@ -101,6 +101,13 @@ public final class SemiRecursive {
       mass.clear();
       for (int place = 0; place < pattern.size; place++) {
         formRow(place);
+      }
+      if (!rods.isEmpty()) {
+        rods.addMass(motion, mass);
+        for (int place = 0; place < pattern.size; place++) {
+          int k = pattern.velocityAt[place];
+          scale[k] = Math.max(scale[k], mass.diagonal()[place]);
+        }
       }
     }
 
@@ -134,7 +141,19 @@ public final class SemiRecursive {
     @Override
     public void formBias(double[] wrench, double[] tau) {
       motion.accelerationSweep(noAcceleration);
-      newtonEuler.evaluate(wrench, tau, bias);
+      formResidual(wrench, tau, bias);
+    }
+
+    @Override
+    public void formResidual(double[] wrench, double[] tau, double[] residual) {
+      if (rods.isEmpty()) {
+        newtonEuler.evaluate(wrench, tau, residual);
+        return;
+      }
+      Arrays.fill(loads, 0);
+      System.arraycopy(wrench, 0, loads, 0, wrench.length);
+      rods.addForces(motion, loads);
+      newtonEuler.evaluate(loads, tau, residual);
     }
 
     @Override

@@ -88,16 +88,17 @@ final class Evaluation {
   double[] extendedResidual(double[] a) {
     double[] residual = new double[tree.velocityCount];
     motion.accelerationSweep(a);
-    new NewtonEuler(motion, new LinkInertias(tree)).evaluate(wrench, tau, residual);
+    new SemiRecursive(tree).newWorkspace(motion).formResidual(wrench, tau, residual);
     return residual;
   }
 
   double kineticEnergy() {
-    return new WorldMotion(motion).kineticEnergy();
+    return new WorldMotion(motion).kineticEnergy() + new MassiveRods(tree).kineticEnergy(motion);
   }
 
   double potentialEnergy() {
-    return new WorldMotion(motion).potentialEnergy();
+    return new WorldMotion(motion).potentialEnergy()
+        + new MassiveRods(tree).potentialEnergy(motion);
   }
 
   /** Returns the state after a small step along q' = N v and v' = a. */

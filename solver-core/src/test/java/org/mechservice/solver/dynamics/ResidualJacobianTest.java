@@ -11,7 +11,7 @@ import org.mechservice.solver.mechanism.RandomTrees;
 
 /**
  * Analytic derivatives of the residual against central differences with Richardson's extrapolation,
- * on trees of all joints under wrenches that turn with their links.
+ * on trees of all joints with up to two rods, under wrenches that turn with their links.
  */
 class ResidualJacobianTest {
   /** Bound of the issue, of the norm of the block. */
@@ -22,7 +22,9 @@ class ResidualJacobianTest {
   }
 
   private static Evaluation at(long seed) {
-    return new Evaluation(RandomTrees.ofAllJoints(seed, 1 + (int) (seed % 9))).loaded(seed);
+    int bodies = 1 + (int) (seed % 9);
+    int rods = (int) (seed % 3);
+    return new Evaluation(RandomTrees.withRods(seed, bodies, rods)).loaded(seed);
   }
 
   private static double[] accelerations(Evaluation at, long seed) {
@@ -31,8 +33,8 @@ class ResidualJacobianTest {
 
   private static ResidualJacobian jacobian(Evaluation at, double[] a) {
     at.motion.accelerationSweep(a);
-    int[] noPairs = {};
-    ResidualJacobian jacobian = new ResidualJacobian(at.motion, new TreePattern(at.tree, noPairs));
+    int[] pairs = new MassiveRods(at.tree).pairs();
+    ResidualJacobian jacobian = new ResidualJacobian(at.motion, new TreePattern(at.tree, pairs));
     jacobian.evaluate(at.wrench);
     jacobian.finish();
     return jacobian;

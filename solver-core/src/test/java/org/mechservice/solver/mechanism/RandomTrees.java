@@ -4,6 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.mechanism.closure.DistanceClosure;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
@@ -43,6 +46,32 @@ public final class RandomTrees {
     }
     Root root = new Root("ground", vector(random), rotation(random));
     return new Mechanism("mixed" + seed, root, vector(random).times(10), bodies, joints);
+  }
+
+  /**
+   * Returns a tree of joints of all types, and rods with mass between random points of random
+   * bodies, the root among them. Distances play no part: nobody closes the loops.
+   */
+  public static Mechanism withRods(long seed, int bodyCount, int rodCount) {
+    Mechanism tree = ofAllJoints(seed, bodyCount);
+    Random random = new Random(seed);
+    List<LoopClosure> rods = new ArrayList<>();
+    for (int i = 0; i < rodCount; i++) {
+      BodyPoint a = new BodyPoint(random.nextInt(bodyCount), vector(random).times(0.5));
+      BodyPoint b = new BodyPoint(random.nextInt(bodyCount + 1) - 1, vector(random).times(0.5));
+      rods.add(new DistanceClosure("rod" + i, a, b, 1, 1 + random.nextDouble(), Origin.NONE));
+    }
+    return new Mechanism(
+        tree.name(),
+        tree.root(),
+        tree.gravity(),
+        tree.bodies(),
+        tree.joints(),
+        List.of(),
+        tree.startRoles(),
+        rods,
+        List.of(),
+        List.of());
   }
 
   /**
