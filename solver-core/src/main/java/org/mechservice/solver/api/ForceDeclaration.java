@@ -29,6 +29,16 @@ public interface ForceDeclaration {
   int point(String body, String point, Reads... reads);
 
   /**
+   * Asks for a point by its place in a body, for those the model does not name.
+   *
+   * @param body name of the body, or of the root
+   * @param x from the body's origin in body axes, m; likewise y and z
+   * @param reads as for {@link #point}
+   * @throws IllegalArgumentException if there is no such body
+   */
+  int pointAt(String body, double x, double y, double z, Reads... reads);
+
+  /**
    * Asks for a coordinate of a joint to read or to act on.
    *
    * @param joint name of a joint of the tree

@@ -12,6 +12,7 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.NamedPoint;
 import org.mechservice.solver.mechanism.force.UserForceElement;
+import org.mechservice.solver.spatial.Vector3;
 
 /** Answers a user force by the names of its model and remembers what it asked for. */
 final class UserForceNames implements ForceDeclaration {
@@ -35,16 +36,34 @@ final class UserForceNames implements ForceDeclaration {
 
   @Override
   public int point(String body, String point, Reads... reads) {
-    Set<Reads> wanted = EnumSet.noneOf(Reads.class);
-    wanted.addAll(List.of(reads));
     for (NamedPoint named : element.points()) {
       if (named.body().equals(body) && named.name().equals(point)) {
-        bodyPoints.add(named.point());
-        points.add(new DeclaredPoint(tree, named.point(), wanted));
-        return points.size() - 1;
+        return add(named.point(), reads);
       }
     }
     throw unknown("point", body + "." + point);
+  }
+
+  @Override
+  public int pointAt(String body, double x, double y, double z, Reads... reads) {
+    Vector3 place = new Vector3(x, y, z);
+    if (mechanism.root().name().equals(body)) {
+      return add(new BodyPoint(BodyPoint.ROOT, place), reads);
+    }
+    for (int b = 0; b < mechanism.bodies().size(); b++) {
+      if (mechanism.bodies().get(b).name().equals(body)) {
+        return add(new BodyPoint(b, place), reads);
+      }
+    }
+    throw unknown("body", body);
+  }
+
+  private int add(BodyPoint point, Reads[] reads) {
+    Set<Reads> wanted = EnumSet.noneOf(Reads.class);
+    wanted.addAll(List.of(reads));
+    bodyPoints.add(point);
+    points.add(new DeclaredPoint(tree, point, wanted));
+    return points.size() - 1;
   }
 
   @Override
