@@ -26,17 +26,18 @@ class ArchitectureTest {
   /** Lower first; a package knows only those before it. */
   private static final List<String> SOLVER_LAYERS =
       List.of(
+          "pack",
           "linear",
           "spatial",
           "api",
           "expression",
           "mechanism",
-          "compact",
           "integration",
           "kinematics",
           "force",
           "dynamics",
           "closure",
+          "compact",
           "analysis",
           "simulation",
           "standalone");
@@ -71,17 +72,18 @@ class ArchitectureTest {
 
   @ValueSource(
       strings = {
+        "pack",
         "linear",
         "spatial",
         "api",
         "expression",
         "mechanism",
-        "compact",
         "integration",
         "kinematics",
         "force",
         "dynamics",
         "closure",
+        "compact",
         "analysis",
         "simulation"
       })

@@ -2,14 +2,14 @@ package org.mechservice.sim.build;
 
 import java.util.List;
 import org.mechservice.sim.build.emit.ModelClass;
-import org.mechservice.sim.build.emit.ModelPlan;
+import org.mechservice.sim.build.emit.WrittenClass;
 
 /**
  * A model specialised to its scene: what its class computes, planned, ready to be written as Java
  * source or as a class file. Immutable.
  */
 public final class GeneratedModel {
-  private final ModelPlan plan;
+  private final WrittenClass written;
   private final String modelName;
   private final String formulation;
   private final String formulationReason;
@@ -17,7 +17,7 @@ public final class GeneratedModel {
   private final List<Omission> leftOut;
 
   /**
-   * @param plan what the class computes
+   * @param written what the class computes
    * @param modelName the model's name in its file
    * @param formulation formulation its equations are written in
    * @param formulationReason why this formulation
@@ -25,13 +25,13 @@ public final class GeneratedModel {
    * @param leftOut what the scene does not need
    */
   GeneratedModel(
-      ModelPlan plan,
+      WrittenClass written,
       String modelName,
       String formulation,
       String formulationReason,
       int operations,
       List<Omission> leftOut) {
-    this.plan = plan;
+    this.written = written;
     this.modelName = modelName;
     this.formulation = formulation;
     this.formulationReason = formulationReason;
@@ -41,17 +41,17 @@ public final class GeneratedModel {
 
   /** Returns the fully qualified name of the class. */
   public String className() {
-    return ModelClass.PACKAGE + "." + plan.simpleName();
+    return ModelClass.PACKAGE + "." + written.simpleName();
   }
 
   /** Returns the class as formatted source, for people. */
   public String source() {
-    return plan.source();
+    return written.source();
   }
 
   /** Returns the class file; it computes what {@link #source} says, bit by bit. */
   byte[] classFile() {
-    return plan.classFile();
+    return written.classFile();
   }
 
   /** Returns the formulation its equations are written in. */

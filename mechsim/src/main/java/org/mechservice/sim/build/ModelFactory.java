@@ -15,6 +15,7 @@ import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.ModelPlan;
 import org.mechservice.sim.build.javac.ModelCompiler;
 import org.mechservice.sim.scene.FormulationChoice;
+import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
@@ -32,12 +33,14 @@ public final class ModelFactory {
    * Writes the model class of a mechanism, specialised to it.
    *
    * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
-   *     the formulation (S-081) or the integrator (S-082) does not fit or exist, or a name cannot
-   *     be kept (S-083); the message says why and what does
+   *     the formulation (S-081) or the integrator (S-082) does not fit or exist, a name cannot be
+   *     kept (S-083), or the model has what no code is generated for (S-088); the message says why
+   *     and what does
    */
   public static GeneratedModel generate(MechmlModel model, BuildOptions options) {
     Mechanism mechanism = model.mechanism();
     ModelNames.requireUsable(mechanism);
+    GenerationLimits.require(model);
     StandaloneMain.requireIntegrator(options.settings().integrator());
     SceneAnalysis scene = SceneAnalysis.of(mechanism);
     FormulationChoice choice = FormulationChoice.of(options.formulation(), scene);

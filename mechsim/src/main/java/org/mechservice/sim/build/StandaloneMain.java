@@ -5,13 +5,15 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.mechservice.sim.build.emit.MainClass;
 import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.solver.simulation.RuntimeSolver;
 
 /** The main class of a standalone JAR: it joins one model and one integrator. */
 final class StandaloneMain {
   private static final String INTEGRATION = "org.mechservice.solver.integration.";
 
   /** Class of each integrator by its name in settings. */
-  private static final Map<String, String> INTEGRATORS = Map.of("DE", "De", "ode113", "Ode113");
+  private static final Map<String, String> INTEGRATORS =
+      Map.of("DE", "De", "ode113", "Ode113", "ode15s", "Ode15s", "ode15sR", "Ode15sR");
 
   private StandaloneMain() {}
 
@@ -21,7 +23,8 @@ final class StandaloneMain {
   static void requireIntegrator(String name) {
     if (!INTEGRATORS.containsKey(name)) {
       throw new ModelBuildException(
-          "S-082", "integrator \"" + name + "\" is not in this version; use ode113 or DE");
+          "S-082",
+          "integrator \"" + name + "\" is not in this version; use ode113, DE, ode15s or ode15sR");
     }
   }
 
@@ -37,7 +40,12 @@ final class StandaloneMain {
     classes.put(
         className(model.generated()),
         MainClass.of(
-            className(model.generated()), model.generated().className(), INTEGRATION + integrator));
+            className(model.generated()),
+            model.generated().className(),
+            INTEGRATION + integrator,
+            RuntimeSolver.formOf(model.newInstance(), model.options().settings().integrator())
+                .getClass()
+                .getName()));
     return classes;
   }
 }

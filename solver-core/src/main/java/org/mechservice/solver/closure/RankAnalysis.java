@@ -56,7 +56,6 @@ public final class RankAnalysis {
    * @param y state that closes the loops; not modified
    */
   public RankAnalysis(TreeGeometry tree, double t, double[] y) {
-
     motion = new TreeMotion(tree);
     loops = new LoopEquations(tree);
     coordinates = new StateCoordinates(tree.mechanism());

@@ -39,6 +39,11 @@ final class AccumulationMonitor {
     return chattering >= IN_A_ROW || (shrinking >= IN_A_ROW && near);
   }
 
+  /** Returns the distance of the last event from the one before. */
+  double distance() {
+    return lastDistance;
+  }
+
   /** Carries the events remembered over. */
   void transfer(StateTransfer state) {
     start = state.number(start);

@@ -2,6 +2,7 @@ package org.mechservice.solver.integration;
 
 import java.util.Optional;
 import org.mechservice.solver.integration.IntegrationFailure.Cause;
+import org.mechservice.solver.integration.IntegratorSettings.Mode;
 
 /**
  * Numerical or backward differentiation formulas of variable order and step. What the programs
@@ -18,9 +19,12 @@ abstract class BackwardMethod implements Integrator {
   /** Part of the tolerances for systems with algebraic components. */
   private static final double ALGEBRAIC_PART = 1.0 / 3;
 
+  /** Settings with the tolerances of the error test, and these relative to those asked for. */
   private final IntegratorSettings settings;
+
+  private final double toleranceFactor;
   private final BackwardFormulas formulas;
-  private final BackwardMode mode;
+  private final Mode mode;
   private final MaximumNorm norm = new MaximumNorm();
   private final StepsToEnd bounds = new StepsToEnd();
   private final BackwardOrderControl control;
@@ -31,18 +35,27 @@ abstract class BackwardMethod implements Integrator {
   private double relativeTolerance;
 
   private StepEquations equations = StepEquations.none();
-  private BackwardDifferences differences = new BackwardDifferences(new double[0], new double[0]);
-  private FirstStep firstStep = new FirstStep(new double[0]);
+  private BackwardDifferences differences = new BackwardDifferences(0);
+  private FirstStep firstStep = new FirstStep(0);
 
   /** Size and end of the step being tried; size 0 as long as the first is not chosen. */
   private double h;
 
   private double triedTime;
 
-  /** 1 forwards, −1 backwards in t; length of the problem. */
-  private double direction;
+  /** End of the problem. */
+  private double tEnd;
 
-  private double interval;
+  /** First step asked for; 0 for the method's choice. */
+  private double initialStep;
+
+  private double longestFirstStep;
+
+  /** Whether the problem went on from another state, or across a declared jump. */
+  private boolean restarted;
+
+  /** Whether state and derivative of a start are still to be completed. */
+  private boolean startDue;
 
   /** Whether a step is begun. */
   private boolean begun;
@@ -55,24 +68,14 @@ abstract class BackwardMethod implements Integrator {
   /**
    * @throws IllegalArgumentException if a setting is out of range
    */
-  BackwardMethod(IntegratorSettings settings, BackwardFormulas formulas, BackwardMode mode) {
+  BackwardMethod(IntegratorSettings settings, BackwardFormulas formulas) {
     settings.requireUsable();
-    this.settings = settings;
+    this.settings = settings.working();
+    toleranceFactor = settings.toleranceFactor();
     this.formulas = formulas;
-    this.mode = mode;
+    mode = settings.mode();
     control = new BackwardOrderControl(formulas);
   }
-
-  /** Takes note that the problem begun is in explicit form. */
-  void beginExplicit() {}
-
-  /**
-   * Returns the size of the first step.
-   *
-   * @param size for which the estimated error just passes
-   * @param interval length of the problem, positive
-   */
-  abstract double cautious(double size, double interval);
 
   /**
    * {@inheritDoc}
@@ -82,66 +85,102 @@ abstract class BackwardMethod implements Integrator {
   @Override
   public final StepResult start(OdeSystem system, double t0, double[] y0, double tEnd) {
     IntegratorSettings.requireUsable(t0, tEnd, y0, system.dimension());
-    double[] tolerances = settings.absoluteTolerances(y0.length);
-    RightHandSide rightHandSide = new RightHandSide(system, settings.stop());
-    double[] y = y0.clone();
-    double[] derivative = new double[y.length];
-    boolean fits = new Manifold(system).complete(t0, y);
-    rightHandSide.evaluateAlways(t0, y, derivative);
-    beginExplicit();
-    begin(
-        new ExplicitEquations(rightHandSide, smallSizes(tolerances), derivative),
-        t0,
-        y,
-        derivative,
-        tEnd);
-    if (!fits) {
-      return fail(Cause.NOT_COMPLETED, -1);
-    }
-    int component = RightHandSide.firstNotFinite(derivative);
-    return component < 0 ? progress.goOn(t0 == tEnd) : fail(Cause.NOT_FINITE, component);
+    return begin(explicit(system, t0, tEnd), t0, y0, tEnd);
   }
 
-  /**
-   * Begins a problem that is not yet ready to be advanced.
-   *
-   * @param y0 state at the start; not modified
-   * @param slope0 its derivative there; kept, not modified
-   */
-  final void begin(StepEquations equations, double t0, double[] y0, double[] slope0, double tEnd) {
+  private StepEquations explicit(OdeSystem system, double t0, double tEnd) {
+    RightHandSide rightHandSide = new RightHandSide(system, settings.stop());
+    rightHandSide.breakpoints().begin(system, t0, tEnd);
+    return new ExplicitEquations(rightHandSide, smallSizes(system.dimension()));
+  }
+
+  /** Begins a problem. */
+  final StepResult begin(StepEquations equations, double t0, double[] y0, double tEnd) {
+    prepare(equations, t0, tEnd);
+    return beginAt(t0, y0, settings.initialStep());
+  }
+
+  private void prepare(StepEquations equations, double t0, double tEnd) {
+    int n = equations.manifold().dimension();
     this.equations = equations;
-    progress.begin(t0);
-    control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER));
-    h = 0;
-    triedTime = t0;
-    begun = false;
-    writtenSize = 1;
-    writtenOrder = 1;
-    jumps.begin();
-    differences = new BackwardDifferences(y0, slope0);
-    firstStep = new FirstStep(slope0);
+    this.tEnd = tEnd;
+    differences = new BackwardDifferences(n);
+    firstStep = new FirstStep(n);
     relativeTolerance = settings.relativeTolerance();
-    double[] absoluteTolerances = settings.absoluteTolerances(y0.length);
-    if (mode != BackwardMode.FAITHFUL && equations.manifold().anyAlgebraic()) {
+    double[] absoluteTolerances = settings.absoluteTolerances(n);
+    boolean standard = mode != Mode.FAITHFUL && toleranceFactor == 1;
+    if (standard && equations.manifold().anyAlgebraic()) {
       tighten(absoluteTolerances);
     }
     norm.begin(relativeTolerance, absoluteTolerances, equations.manifold());
-    norm.weigh(y0);
     bounds.begin(t0, tEnd, settings.maxStep());
-    direction = Math.signum(tEnd - t0);
-    interval = Math.abs(tEnd - t0);
+    progress.begin(t0, settings.relativeTolerance());
+    restarted = false;
+  }
+
+  @Override
+  public final StepResult restart(double t, double[] y, double longestFirstStep) {
+    progress.requireInLastStep(t);
+    IntegratorSettings.requireUsable(y, differences.state().length);
+    if (equations.breakpoints().reachedAt(t)) {
+      equations.breakpoints().pass();
+    }
+    StepResult result = beginAnew(t, y);
+    this.longestFirstStep = longestFirstStep;
+    return result;
+  }
+
+  private StepResult beginAnew(double t, double[] y) {
+    progress.beginAgain(t);
+    restarted = true;
+    return beginAt(t, y, 0);
+  }
+
+  /** Begins at order 1, with a step of the given size or, if that is 0, of the method's choice. */
+  private StepResult beginAt(double t, double[] y, double initialStep) {
+    control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER), restarted);
+    jumps.begin();
+    bounds.stopAt(equations.breakpoints().next());
+    this.initialStep = initialStep;
+    longestFirstStep = Double.POSITIVE_INFINITY;
+    h = 0;
+    triedTime = t;
+    begun = false;
+    writtenSize = 1;
+    writtenOrder = 1;
+    differences.begin(y);
+    norm.weigh(differences.state());
+    equations.beginAnew();
+    startDue = true;
+    return findStart();
+  }
+
+  /** Completes state and derivative of a start. */
+  private StepResult findStart() {
+    double t = progress.time();
+    Attempt attempt = equations.findStart(t, differences.state(), differences.slope());
+    if (attempt == Attempt.STOPPED) {
+      progress.goOn(false);
+      return StepResult.STOPPED;
+    }
+    startDue = false;
+    norm.weigh(differences.state());
+    return attempt == Attempt.PASSED
+        ? progress.goOn(bounds.reachedAt(t))
+        : fail(equations.causeAtStart(attempt), equations.componentAtStart(attempt));
   }
 
   private void tighten(double[] absoluteTolerances) {
-    relativeTolerance *= ALGEBRAIC_PART;
+    double smallest = IntegratorSettings.SMALLEST_RELATIVE_TOLERANCE;
+    relativeTolerance = Math.max(ALGEBRAIC_PART * relativeTolerance, smallest);
     for (int l = 0; l < absoluteTolerances.length; l++) {
-      absoluteTolerances[l] *= ALGEBRAIC_PART;
+      absoluteTolerances[l] = Math.max(ALGEBRAIC_PART * absoluteTolerances[l], Double.MIN_NORMAL);
     }
   }
 
   /** Returns the size at which the absolute tolerance takes over from the relative one. */
-  final double[] smallSizes(double[] absoluteTolerances) {
-    double[] sizes = absoluteTolerances.clone();
+  final double[] smallSizes(int dimension) {
+    double[] sizes = settings.absoluteTolerances(dimension);
     for (int l = 0; l < sizes.length; l++) {
       double size = sizes[l] / settings.relativeTolerance();
       sizes[l] = Double.isFinite(size) ? size : sizes[l];
@@ -159,14 +198,27 @@ abstract class BackwardMethod implements Integrator {
     return norm;
   }
 
-  /** Returns how far the problem has come. */
-  final Progress progress() {
-    return progress;
-  }
-
   @Override
   public final StepResult step() {
     progress.requireRunning();
+    StepResult result = startDue ? findStart() : StepResult.ADVANCED;
+    if (result == StepResult.ADVANCED && equations.breakpoints().reachedAt(progress.time())) {
+      result = passBreakpoint();
+    }
+    return result == StepResult.ADVANCED ? advance() : result;
+  }
+
+  /** Begins anew on the other side of a jump. */
+  private StepResult passBreakpoint() {
+    if (equations.stopped()) {
+      return StepResult.STOPPED;
+    }
+    equations.breakpoints().pass();
+    return beginAnew(progress.time(), differences.state());
+  }
+
+  /** Tries steps until one is accepted. */
+  private StepResult advance() {
     while (progress.tries() < settings.maxSteps()) {
       Attempt attempt = tryStep();
       if (attempt == Attempt.STOPPED) {
@@ -230,14 +282,23 @@ abstract class BackwardMethod implements Integrator {
 
   private boolean chooseFirstStep() {
     double t0 = progress.time();
-    double longest = bounds.bounded(t0, direction * Double.MAX_VALUE);
-    double size = settings.initialStep();
+    double longest = bounds.bounded(t0, Math.copySign(Double.MAX_VALUE, tEnd - t0));
+    double size = initialStep;
     if (size == 0) {
       double smallest = bounds.smallest(t0);
       double passing =
           firstStep.size(
-              equations, t0, differences.state(), norm, longest, smallest, relativeTolerance);
-      size = passing == 0 ? 0 : Math.max(smallest, cautious(passing, interval));
+              equations,
+              t0,
+              differences.state(),
+              differences.slope(),
+              norm,
+              longest,
+              smallest,
+              relativeTolerance);
+      double usual = equations.cautious(passing, Math.abs(tEnd - t0));
+      double chosen = restarted ? firstStep.afterRestart(usual, differences.slope(), norm) : usual;
+      size = passing == 0 ? 0 : Math.max(smallest, Math.min(longestFirstStep, chosen));
     }
     h = Math.copySign(size, longest);
     return size > 0;
@@ -340,7 +401,7 @@ abstract class BackwardMethod implements Integrator {
         : equations.limitingComponent(attempt, norm);
   }
 
-  final StepResult fail(Cause cause, int component) {
+  private StepResult fail(Cause cause, int component) {
     return progress.fail(cause, h, control.order(), component, norm);
   }
 
@@ -374,8 +435,63 @@ abstract class BackwardMethod implements Integrator {
   }
 
   @Override
+  public final byte[] save() {
+    progress.requireBetweenSteps(begun || startDue);
+    return StateTransfer.save(state -> transfer(state, (t0, tEnd) -> equations));
+  }
+
+  @Override
+  public final StepResult resume(OdeSystem system, byte[] saved) {
+    return resume(saved, (t0, tEnd) -> explicit(system, t0, tEnd));
+  }
+
+  /** Goes on with an integration that was saved. */
+  final StepResult resume(byte[] saved, Problem problem) {
+    StateTransfer.restore(saved, state -> transfer(state, problem));
+    return progress.result();
+  }
+
+  /** Carries the integration between two steps over. */
+  private void transfer(StateTransfer state, Problem problem) {
+    state.require("method", getClass().getSimpleName());
+    settings.transfer(state);
+    state.require("family of formulas", formulas == BackwardFormulas.BDF ? "BDF" : "NDF");
+    double t0 = state.number(progress.start());
+    double end = state.number(tEnd);
+    StepEquations posed = problem.equations(t0, end);
+    int n = posed.manifold().dimension();
+    state.require("number of unknowns", n);
+    if (state.restoring()) {
+      prepare(posed, t0, end);
+      control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER), false);
+      startDue = false;
+      begun = false;
+    }
+    equations.transfer(state);
+    bounds.stopAt(equations.breakpoints().next());
+    progress.transfer(state);
+    differences.transfer(state);
+    control.transfer(state);
+    jumps.transfer(state);
+    h = state.number(h);
+    triedTime = state.number(triedTime);
+    initialStep = state.number(initialStep);
+    restarted = state.flag(restarted);
+    longestFirstStep = state.number(longestFirstStep);
+    writtenSize = state.number(writtenSize);
+    writtenOrder = state.integer(writtenOrder);
+  }
+
+  /** A problem given anew, of which nothing is known yet. */
+  interface Problem {
+    /** Returns its equations for an interval. */
+    StepEquations equations(double t0, double tEnd);
+  }
+
+  @Override
   public final IntegrationStatistics statistics() {
-    return equations.statistics(progress);
+    double part = relativeTolerance / settings.relativeTolerance();
+    return equations.statistics(progress, toleranceFactor * part);
   }
 
   @Override

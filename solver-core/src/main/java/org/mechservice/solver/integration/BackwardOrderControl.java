@@ -28,6 +28,7 @@ final class BackwardOrderControl {
 
   private final BackwardFormulas formulas;
   private int highestOrder;
+  private boolean rising;
   private int order;
   private int equalSteps;
   private boolean failedBefore;
@@ -37,9 +38,14 @@ final class BackwardOrderControl {
     this.formulas = formulas;
   }
 
-  /** Begins a problem with order 1. */
-  void begin(int highestOrder) {
+  /**
+   * Begins with order 1.
+   *
+   * @param rising whether to go on to order 2 when both would let the step grow as much as it may
+   */
+  void begin(int highestOrder, boolean rising) {
     this.highestOrder = highestOrder;
+    this.rising = rising;
     order = 1;
     equalSteps = 0;
     failedBefore = false;
@@ -114,7 +120,7 @@ final class BackwardOrderControl {
     }
     if (k < highestOrder) {
       double above = growth(errorOf(k + 1, differences, norm), k + 1, SAFETY_ABOVE);
-      if (above > best) {
+      if (above > best || (rising && k == 1 && above == LARGEST_GROWTH)) {
         best = above;
         order = k + 1;
       }
@@ -143,5 +149,14 @@ final class BackwardOrderControl {
   private static double passing(double error, int j) {
     // StrictMath.pow allocates its tables at every call on JDK 17.
     return StrictMath.exp(-StrictMath.log(error) / (j + 1));
+  }
+
+  /** Carries the state between two steps over. */
+  void transfer(StateTransfer state) {
+    rising = state.flag(rising);
+    order = state.integer(order);
+    equalSteps = state.integer(equalSteps);
+    failedBefore = state.flag(failedBefore);
+    error = state.number(error);
   }
 }

@@ -28,12 +28,14 @@ final class ConsistentStart {
   private static final double SHORT_STEP = 0.1;
   private static final double LARGEST_SHARE_OF_INTERVAL = 1e-3;
 
+  /** Part of a first step by which passive components are looked at to find their derivative. */
+  private static final double LOOK_AHEAD = 0x1p-10;
+
   private final ResidualEquations equations;
   private final ErrorNorm norm;
   private final double relativeTolerance;
   private final double[] tolerances;
-  private final double t0;
-  private final double interval;
+  private final double tEnd;
 
   /** State and slope under way, the change of y_a and y'_d, and the same a trial step further. */
   private final double[] y;
@@ -44,61 +46,94 @@ final class ConsistentStart {
   private final double[] triedSlope;
   private final double[] triedChange;
 
+  private double t0;
+
   /** A first step, and the short one for which a singular matrix is replaced. */
   private double firstStep;
 
   private double shortStep;
 
+  /** Where the search stands: not begun, to be linearised, to be judged, or to be damped. */
+  private Stage stage = Stage.BEGIN;
+
+  private int iteration;
+  private double size;
+  private double part;
+
+  private enum Stage {
+    BEGIN,
+    LINEARISE,
+    JUDGE,
+    DAMP
+  }
+
   /**
-   * @param norm weighed at the start
-   * @param y state at the start; its algebraic part is overwritten
-   * @param yDot guess of its derivative; its differential part is overwritten, the algebraic one
-   *     set to zero
-   * @param interval length of the problem, signed
+   * @param norm by which the errors of the problem are judged
+   * @param tEnd end of the problem
    */
   ConsistentStart(
-      ResidualEquations equations,
-      ErrorNorm norm,
-      IntegratorSettings settings,
-      double t0,
-      double[] y,
-      double[] yDot,
-      double interval) {
-    int n = y.length;
+      ResidualEquations equations, ErrorNorm norm, IntegratorSettings settings, double tEnd) {
+    int n = equations.manifold().dimension();
     this.equations = equations;
     this.norm = norm;
+    this.tEnd = tEnd;
     relativeTolerance = settings.relativeTolerance();
     tolerances = settings.absoluteTolerances(n);
-    this.t0 = t0;
-    this.interval = interval;
-    this.y = y;
-    this.yDot = yDot;
+    y = new double[n];
+    yDot = new double[n];
     change = new double[n];
     triedState = new double[n];
     triedSlope = new double[n];
     triedChange = new double[n];
   }
 
-  /** Iterates to the end; what it has reached stands in the arrays given. */
-  Attempt find() {
+  /** Forgets a search that was stopped. */
+  void abandon() {
+    stage = Stage.BEGIN;
+  }
+
+  /**
+   * Searches to the end, or until stopped; the next call then goes on.
+   *
+   * @param y0 state at the start; completed, and its algebraic part overwritten
+   * @param yDot0 guess of its derivative; overwritten, its algebraic part by zeros
+   */
+  Attempt find(double t0, double[] y0, double[] yDot0) {
+    if (stage == Stage.BEGIN && !begin(t0, y0, yDot0)) {
+      return Attempt.NOT_COMPLETED;
+    }
+    Attempt attempt = search();
+    if (attempt == Attempt.STOPPED) {
+      return attempt;
+    }
+    stage = Stage.BEGIN;
+    if (attempt == Attempt.PASSED) {
+      System.arraycopy(y, 0, y0, 0, y.length);
+      System.arraycopy(yDot, 0, yDot0, 0, y.length);
+    }
+    return attempt;
+  }
+
+  private boolean begin(double t0, double[] y0, double[] yDot0) {
+    this.t0 = t0;
+    System.arraycopy(y0, 0, y, 0, y.length);
+    System.arraycopy(yDot0, 0, yDot, 0, y.length);
     measure();
     shortStep = SHORT_STEP * firstStep;
-    for (int i = 0; i < ITERATIONS; i++) {
-      Attempt attempt = linearise();
-      if (attempt == Attempt.PASSED) {
-        attempt = changeAt(y, yDot, change);
-      }
-      if (attempt != Attempt.PASSED) {
-        return attempt;
-      }
-      double size = size(change);
-      if (size <= ACCURACY) {
-        return i == 0 ? settle(0) : settle(1);
-      }
-      attempt = damped(size);
-      if (attempt == Attempt.NOT_CONVERGING && equations.startsApproximately()) {
-        shortStep *= SHORTER;
-      } else if (attempt != Attempt.PASSED) {
+    iteration = 0;
+    stage = Stage.LINEARISE;
+    return equations.manifold().complete(t0, y);
+  }
+
+  private Attempt search() {
+    while (iteration < ITERATIONS) {
+      Attempt attempt =
+          switch (stage) {
+            case JUDGE -> judge();
+            case DAMP -> damp();
+            default -> linearise();
+          };
+      if (attempt != Attempt.PASSED || stage == Stage.BEGIN) {
         return attempt;
       }
     }
@@ -107,19 +142,37 @@ final class ConsistentStart {
 
   /** Finds the length of a first step that the slope would allow. */
   private void measure() {
-    double longest = LARGEST_SHARE_OF_INTERVAL * interval;
+    double longest = LARGEST_SHARE_OF_INTERVAL * (tEnd - t0);
     firstStep = FirstStep.bySlope(yDot, norm, longest, relativeTolerance);
-    equations.linearisation().knowStep(firstStep);
+    equations.linearisation().knowRate(Math.sqrt(relativeTolerance) / firstStep);
   }
 
   private Attempt linearise() {
+    equations.place(yDot);
     equations.demandNew();
     Attempt attempt = equations.linearise(t0, y);
     if (attempt != Attempt.PASSED) {
       return attempt;
     }
-    boolean regular = equations.factorForStart(Math.copySign(shortStep, interval));
+    stage = Stage.JUDGE;
+    boolean regular = equations.factorForStart(Math.copySign(shortStep, tEnd - t0));
     return regular ? Attempt.PASSED : Attempt.SINGULAR_MATRIX;
+  }
+
+  /** Ends the search if the change is small, else begins to damp it. */
+  private Attempt judge() {
+    Attempt attempt = changeAt(y, yDot, change);
+    if (attempt != Attempt.PASSED) {
+      return attempt;
+    }
+    size = size(change);
+    if (size <= ACCURACY) {
+      stage = Stage.BEGIN;
+      return settle(iteration == 0 ? 0 : 1);
+    }
+    part = 1;
+    stage = Stage.DAMP;
+    return Attempt.PASSED;
   }
 
   private Attempt changeAt(double[] state, double[] slope, double[] target) {
@@ -137,21 +190,32 @@ final class ConsistentStart {
   }
 
   /** Goes along the change as far as it makes the next one smaller. */
-  private Attempt damped(double size) {
-    for (double part = 1; part >= SHORTEST_PART; part *= 0.5) {
+  private Attempt damp() {
+    for (; part >= SHORTEST_PART; part *= 0.5) {
       move(part);
       Attempt attempt = changeAt(triedState, triedSlope, triedChange);
       if (attempt == Attempt.STOPPED) {
         return attempt;
       }
       if (attempt == Attempt.PASSED && size(triedChange) <= (1 - SUFFICIENT * part) * size) {
-        System.arraycopy(triedState, 0, y, 0, y.length);
-        System.arraycopy(triedSlope, 0, yDot, 0, y.length);
+        takeOver();
         measure();
-        return Attempt.PASSED;
+        return goOn();
       }
     }
-    return Attempt.NOT_CONVERGING;
+    shortStep *= SHORTER;
+    return equations.startsApproximately() ? goOn() : Attempt.NOT_CONVERGING;
+  }
+
+  private Attempt goOn() {
+    iteration++;
+    stage = Stage.LINEARISE;
+    return Attempt.PASSED;
+  }
+
+  private void takeOver() {
+    System.arraycopy(triedState, 0, y, 0, y.length);
+    System.arraycopy(triedSlope, 0, yDot, 0, y.length);
   }
 
   private void move(double part) {
@@ -165,14 +229,36 @@ final class ConsistentStart {
   /** Takes the last change to a part; the passive components follow. */
   private Attempt settle(double part) {
     move(part);
-    System.arraycopy(triedState, 0, y, 0, y.length);
-    System.arraycopy(triedSlope, 0, yDot, 0, y.length);
+    takeOver();
     for (int l = 0; l < y.length; l++) {
       if (equations.linearisation().algebraic(l)) {
         yDot[l] = 0;
       }
     }
-    return equations.manifold().complete(t0, y) ? Attempt.PASSED : Attempt.NOT_COMPLETED;
+    if (!equations.manifold().complete(t0, y)) {
+      return Attempt.NOT_COMPLETED;
+    }
+    differencePassive();
+    return Attempt.PASSED;
+  }
+
+  /** Finds the derivatives of passive components by completing the state a little further on. */
+  private void differencePassive() {
+    double stretch = LOOK_AHEAD * Math.copySign(firstStep, tEnd - t0);
+    if (!equations.manifold().completes() || stretch == 0) {
+      return;
+    }
+    for (int l = 0; l < y.length; l++) {
+      triedState[l] = y[l] + stretch * yDot[l];
+    }
+    if (!equations.manifold().complete(t0 + stretch, triedState)) {
+      return;
+    }
+    for (int l = 0; l < y.length; l++) {
+      if (!equations.manifold().independent(l)) {
+        yDot[l] = (triedState[l] - y[l]) / stretch;
+      }
+    }
   }
 
   /** Returns the largest change in units of the error allowed. */

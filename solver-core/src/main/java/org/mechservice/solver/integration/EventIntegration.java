@@ -31,6 +31,15 @@ public final class EventIntegration implements Integrator {
     1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.25, 0.5, 0.75, 1
   };
 
+  /** Part of what is left of the problem by which to look ahead after a restart. */
+  private static final double LOOK_AHEAD = Math.sqrt(Math.ulp(1.0));
+
+  /**
+   * Longest first step after an event, relative to the distance from the one before: events may
+   * follow each other faster than the tolerance has eyes for.
+   */
+  private static final double FIRST_STEP = 0.05;
+
   private static final CompletedSystem NOTHING_PASSIVE =
       new CompletedSystem() {
         @Override
@@ -82,6 +91,7 @@ public final class EventIntegration implements Integrator {
   private boolean cutOff;
   private boolean restartDue;
   private boolean justRestarted;
+  private boolean stateChanged;
   private long events;
 
   /**
@@ -144,9 +154,9 @@ public final class EventIntegration implements Integrator {
   }
 
   @Override
-  public StepResult restart(double t, double[] y) {
+  public StepResult restart(double t, double[] y, double longestFirstStep) {
     requireInLastStep(t);
-    return settle(integrator.restart(t, y), t);
+    return settle(integrator.restart(t, y, longestFirstStep), t);
   }
 
   @Override
@@ -155,14 +165,18 @@ public final class EventIntegration implements Integrator {
       throw new IllegalStateException("nothing to integrate: the end is reached, or it failed");
     }
     if (restartDue) {
+      StepResult result = integrator.restart(time, restarted, FIRST_STEP * accumulation.distance());
+      if (result == StepResult.STOPPED) {
+        return result;
+      }
       restartDue = false;
       justRestarted = true;
       cutOff = false;
-      StepResult result = integrator.restart(time, restarted);
       if (result != StepResult.ADVANCED) {
         running = false;
         return result;
       }
+      lookAhead();
     }
     StepResult result = integrator.step();
     if (result == StepResult.STOPPED) {
@@ -175,6 +189,22 @@ public final class EventIntegration implements Integrator {
     double[] parts = justRestarted ? PARTS_AFTER_RESTART : PARTS;
     justRestarted = false;
     return searchStep(result, parts);
+  }
+
+  /** Sees which way the functions go on from a state that was changed. */
+  private void lookAhead() {
+    if (!stateChanged) {
+      return;
+    }
+    double stretch = LOOK_AHEAD * (tEnd - time);
+    integrator.interpolate(time, y, yDot);
+    for (int l = 0; l < y.length; l++) {
+      y[l] += stretch * yDot[l];
+    }
+    if (completed.complete(time + stretch, y)) {
+      functions.evaluate(time + stretch, y, gHere);
+      signs.lean(occurred, gBefore, gHere);
+    }
   }
 
   /** Searches the step just taken from point to point. */
@@ -254,7 +284,8 @@ public final class EventIntegration implements Integrator {
     if (RightHandSide.firstNotFinite(gBefore) >= 0) {
       return fail(Cause.EVENT_NOT_FINITE);
     }
-    if (!Arrays.equals(restarted, y)) {
+    stateChanged = !Arrays.equals(restarted, y);
+    if (stateChanged) {
       signs.place(gBefore);
     }
     return StepResult.ADVANCED;
@@ -358,6 +389,10 @@ public final class EventIntegration implements Integrator {
     cutOff = state.flag(cutOff);
     restartDue = state.flag(restartDue);
     justRestarted = state.flag(justRestarted);
+    stateChanged = state.flag(stateChanged);
+    for (int i = 0; i < occurred.length; i++) {
+      occurred[i] = state.flag(occurred[i]);
+    }
     events = state.integer(events);
     if (functions instanceof SavedSystem saved) {
       saved.transfer(state);

@@ -23,6 +23,9 @@ final class EventSigns {
   /** 1, −1, or 0 as long as the function was not away from zero. */
   private final int[] side;
 
+  /** The side before the last event. */
+  private final int[] sideBefore;
+
   private final boolean[] armed;
 
   /** Largest absolute value so far, and uncertainty of the zero found last. */
@@ -33,6 +36,7 @@ final class EventSigns {
   EventSigns(EventFunctions functions) {
     this.functions = functions;
     side = new int[functions.count()];
+    sideBefore = new int[functions.count()];
     armed = new boolean[functions.count()];
     largest = new double[functions.count()];
     blur = new double[functions.count()];
@@ -84,7 +88,11 @@ final class EventSigns {
   }
 
   private double noise(int i) {
-    return Math.max(blur[i], ROUNDOFFS * Math.ulp(1.0) * largest[i]);
+    return Math.max(blur[i], roundOff(i));
+  }
+
+  private double roundOff(int i) {
+    return ROUNDOFFS * Math.ulp(1.0) * largest[i];
   }
 
   /** Takes note of values that are not events, or of functions not looked at in that direction. */
@@ -119,6 +127,7 @@ final class EventSigns {
   void passed(boolean[] occurred, double[] gBefore, double[] gBehind) {
     for (int i = 0; i < occurred.length; i++) {
       if (occurred[i]) {
+        sideBefore[i] = side[i];
         side[i] = -side[i];
         armed[i] = false;
         blur[i] = BLUR * Math.abs(gBehind[i] - gBefore[i]);
@@ -137,10 +146,27 @@ final class EventSigns {
     }
   }
 
+  /**
+   * Decides by the way a function goes on which side it is on after an event that has changed the
+   * state, where its value leaves that open. One that turns round must not pass zero unnoticed.
+   *
+   * @param g values at the changed state
+   * @param ahead values a little further along the solution
+   */
+  void lean(boolean[] occurred, double[] g, double[] ahead) {
+    for (int i = 0; i < g.length; i++) {
+      double way = ahead[i] - g[i];
+      if (occurred[i] && side[i] == 0 && Math.abs(way) > roundOff(i)) {
+        side[i] = way * sideBefore[i] > 0 ? sideBefore[i] : -sideBefore[i];
+      }
+    }
+  }
+
   /** Carries the sides over. */
   void transfer(StateTransfer state) {
     for (int i = 0; i < side.length; i++) {
       side[i] = state.integer(side[i]);
+      sideBefore[i] = state.integer(sideBefore[i]);
       armed[i] = state.flag(armed[i]);
     }
     state.numbers(largest);

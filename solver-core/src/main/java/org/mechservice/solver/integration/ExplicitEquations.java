@@ -1,6 +1,7 @@
 package org.mechservice.solver.integration;
 
 import java.util.Arrays;
+import org.mechservice.solver.integration.IntegrationFailure.Cause;
 import org.mechservice.solver.linear.BandLayout;
 import org.mechservice.solver.linear.BandLu;
 import org.mechservice.solver.linear.DenseLu;
@@ -33,18 +34,16 @@ final class ExplicitEquations extends StepEquations {
 
   /**
    * @param smallSizes size below which a component is negligible; not modified
-   * @param derivative0 f at the start; not modified
    * @throws IllegalArgumentException if the problem's band is wider than its matrix
    */
-  ExplicitEquations(RightHandSide rightHandSide, double[] smallSizes, double[] derivative0) {
+  ExplicitEquations(RightHandSide rightHandSide, double[] smallSizes) {
     super(new Manifold(rightHandSide.system()));
     this.rightHandSide = rightHandSide;
     LinearSolver solver = solverFor(rightHandSide.system());
     jacobian = new KeptJacobian(solver.layout());
     differencing = new JacobianDifferences(solver.layout(), smallSizes, manifold());
-    differencing.knowValue(derivative0);
     matrix = new IterationMatrix(solver, manifold());
-    derivative = new double[derivative0.length];
+    derivative = new double[smallSizes.length];
   }
 
   private static LinearSolver solverFor(OdeSystem system) {
@@ -52,6 +51,43 @@ final class ExplicitEquations extends StepEquations {
     return system instanceof BandedSystem banded
         ? new BandLu(new BandLayout(n, banded.lowerBandwidth(), banded.upperBandwidth()))
         : new DenseLu(n);
+  }
+
+  @Override
+  Breakpoints breakpoints() {
+    return rightHandSide.breakpoints();
+  }
+
+  @Override
+  boolean stopped() {
+    return rightHandSide.stopped();
+  }
+
+  @Override
+  void abandon() {
+    differencing.abandon();
+  }
+
+  @Override
+  Attempt findStart(double t, double[] y, double[] slope) {
+    boolean complete = manifold().complete(t, y);
+    rightHandSide.evaluateAlways(t, y, slope);
+    if (!complete) {
+      return Attempt.NOT_COMPLETED;
+    }
+    differencing.knowValue(slope);
+    notFiniteComponent = RightHandSide.firstNotFinite(slope);
+    return notFiniteComponent < 0 ? Attempt.PASSED : Attempt.NOT_FINITE;
+  }
+
+  @Override
+  Cause causeAtStart(Attempt attempt) {
+    return attempt == Attempt.NOT_COMPLETED ? Cause.NOT_COMPLETED : Cause.NOT_FINITE;
+  }
+
+  @Override
+  int componentAtStart(Attempt attempt) {
+    return attempt == Attempt.NOT_COMPLETED ? -1 : notFiniteComponent;
   }
 
   @Override
@@ -70,7 +106,7 @@ final class ExplicitEquations extends StepEquations {
     if (rightHandSide.stopped()) {
       return Attempt.STOPPED;
     }
-    system.jacobian(t, y, jacobian.formingFromZero());
+    system.jacobian(breakpoints().inside(t), y, jacobian.formingFromZero());
     notFiniteComponent = jacobian.rowNotFinite();
     return notFiniteComponent < 0 ? Attempt.PASSED : Attempt.NOT_FINITE;
   }
@@ -144,6 +180,11 @@ final class ExplicitEquations extends StepEquations {
   }
 
   @Override
+  double cautious(double passing, double interval) {
+    return passing;
+  }
+
+  @Override
   boolean solutionMayJump() {
     return false;
   }
@@ -155,6 +196,14 @@ final class ExplicitEquations extends StepEquations {
 
   @Override
   void solved(double hGamma, BackwardDifferences differences) {}
+
+  @Override
+  void transferDerivatives(StateTransfer state) {
+    rightHandSide.transfer(state);
+    manifold().refresh();
+    jacobian.transfer(state);
+    differencing.transfer(state);
+  }
 
   /** f at a state whose passive components are made to fit first. */
   private final class CompletedFunction implements DifferencedFunction {

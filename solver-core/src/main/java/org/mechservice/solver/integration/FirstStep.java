@@ -9,22 +9,26 @@ final class FirstStep {
   /** The step is this much shorter than the estimates allow. */
   private static final double SAFETY = 1.25;
 
-  /** y' and y'' at the start, length n. */
-  private final double[] slope;
+  /** Part of a usual first step after a restart, and of the time in which a slope would vanish. */
+  private static final double RESTART_PART = 0.1;
 
+  /** No slope makes a step after a restart shorter than this part of a usual first step. */
+  private static final double LEAST_PART = 1e-4;
+
+  /** y'' at the start, length n. */
   private final double[] curvature;
 
   /**
-   * @param slope y' at the start; kept, not modified
+   * @param dimension n
    */
-  FirstStep(double[] slope) {
-    this.slope = slope;
-    curvature = new double[slope.length];
+  FirstStep(int dimension) {
+    curvature = new double[dimension];
   }
 
   /**
    * Returns the size of the step, positive; 0 if told to stop.
    *
+   * @param slope y' at the start; not modified
    * @param longest longest step allowed, signed
    * @param smallest smallest step that the arithmetic can hold
    * @param relativeTolerance of the norm
@@ -33,6 +37,7 @@ final class FirstStep {
       StepEquations equations,
       double t0,
       double[] y0,
+      double[] slope,
       ErrorNorm norm,
       double longest,
       double smallest,
@@ -43,6 +48,25 @@ final class FirstStep {
     }
     double bend = SAFETY * Math.sqrt(0.5 * norm.of(curvature));
     return Double.isFinite(bend) ? Math.max(smallest, bounded(longest, bend)) : size;
+  }
+
+  /**
+   * Returns the step to go on with after a restart, when {@link #size} has given what is usual. It
+   * is so short that no component turns round in a step of order 1, whose interpolant does not
+   * bend: what has just bounced off an event is seen to rise before it falls again.
+   *
+   * @param usual positive
+   * @param slope y' at the start; not modified
+   */
+  double afterRestart(double usual, double[] slope, ErrorNorm norm) {
+    double shortest = RESTART_PART * usual;
+    for (int l = 0; l < slope.length; l++) {
+      if (slope[l] != 0 && norm.weight(l) > 0) {
+        double turning = RESTART_PART * Math.abs(slope[l] / curvature[l]);
+        shortest = turning < shortest ? turning : shortest;
+      }
+    }
+    return Math.max(LEAST_PART * usual, shortest);
   }
 
   /** Returns the step for which h y' is √rtol times y, at most the longest. */

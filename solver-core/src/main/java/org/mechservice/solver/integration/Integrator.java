@@ -36,14 +36,22 @@ public interface Integrator {
    *
    * @param t between {@link #previousTime()} and {@link #time()}, both included
    * @param y state there; not modified
-   * @return {@link StepResult#ADVANCED}, {@link StepResult#REACHED_END} if that is the end, or
-   *     {@link StepResult#FAILED} if f is not finite there
+   * @return {@link StepResult#ADVANCED}, {@link StepResult#REACHED_END} if that is the end, {@link
+   *     StepResult#FAILED} if f is not finite there, or {@link StepResult#STOPPED} if told to stop
+   *     before consistent values of a problem in residual form were found: then to be called again
    * @throws IllegalArgumentException if {@code t} lies outside the last step, or if the state is
    *     not finite or of the wrong length
    */
   default StepResult restart(double t, double[] y) {
-    throw new UnsupportedOperationException();
+    return restart(t, y, Double.POSITIVE_INFINITY);
   }
+
+  /**
+   * Goes on as {@link #restart(double, double[])} does, with a bound for the first step.
+   *
+   * @param longestFirstStep positive
+   */
+  StepResult restart(double t, double[] y, double longestFirstStep);
 
   /**
    * Takes one accepted step, trying smaller ones and other orders as the error test asks.
@@ -91,9 +99,7 @@ public interface Integrator {
    * @throws IllegalStateException if there is nothing to go on from: before the start, after a
    *     failure, or within a step that was stopped
    */
-  default byte[] save() {
-    throw new UnsupportedOperationException();
-  }
+  byte[] save();
 
   /**
    * Goes on with an integration saved by an integrator of the same kind and settings; whatever was
@@ -104,9 +110,7 @@ public interface Integrator {
    * @throws IllegalArgumentException if the bytes are damaged, of another format, method, settings,
    *     or number of unknowns; the message says which
    */
-  default StepResult resume(OdeSystem system, byte[] saved) {
-    throw new UnsupportedOperationException();
-  }
+  StepResult resume(OdeSystem system, byte[] saved);
 
   /** Returns what the integrator has done since {@link #start}. */
   IntegrationStatistics statistics();

@@ -104,6 +104,13 @@ final class JacobianDifferences {
   void knowValue(double[] value) {
     System.arraycopy(value, 0, base, 0, base.length);
     baseKnown = true;
+    group = 0;
+  }
+
+  /** Forgets a Jacobian that was stopped half way. */
+  void abandon() {
+    baseKnown = false;
+    group = 0;
   }
 
   /** Returns f at the point at which the Jacobian was formed; not to be modified. */
@@ -313,5 +320,13 @@ final class JacobianDifferences {
   /** Returns the first component of f that was not finite. */
   int notFiniteComponent() {
     return notFiniteComponent;
+  }
+
+  /** Carries over how far to move, and the value at the next point if that is known. */
+  void transfer(StateTransfer state) {
+    state.numbers(share);
+    state.numbers(nextShare);
+    state.numbers(base);
+    baseKnown = state.flag(baseKnown);
   }
 }

@@ -64,4 +64,13 @@ final class JumpWatch {
   boolean solutionJumped(double error) {
     return timesKept >= TIMES_KEPT && error <= SMALL_JUMP;
   }
+
+  /** Carries the state between two steps over. */
+  void transfer(StateTransfer state) {
+    acceptedError = state.number(acceptedError);
+    firstSize = state.number(firstSize);
+    failures = state.integer(failures);
+    lastError = state.number(lastError);
+    timesKept = state.integer(timesKept);
+  }
 }

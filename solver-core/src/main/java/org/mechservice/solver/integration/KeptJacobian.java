@@ -80,4 +80,9 @@ final class KeptJacobian {
     }
     return true;
   }
+
+  /** Carries the matrix in use over. */
+  void transfer(StateTransfer state) {
+    state.numbers(values);
+  }
 }

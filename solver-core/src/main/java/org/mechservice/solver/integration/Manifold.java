@@ -54,7 +54,11 @@ final class Manifold {
     tested = new boolean[dimension];
   }
 
-  /** Takes over which components are independent at present. */
+  /** Takes over which components are independent at present, after a saved state was taken up. */
+  void refresh() {
+    choose();
+  }
+
   private void choose() {
     for (int l = 0; l < tested.length; l++) {
       independent[l] = completed.independent(l);

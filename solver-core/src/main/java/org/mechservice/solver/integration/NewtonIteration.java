@@ -49,6 +49,11 @@ final class NewtonIteration {
     return begun;
   }
 
+  /** Forgets an iteration that was stopped. */
+  void abandon() {
+    begun = false;
+  }
+
   /** Begins at the prediction. */
   void begin(BackwardDifferences differences, ErrorNorm norm) {
     begun = true;
@@ -153,5 +158,11 @@ final class NewtonIteration {
   int notFiniteComponent(StepEquations equations) {
     int component = equations.notFiniteInEvaluation();
     return component < 0 ? RightHandSide.firstNotFinite(change) : component;
+  }
+
+  /** Carries the rate of convergence known over. */
+  void transfer(StateTransfer state) {
+    rate = state.number(rate);
+    rateKnown = state.flag(rateKnown);
   }
 }

@@ -20,23 +20,18 @@ package org.mechservice.solver.integration;
  */
 public final class Ode15s extends BackwardMethod {
   /**
-   * Numerical differentiation formulas, standard mode.
+   * Numerical differentiation formulas.
    *
    * @throws IllegalArgumentException if a setting is out of range
    */
   public Ode15s(IntegratorSettings settings) {
-    this(settings, BackwardFormulas.NDF, BackwardMode.STANDARD);
+    this(settings, BackwardFormulas.NDF);
   }
 
   /**
    * @throws IllegalArgumentException if a setting is out of range
    */
-  public Ode15s(IntegratorSettings settings, BackwardFormulas formulas, BackwardMode mode) {
-    super(settings, formulas, mode);
-  }
-
-  @Override
-  double cautious(double size, double interval) {
-    return size;
+  public Ode15s(IntegratorSettings settings, BackwardFormulas formulas) {
+    super(settings, formulas);
   }
 }

@@ -1,7 +1,5 @@
 package org.mechservice.solver.integration;
 
-import org.mechservice.solver.integration.IntegrationFailure.Cause;
-
 /**
  * ode15sR: the formulas of ode15s for systems in residual form, F(t, y, y') = 0: implicit
  * equations, mass matrices, and differential-algebraic systems of index 1.
@@ -21,26 +19,20 @@ import org.mechservice.solver.integration.IntegrationFailure.Cause;
  * <p>Petzold 1982; Brenan, Campbell and Petzold 1996, ch. 5; Shampine 2002.
  */
 public final class Ode15sR extends BackwardMethod implements ResidualIntegrator {
-  private static final double FIRST_STEP_PART = 0.1;
-  private static final double FIRST_STEP_SHARE = 1e-3;
-
-  /** Whether the problem is in residual form. */
-  private boolean implicit;
-
   /**
-   * Numerical differentiation formulas, standard mode.
+   * Numerical differentiation formulas.
    *
    * @throws IllegalArgumentException if a setting is out of range
    */
   public Ode15sR(IntegratorSettings settings) {
-    this(settings, BackwardFormulas.NDF, BackwardMode.STANDARD);
+    this(settings, BackwardFormulas.NDF);
   }
 
   /**
    * @throws IllegalArgumentException if a setting is out of range
    */
-  public Ode15sR(IntegratorSettings settings, BackwardFormulas formulas, BackwardMode mode) {
-    super(settings, formulas, mode);
+  public Ode15sR(IntegratorSettings settings, BackwardFormulas formulas) {
+    super(settings, formulas);
   }
 
   @Override
@@ -48,50 +40,25 @@ public final class Ode15sR extends BackwardMethod implements ResidualIntegrator 
       ResidualSystem system, double t0, double[] y0, double[] yDot0, double tEnd) {
     IntegratorSettings.requireUsable(t0, tEnd, y0, system.dimension());
     IntegratorSettings.requireUsableDerivative(yDot0, system.dimension());
-    implicit = true;
-    double[] y = y0.clone();
-    double[] yDot = yDot0.clone();
-    ResidualEquations equations = equations(system, yDot);
-    begin(equations, t0, y, yDot, tEnd);
-    ConsistentStart values =
-        new ConsistentStart(equations, norm(), settings(), t0, y, yDot, tEnd - t0);
-    Attempt attempt = equations.manifold().complete(t0, y) ? values.find() : Attempt.NOT_COMPLETED;
-    if (attempt == Attempt.STOPPED) {
-      return StepResult.STOPPED;
-    }
-    if (attempt != Attempt.PASSED) {
-      return fail(attempt, values, equations);
-    }
-    begin(equations, t0, y, yDot, tEnd);
-    return progress().goOn(t0 == tEnd);
+    return begin(implicit(system, yDot0, t0, tEnd), t0, y0, tEnd);
   }
 
-  private ResidualEquations equations(ResidualSystem system, double[] yDot) {
+  private StepEquations implicit(ResidualSystem system, double[] yDot0, double t0, double tEnd) {
     Residual residual = new Residual(system, new Manifold(system), settings().stop());
+    residual.breakpoints().begin(system, t0, tEnd);
     ResidualLinearisation linearisation =
         system instanceof LinearisedSystem own
             ? new OwnLinearisation(own, residual)
-            : new StoredLinearisation(
-                system, residual, smallSizes(settings().absoluteTolerances(yDot.length)));
-    return new ResidualEquations(residual, linearisation, yDot);
+            : new StoredLinearisation(system, residual, smallSizes(yDot0.length));
+    return new ResidualEquations(residual, linearisation, yDot0, tEnd, norm(), settings());
   }
 
-  private StepResult fail(Attempt attempt, ConsistentStart values, ResidualEquations equations) {
-    return switch (attempt) {
-      case SINGULAR_MATRIX -> fail(Cause.SINGULAR_MATRIX, equations.singularComponent());
-      case NOT_FINITE -> fail(Cause.NOT_FINITE, values.worstRow());
-      case NOT_COMPLETED -> fail(Cause.NOT_COMPLETED, -1);
-      default -> fail(Cause.INCONSISTENT_START, values.worstRow());
-    };
-  }
-
-  @Override
-  void beginExplicit() {
-    implicit = false;
-  }
-
-  @Override
-  double cautious(double size, double interval) {
-    return implicit ? Math.min(FIRST_STEP_PART * size, FIRST_STEP_SHARE * interval) : size;
+  /**
+   * Goes on with an integration in residual form that was saved; see {@link
+   * Integrator#resume(OdeSystem, byte[])}.
+   */
+  public StepResult resume(ResidualSystem system, byte[] saved) {
+    double[] slope = new double[system.dimension()];
+    return resume(saved, (t0, tEnd) -> implicit(system, slope, t0, tEnd));
   }
 }

@@ -6,10 +6,19 @@ final class OwnLinearisation implements ResidualLinearisation {
   private final Residual residual;
   private final Manifold manifold;
 
+  /** Where the derivatives kept are those of, length n. */
+  private final double[] formedState;
+
+  private final double[] formedSlope;
+  private double formedTime;
+  private boolean formed;
+
   OwnLinearisation(LinearisedSystem system, Residual residual) {
     this.system = system;
     this.residual = residual;
     manifold = residual.manifold();
+    formedState = new double[manifold.dimension()];
+    formedSlope = new double[manifold.dimension()];
   }
 
   @Override
@@ -17,11 +26,18 @@ final class OwnLinearisation implements ResidualLinearisation {
     if (residual.stopped()) {
       return Attempt.STOPPED;
     }
-    return system.linearise(t, y, yDot) ? Attempt.PASSED : Attempt.NOT_FINITE;
+    formedTime = residual.breakpoints().inside(t);
+    System.arraycopy(y, 0, formedState, 0, y.length);
+    System.arraycopy(yDot, 0, formedSlope, 0, yDot.length);
+    formed = true;
+    return system.linearise(formedTime, y, yDot) ? Attempt.PASSED : Attempt.NOT_FINITE;
   }
 
   @Override
-  public void knowStep(double h) {}
+  public void knowRate(double rate) {}
+
+  @Override
+  public void abandon() {}
 
   /** The matrix for hγ = 0 is singular if there are algebraic components. */
   @Override
@@ -65,5 +81,17 @@ final class OwnLinearisation implements ResidualLinearisation {
   @Override
   public double magnitude(int row) {
     return 0;
+  }
+
+  /** The derivatives are formed anew where they were. */
+  @Override
+  public void transfer(StateTransfer state) {
+    formedTime = state.number(formedTime);
+    state.numbers(formedState);
+    state.numbers(formedSlope);
+    formed = state.flag(formed);
+    if (state.restoring() && formed) {
+      system.linearise(formedTime, formedState, formedSlope);
+    }
   }
 }

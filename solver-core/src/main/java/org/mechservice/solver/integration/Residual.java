@@ -4,13 +4,14 @@ import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 
 /**
- * F(t, y, y') as its integrator sees it: counted, not evaluated after the stop signal, and 0 in the
- * places of passive components.
+ * F(t, y, y') as its integrator sees it: counted, not evaluated after the stop signal, not across
+ * its own jumps, and 0 in the places of passive components.
  */
 final class Residual {
   private final ResidualSystem system;
   private final Manifold manifold;
   private final BooleanSupplier stop;
+  private final Breakpoints breakpoints = new Breakpoints();
   private final double[] completed;
   private long evaluations;
 
@@ -23,6 +24,11 @@ final class Residual {
 
   Manifold manifold() {
     return manifold;
+  }
+
+  /** Returns the places at which F jumps; to be begun with the problem. */
+  Breakpoints breakpoints() {
+    return breakpoints;
   }
 
   /** Returns whether the stop signal is given. */
@@ -41,7 +47,7 @@ final class Residual {
 
   /** Evaluates F at a completed state. */
   void evaluateAlways(double t, double[] y, double[] yDot, double[] residual) {
-    system.residual(t, y, yDot, residual);
+    system.residual(breakpoints.inside(t), y, yDot, residual);
     if (manifold.completes()) {
       manifold.clearPassive(residual);
     }
@@ -63,5 +69,15 @@ final class Residual {
 
   long evaluations() {
     return evaluations;
+  }
+
+  /** Carries the counter, the places passed and the problem's own state over. */
+  void transfer(StateTransfer state) {
+    evaluations = state.integer(evaluations);
+    breakpoints.transfer(state);
+    if (system instanceof SavedSystem saved) {
+      saved.transfer(state);
+    }
+    manifold.refresh();
   }
 }

@@ -1,5 +1,7 @@
 package org.mechservice.solver.integration;
 
+import org.mechservice.solver.integration.IntegrationFailure.Cause;
+
 /**
  * The equations of a step for F(t, y, y') = 0. The formulas give y' = (ψ + d) / hγ at the new
  * point, and the iteration solves
@@ -12,8 +14,15 @@ final class ResidualEquations extends StepEquations {
   /** Part of the step by which the start looks ahead to estimate y''. */
   private static final double LOOK_AHEAD = 0x1p-10;
 
+  private static final double FIRST_STEP_PART = 0.1;
+  private static final double FIRST_STEP_SHARE = 1e-3;
+
   private final Residual residual;
   private final ResidualLinearisation linearisation;
+  private final ConsistentStart start;
+
+  /** A small change of a component over a step, relative to its size. */
+  private final double smallMove;
 
   /** y' at the last accepted point, length n. */
   private final double[] slope;
@@ -28,17 +37,30 @@ final class ResidualEquations extends StepEquations {
 
   private final double[] valueAtStart;
 
+  /** Whether F at the start is known from a call that was stopped. */
+  private boolean valueKnown;
+
   /** hγ of the matrix for the start: 0 unless that is singular. */
   private double startHGamma;
 
   /**
-   * @param slope y' at the start; kept and overwritten by that of later points
+   * @param yDot0 guess of y' at the start; not modified
+   * @param tEnd end of the problem
+   * @param norm by which its errors will be judged
    */
-  ResidualEquations(Residual residual, ResidualLinearisation linearisation, double[] slope) {
+  ResidualEquations(
+      Residual residual,
+      ResidualLinearisation linearisation,
+      double[] yDot0,
+      double tEnd,
+      ErrorNorm norm,
+      IntegratorSettings settings) {
     super(residual.manifold());
     this.residual = residual;
     this.linearisation = linearisation;
-    this.slope = slope;
+    smallMove = Math.sqrt(settings.relativeTolerance());
+    slope = yDot0.clone();
+    start = new ConsistentStart(this, norm, settings, tEnd);
     int n = slope.length;
     iterateSlope = new double[n];
     value = new double[n];
@@ -52,6 +74,49 @@ final class ResidualEquations extends StepEquations {
 
   ResidualLinearisation linearisation() {
     return linearisation;
+  }
+
+  @Override
+  Breakpoints breakpoints() {
+    return residual.breakpoints();
+  }
+
+  @Override
+  boolean stopped() {
+    return residual.stopped();
+  }
+
+  @Override
+  void abandon() {
+    linearisation.abandon();
+    start.abandon();
+    valueKnown = false;
+  }
+
+  @Override
+  Attempt findStart(double t, double[] y, double[] slope0) {
+    Attempt attempt = start.find(t, y, slope);
+    System.arraycopy(slope, 0, slope0, 0, slope.length);
+    return attempt;
+  }
+
+  @Override
+  Cause causeAtStart(Attempt attempt) {
+    return switch (attempt) {
+      case SINGULAR_MATRIX -> Cause.SINGULAR_MATRIX;
+      case NOT_FINITE -> Cause.NOT_FINITE;
+      case NOT_COMPLETED -> Cause.NOT_COMPLETED;
+      default -> Cause.INCONSISTENT_START;
+    };
+  }
+
+  @Override
+  int componentAtStart(Attempt attempt) {
+    return switch (attempt) {
+      case SINGULAR_MATRIX -> singularComponent();
+      case NOT_COMPLETED -> -1;
+      default -> start.worstRow();
+    };
   }
 
   @Override
@@ -105,6 +170,11 @@ final class ResidualEquations extends StepEquations {
     return RightHandSide.firstNotFinite(value);
   }
 
+  /** Takes a derivative for that of the point at which the derivatives of F are formed next. */
+  void place(double[] yDot) {
+    System.arraycopy(yDot, 0, slope, 0, slope.length);
+  }
+
   /**
    * Factors the matrix whose unknowns are y'_d and y_a, or, if it is singular because F does not
    * determine every y'_d, the nearly equal one of a step that is short; returns whether one of them
@@ -153,12 +223,14 @@ final class ResidualEquations extends StepEquations {
     for (int l = 0; l < ahead.length; l++) {
       ahead[l] = y0[l] + stretch * slope0[l];
     }
-    boolean evaluated =
-        residual.evaluate(t0, y0, slope0, valueAtStart)
-            && residual.evaluateCompleted(t0 + stretch, ahead, slope0, curvature);
-    if (!evaluated) {
+    if (!valueKnown && !residual.evaluate(t0, y0, slope0, valueAtStart)) {
       return false;
     }
+    valueKnown = true;
+    if (!residual.evaluateCompleted(t0 + stretch, ahead, slope0, curvature)) {
+      return false;
+    }
+    valueKnown = false;
     for (int l = 0; l < curvature.length; l++) {
       curvature[l] = (valueAtStart[l] - curvature[l]) / stretch;
     }
@@ -166,6 +238,11 @@ final class ResidualEquations extends StepEquations {
       solveForStart(curvature);
     }
     return true;
+  }
+
+  @Override
+  double cautious(double passing, double interval) {
+    return Math.min(FIRST_STEP_PART * passing, FIRST_STEP_SHARE * interval);
   }
 
   @Override
@@ -185,6 +262,13 @@ final class ResidualEquations extends StepEquations {
     for (int l = 0; l < slope.length; l++) {
       slope[l] = (psi[l] + correction[l]) / hGamma;
     }
-    linearisation.knowStep(Math.abs(hGamma));
+    linearisation.knowRate(smallMove / Math.abs(hGamma));
+  }
+
+  @Override
+  void transferDerivatives(StateTransfer state) {
+    residual.transfer(state);
+    state.numbers(slope);
+    linearisation.transfer(state);
   }
 }

@@ -11,12 +11,14 @@ interface ResidualLinearisation {
   Attempt form(double t, double[] y, double[] yDot);
 
   /**
-   * Tells how long a step is, for differences of F in y': a change of y' matters if over such a
-   * step it changes y.
+   * Tells how fast components move that move y little in a step, for differences of F in y'.
    *
-   * @param h positive
+   * @param rate slope of a component over the size below which it is negligible, positive
    */
-  void knowStep(double h);
+  void knowRate(double rate);
+
+  /** Forgets derivatives that were stopped half way. */
+  void abandon();
 
   /** Factors hγ ∂F/∂y + ∂F/∂y'; returns whether it is regular. */
   boolean factor(double hGamma);
@@ -46,4 +48,7 @@ interface ResidualLinearisation {
    * it.
    */
   double magnitude(int row);
+
+  /** Carries the derivatives over, and what is known for the next ones. */
+  void transfer(StateTransfer state);
 }

@@ -22,6 +22,8 @@ abstract class StepEquations {
   /** Whether the factors are those of the present h, k and derivatives. */
   private boolean factored;
 
+  private double factoredHGamma;
+
   private int notFiniteComponent = -1;
   private long linearisations;
   private long factorisations;
@@ -31,6 +33,29 @@ abstract class StepEquations {
     this.manifold = manifold;
     newton = new NewtonIteration(manifold.dimension());
   }
+
+  /** Returns the places at which the equations jump. */
+  abstract Breakpoints breakpoints();
+
+  /** Returns whether the stop signal is given. */
+  abstract boolean stopped();
+
+  /** Forgets whatever was stopped: the problem begins, or goes on from another state. */
+  abstract void abandon();
+
+  /**
+   * Finds what is not given of state and derivative where a problem begins or goes on anew.
+   *
+   * @param y state; completed
+   * @param slope its derivative; overwritten
+   */
+  abstract Attempt findStart(double t, double[] y, double[] slope);
+
+  /** Returns what to call a failure of {@link #findStart}. */
+  abstract Cause causeAtStart(Attempt attempt);
+
+  /** Returns the component to name in it; −1 if there is none. */
+  abstract int componentAtStart(Attempt attempt);
 
   /** Evaluates the derivatives at the start of the step. */
   abstract Attempt formDerivatives(double t, double[] y);
@@ -72,17 +97,37 @@ abstract class StepEquations {
    */
   abstract boolean curvature(double t0, double[] y0, double[] slope, double h, double[] curvature);
 
+  /**
+   * Returns the size of the first step.
+   *
+   * @param passing for which the estimated error just passes
+   * @param interval how far it is to the end, positive
+   */
+  abstract double cautious(double passing, double interval);
+
   /** Returns how often the right-hand side or residual was evaluated. */
   abstract long evaluations();
 
   /** Returns whether the solution may jump although the right-hand side is bounded. */
   abstract boolean solutionMayJump();
 
+  /** Carries over what is known of the derivatives, and the problem's own state. */
+  abstract void transferDerivatives(StateTransfer state);
+
   /** Takes note of the solution of an accepted step. */
   abstract void solved(double hGamma, BackwardDifferences differences);
 
   final Manifold manifold() {
     return manifold;
+  }
+
+  /** Makes ready to find the start and then to step from there. */
+  final void beginAnew() {
+    wanted = true;
+    current = false;
+    outdate();
+    newton.abandon();
+    abandon();
   }
 
   /** Evaluates the derivatives where the step starts if new ones are wanted. */
@@ -123,6 +168,7 @@ abstract class StepEquations {
   /** Factors the matrix, for another use than the next iteration; returns whether it is regular. */
   final boolean factorAnew(double hGamma) {
     factored = false;
+    factoredHGamma = hGamma;
     factorisations++;
     return formFactors(hGamma);
   }
@@ -206,7 +252,7 @@ abstract class StepEquations {
     };
   }
 
-  final IntegrationStatistics statistics(Progress progress) {
+  final IntegrationStatistics statistics(Progress progress, double toleranceFactor) {
     return new IntegrationStatistics(
         progress.steps(),
         progress.rejectedSteps(),
@@ -214,11 +260,28 @@ abstract class StepEquations {
         linearisations,
         factorisations,
         solutions,
-        false);
+        false,
+        toleranceFactor);
   }
 
   /** Stands in until a problem is given. */
   static StepEquations none() {
-    return new ExplicitEquations(RightHandSide.none(), new double[0], new double[0]);
+    return new ExplicitEquations(RightHandSide.none(), new double[0]);
+  }
+
+  /** Carries the state between two steps over; the factors are formed anew. */
+  final void transfer(StateTransfer state) {
+    wanted = state.flag(wanted);
+    current = state.flag(current);
+    factored = state.flag(factored);
+    factoredHGamma = state.number(factoredHGamma);
+    linearisations = state.integer(linearisations);
+    factorisations = state.integer(factorisations);
+    solutions = state.integer(solutions);
+    newton.transfer(state);
+    transferDerivatives(state);
+    if (state.restoring() && factored) {
+      formFactors(factoredHGamma);
+    }
   }
 }

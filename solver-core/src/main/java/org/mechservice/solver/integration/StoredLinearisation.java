@@ -68,11 +68,18 @@ final class StoredLinearisation implements ResidualLinearisation {
   }
 
   @Override
-  public void knowStep(double h) {
+  public void knowRate(double rate) {
     for (int l = 0; l < smallSizes.length; l++) {
-      double slope = smallSizes[l] / h;
+      double slope = smallSizes[l] * rate;
       smallSlopes[l] = Double.isFinite(slope) ? slope : smallSizes[l];
     }
+  }
+
+  @Override
+  public void abandon() {
+    derivativeDone = false;
+    inDerivative.abandon();
+    inState.abandon();
   }
 
   @Override
@@ -93,7 +100,8 @@ final class StoredLinearisation implements ResidualLinearisation {
     if (residual.stopped()) {
       return Attempt.STOPPED;
     }
-    known.jacobians(t, y, yDot, fy.formingFromZero(), fyDot.formingFromZero());
+    known.jacobians(
+        residual.breakpoints().inside(t), y, yDot, fy.formingFromZero(), fyDot.formingFromZero());
     notFiniteComponent = Math.max(fy.rowNotFinite(), fyDot.rowNotFinite());
     return notFiniteComponent < 0 ? Attempt.PASSED : Attempt.NOT_FINITE;
   }
@@ -169,6 +177,24 @@ final class StoredLinearisation implements ResidualLinearisation {
   @Override
   public double magnitude(int row) {
     return magnitude[row];
+  }
+
+  @Override
+  public void transfer(StateTransfer state) {
+    fy.transfer(state);
+    fyDot.transfer(state);
+    inState.transfer(state);
+    inDerivative.transfer(state);
+    state.numbers(smallSlopes);
+    state.numbers(magnitude);
+    for (int l = 0; l < algebraic.length; l++) {
+      algebraic[l] = state.flag(algebraic[l]);
+    }
+    formed = state.flag(formed);
+    if (state.restoring() && formed) {
+      inState.knowMagnitude(magnitude);
+      inDerivative.knowMagnitude(magnitude);
+    }
   }
 
   /** F at a fixed t with y or y' moved and the other as it is. */

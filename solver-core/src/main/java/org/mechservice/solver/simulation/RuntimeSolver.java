@@ -27,10 +27,11 @@ public final class RuntimeSolver implements Solver {
   public RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
       throws IOException {
     String name = request.settings().integrator();
-    return new Simulation(integrator(name), form(model, name)).run(model, request, sink, control);
+    return new Simulation(integrator(name), formOf(model, name)).run(model, request, sink, control);
   }
 
-  private static EquationForm form(Model model, String integrator) {
+  /** Returns the form in which an integrator takes a model's equations. */
+  public static EquationForm formOf(Model model, String integrator) {
     if (integrator.equals(RESIDUAL) && model instanceof ResidualModel) {
       return new ResidualForm();
     }

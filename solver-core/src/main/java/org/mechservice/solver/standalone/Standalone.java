@@ -19,7 +19,6 @@ import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.integration.IntegratorFactory;
 import org.mechservice.solver.simulation.EquationForm;
-import org.mechservice.solver.simulation.ExplicitForm;
 import org.mechservice.solver.simulation.Simulation;
 
 /** What {@code java -jar model.jar} does: one run of one model. */
@@ -38,18 +37,6 @@ public final class Standalone {
     this.simulation = simulation;
     this.out = out;
     this.err = err;
-  }
-
-  /**
-   * Runs an open chain in explicit form as its command line says, printing to the standard streams.
-   *
-   * @param model the model
-   * @param integrators makes the integrator the JAR was built with
-   * @param args command line; {@code --help} lists the options
-   * @return exit status, as {@link #run(Model, IntegratorFactory, EquationForm, String[])}
-   */
-  public static int run(Model model, IntegratorFactory integrators, String[] args) {
-    return run(model, integrators, new ExplicitForm(), args);
   }
 
   /**

@@ -5,9 +5,4 @@ class DeBreakpointTest extends BreakpointContract {
   Integrator create(IntegratorSettings settings) {
     return new De(settings);
   }
-
-  @Override
-  IntegratorSettings settingsFor(double tolerance) {
-    return new IntegratorSettings(tolerance, tolerance);
-  }
 }

@@ -5,9 +5,4 @@ class Ode113BreakpointTest extends BreakpointContract {
   Integrator create(IntegratorSettings settings) {
     return new Ode113(settings);
   }
-
-  @Override
-  IntegratorSettings settingsFor(double tolerance) {
-    return new IntegratorSettings(tolerance, tolerance);
-  }
 }

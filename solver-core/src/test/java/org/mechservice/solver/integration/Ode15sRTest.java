@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.integration.IntegratorSettings.Mode;
 import org.mechservice.solver.integration.suite.ExplicitAsResidual;
 import org.mechservice.solver.integration.suite.PendulumWithMultiplier;
 import org.mechservice.solver.integration.suite.ResidualProblem;
@@ -52,9 +53,7 @@ class Ode15sRTest extends IntegratorContract {
       double jacobians,
       double factorisations) {
     ResidualProblem posed = ResidualProblem.named(problem);
-    Ode15sR faithful =
-        new Ode15sR(
-            ResidualRun.settings(posed, tolerance), BackwardFormulas.NDF, BackwardMode.FAITHFUL);
+    Ode15sR faithful = new Ode15sR(ResidualRun.settings(posed, tolerance).withMode(Mode.FAITHFUL));
     IntegrationStatistics cost = ResidualRun.of(faithful, posed).statistics();
     assertClose("steps", cost.steps(), steps, 0.03 * steps);
     assertClose("failed", cost.rejectedSteps(), failed, few(failed));

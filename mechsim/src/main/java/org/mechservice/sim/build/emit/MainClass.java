@@ -1,9 +1,11 @@
 package org.mechservice.sim.build.emit;
 
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.integration.Integrator;
 import org.mechservice.solver.integration.IntegratorFactory;
 import org.mechservice.solver.integration.IntegratorSettings;
+import org.mechservice.solver.simulation.EquationForm;
 import org.mechservice.solver.standalone.Standalone;
 import org.objectweb.asm.ClassWriter;
 import org.objectweb.asm.MethodVisitor;
@@ -20,7 +22,9 @@ import org.objectweb.asm.Type;
  *   }
  *
  *   public static void main(String[] args) {
- *     System.exit(Standalone.run(new Pendulum(), new PendulumMain(), args));
+ *     System.exit(
+ *         Standalone.run(
+ *             ModelSource.of(new Pendulum()), new PendulumMain(), new ExplicitForm(), args));
  *   }
  * }
  * }</pre>
@@ -41,16 +45,18 @@ public final class MainClass {
    * @param className its own name, as those that follow fully qualified
    * @param model class of the model
    * @param integrator class of the integrator
+   * @param form class of the form its equations are handed to the integrator in
    */
-  public static byte[] of(String className, String model, String integrator) {
-    return new MainClass().write(internal(className), internal(model), internal(integrator));
+  public static byte[] of(String className, String model, String integrator, String form) {
+    return new MainClass()
+        .write(internal(className), internal(model), internal(integrator), internal(form));
   }
 
   private static String internal(String className) {
     return className.replace('.', '/');
   }
 
-  private byte[] write(String className, String model, String integrator) {
+  private byte[] write(String className, String model, String integrator, String form) {
     classFile.visit(
         Opcodes.V17,
         Opcodes.ACC_PUBLIC | Opcodes.ACC_FINAL | Opcodes.ACC_SUPER,
@@ -60,7 +66,7 @@ public final class MainClass {
         new String[] {Type.getInternalName(IntegratorFactory.class)});
     constructor();
     create(integrator);
-    main(className, model);
+    main(className, model, form);
     classFile.visitEnd();
     return classFile.toByteArray();
   }
@@ -86,12 +92,19 @@ public final class MainClass {
     end(code, Opcodes.ARETURN);
   }
 
-  private void main(String className, String model) {
+  private void main(String className, String model, String form) {
     String strings = "[Ljava/lang/String;";
     MethodVisitor code =
         begin(Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC, "main", "(" + strings + ")V");
     create(code, model);
+    code.visitMethodInsn(
+        Opcodes.INVOKESTATIC,
+        Type.getInternalName(ModelSource.class),
+        "of",
+        "(L" + OBJECT + ";)" + Type.getDescriptor(Model.class),
+        true);
     create(code, className);
+    create(code, form);
     code.visitVarInsn(Opcodes.ALOAD, 0);
     code.visitMethodInsn(
         Opcodes.INVOKESTATIC,
@@ -100,6 +113,7 @@ public final class MainClass {
         "("
             + Type.getDescriptor(Model.class)
             + Type.getDescriptor(IntegratorFactory.class)
+            + Type.getDescriptor(EquationForm.class)
             + strings
             + ")I",
         false);

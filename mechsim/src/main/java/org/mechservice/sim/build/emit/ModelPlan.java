@@ -10,7 +10,7 @@ import org.mechservice.solver.api.RunSettings;
  * The class of a model, planned: one plan, from which source and class file are printed. Both
  * compute the same operations in the same order, so their results have the same bits.
  */
-public final class ModelPlan {
+public final class ModelPlan implements WrittenClass {
   /** States whose start values stand together when methods are laid out. */
   private static final int SECTION_OF_START = 100;
 
@@ -67,17 +67,17 @@ public final class ModelPlan {
     return program;
   }
 
-  /** Returns the class's simple name. */
+  @Override
   public String simpleName() {
     return content.simpleName();
   }
 
-  /** Returns the formatted source. */
+  @Override
   public String source() {
     return new ModelSource(this).text();
   }
 
-  /** Returns the class file. */
+  @Override
   public byte[] classFile() {
     return new ModelBytes(this).bytes();
   }
