@@ -42,6 +42,11 @@ final class BuildCommand implements Callable<Integer> {
   private boolean standalone;
 
   @Option(
+      names = "--compact",
+      description = "Carry the mechanism as data instead of generated code: the smallest file.")
+  private boolean compact;
+
+  @Option(
       names = "--source",
       paramLabel = "DIR",
       description = "Write the generated Java class into this folder.")
@@ -56,7 +61,8 @@ final class BuildCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     OutputFile.requireUsable(target);
-    SimulationOptions options = method.addTo(SimulationOptions.asInFile());
+    SimulationOptions asInFile = SimulationOptions.asInFile();
+    SimulationOptions options = method.addTo(compact ? asInFile.compact() : asInFile);
     try (Service service = Service.open(server.address());
         MechSession session = service.connection().openSession()) {
       session.loadModel(model).forEach(spec.commandLine().getErr()::println);

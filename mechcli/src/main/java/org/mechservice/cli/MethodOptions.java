@@ -12,14 +12,25 @@ import picocli.CommandLine.Option;
 final class MethodOptions {
   private static final String ALL = "all";
 
-  @Option(names = "--formulation", paramLabel = "auto|DTR", description = "Equations of motion.")
+  @Option(
+      names = "--formulation",
+      paramLabel = "auto|DTR|DSR|RR|RR-JF",
+      hideParamSyntax = true,
+      description = "Equations of motion: auto, DTR, DSR, RR or RR-JF.")
   private String formulation = "";
 
   @Option(
       names = "--integrator",
-      paramLabel = "auto|ode113|DE",
-      description = "Integration method.")
+      paramLabel = "auto|ode113|DE|ode15s|ode15sR",
+      hideParamSyntax = true,
+      description = "Integration method: auto, ode113, DE, ode15s or ode15sR.")
   private String integrator = "";
+
+  @Option(
+      names = "--closure",
+      paramLabel = "auto|projection",
+      description = "How loops are closed: auto or projection.")
+  private String closure = "";
 
   @Option(
       names = "--columns",
@@ -39,6 +50,9 @@ final class MethodOptions {
     }
     if (!integrator.isEmpty()) {
       all = all.integrator(integrator);
+    }
+    if (!closure.isEmpty()) {
+      all = all.closure(closure);
     }
     return columns.isEmpty() ? all : all.columns(groups());
   }

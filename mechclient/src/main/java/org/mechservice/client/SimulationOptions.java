@@ -7,7 +7,9 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.OPT_ABS_TOL;
+import org.mechservice.idl.OPT_CLOSURE;
 import org.mechservice.idl.OPT_COLUMNS;
+import org.mechservice.idl.OPT_COMPACT;
 import org.mechservice.idl.OPT_FORMULATION;
 import org.mechservice.idl.OPT_INTEGRATOR;
 import org.mechservice.idl.OPT_REL_TOL;
@@ -28,6 +30,9 @@ import org.mechservice.solver.api.ColumnGroup;
  * InvalidOptionException}.
  */
 public final class SimulationOptions {
+  /** Every column group that the model has. */
+  private static final String ALL_COLUMNS = "all";
+
   private static final SimulationOptions AS_IN_FILE = new SimulationOptions(Map.of());
 
   private final Map<String, String> texts;
@@ -41,12 +46,25 @@ public final class SimulationOptions {
     return AS_IN_FILE;
   }
 
-  /** Chooses the formulation: {@code auto} or {@code DTR}. */
+  /** Chooses the formulation: {@code auto}, {@code DTR}, {@code DSR}, {@code RR}, {@code RR-JF}. */
   public SimulationOptions formulation(String name) {
     return with(OPT_FORMULATION.value, name);
   }
 
-  /** Chooses the integrator: {@code auto}, {@code ode113} or {@code DE}. */
+  /** Chooses how loops are closed: {@code auto} or {@code projection}. */
+  public SimulationOptions closure(String name) {
+    return with(OPT_CLOSURE.value, name);
+  }
+
+  /** Lets the model carry data instead of generated code. */
+  public SimulationOptions compact() {
+    return with(OPT_COMPACT.value, "true");
+  }
+
+  /**
+   * Chooses the integrator: {@code auto}, {@code ode113}, {@code DE}, {@code ode15s} or {@code
+   * ode15sR}.
+   */
   public SimulationOptions integrator(String name) {
     return with(OPT_INTEGRATOR.value, name);
   }
@@ -75,6 +93,9 @@ public final class SimulationOptions {
   public SimulationOptions columns(Set<ColumnGroup> groups) {
     EnumSet<ColumnGroup> sorted = EnumSet.of(ColumnGroup.JOINTS);
     sorted.addAll(groups);
+    if (sorted.size() == ColumnGroup.values().length) {
+      return with(OPT_COLUMNS.value, ALL_COLUMNS);
+    }
     return with(
         OPT_COLUMNS.value,
         sorted.stream().map(ColumnGroup::label).collect(Collectors.joining(",")));
@@ -94,7 +115,11 @@ public final class SimulationOptions {
   /** Returns the column groups asked for. */
   Set<ColumnGroup> columnGroups() {
     EnumSet<ColumnGroup> groups = EnumSet.of(ColumnGroup.JOINTS);
-    for (String label : texts.getOrDefault(OPT_COLUMNS.value, "joints").split(",", -1)) {
+    String labels = texts.getOrDefault(OPT_COLUMNS.value, "joints");
+    if (labels.equals(ALL_COLUMNS)) {
+      return EnumSet.allOf(ColumnGroup.class);
+    }
+    for (String label : labels.split(",", -1)) {
       for (ColumnGroup group : ColumnGroup.values()) {
         if (group.label().equals(label)) {
           groups.add(group);

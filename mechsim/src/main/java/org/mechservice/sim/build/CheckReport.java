@@ -13,6 +13,7 @@ import org.mechservice.sim.build.dynamics.ArticulatedBodyEquations;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.scene.Finding;
 import org.mechservice.sim.scene.FormulationChoice;
+import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.scene.RoadmapEntry;
 import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.sim.scene.TreeDrawing;
@@ -51,7 +52,15 @@ public final class CheckReport {
    */
   public static CheckReport of(MechmlModel model) {
     SceneAnalysis scene = SceneAnalysis.of(model.mechanism());
-    FormulationChoice choice = FormulationChoice.of(model.settings().formulation(), scene);
+    FormulationChoice choice =
+        FormulationChoice.of(
+            model.settings().formulation(),
+            model.settings().closure(),
+            model.settings().run().integrator(),
+            model.mechanism());
+    if (!GenerationLimits.notGenerated(model.mechanism(), choice).isEmpty()) {
+      return new CheckReport(model, scene, choice, 0, List.of());
+    }
     Links links = Links.of(model.mechanism());
     Program derivative = ArticulatedBodyEquations.derive(links);
     BuildOptions options = new BuildOptions(choice.formulation(), Set.of(), model.settings().run());
@@ -86,9 +95,9 @@ public final class CheckReport {
         .append(choice.formulation())
         .append(" (")
         .append(choice.reason())
-        .append("), ")
-        .append(operations)
-        .append(" operations per evaluation\n");
+        .append(')')
+        .append(operations == 0 ? "" : ", " + operations + " operations per evaluation")
+        .append('\n');
     roadmap(text);
     list(text, "Warnings", warnings());
     list(

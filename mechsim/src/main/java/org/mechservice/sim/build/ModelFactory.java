@@ -11,6 +11,7 @@ import org.mechservice.sim.build.dynamics.ArticulatedBodyEquations;
 import org.mechservice.sim.build.dynamics.EnergyEquations;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.build.dynamics.PoseEquations;
+import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.ModelPlan;
 import org.mechservice.sim.build.javac.ModelCompiler;
@@ -20,6 +21,7 @@ import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
@@ -30,20 +32,51 @@ public final class ModelFactory {
   private ModelFactory() {}
 
   /**
-   * Writes the model class of a mechanism, specialised to it.
+   * Writes the model class of a mechanism: code specialised to it, or, where that is asked for or
+   * no code is generated yet, data for the formulations of the solver; the reason says which.
    *
    * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
    *     the formulation (S-081) or the integrator (S-082) does not fit or exist, a name cannot be
-   *     kept (S-083), or the model has what no code is generated for (S-088); the message says why
-   *     and what does
+   *     kept (S-083), or the model has what this version does not simulate (S-088); the message
+   *     says why and what does
    */
   public static GeneratedModel generate(MechmlModel model, BuildOptions options) {
     Mechanism mechanism = model.mechanism();
     ModelNames.requireUsable(mechanism);
     GenerationLimits.require(model);
-    StandaloneMain.requireIntegrator(options.settings().integrator());
+    String integrator = options.settings().integrator();
+    StandaloneMain.requireIntegrator(integrator);
+    FormulationChoice choice =
+        FormulationChoice.of(options.formulation(), options.closure(), integrator, mechanism);
+    List<String> notGenerated = GenerationLimits.notGenerated(mechanism, choice);
+    return options.compact() || !notGenerated.isEmpty()
+        ? compact(mechanism, options, choice, notGenerated)
+        : specialised(mechanism, options, choice);
+  }
+
+  private static GeneratedModel compact(
+      Mechanism mechanism,
+      BuildOptions options,
+      FormulationChoice choice,
+      List<String> notGenerated) {
+    CompactModel data =
+        new CompactModel(mechanism, choice.formulation(), choice.closure(), options.settings());
+    String form =
+        notGenerated.isEmpty()
+            ? "compact form, as asked for"
+            : "compact form, since no code is generated yet for " + String.join(", ", notGenerated);
+    return new GeneratedModel(
+        new CompactClass(data),
+        mechanism.name(),
+        choice.formulation(),
+        choice.reason() + "; " + form,
+        0,
+        List.of());
+  }
+
+  private static GeneratedModel specialised(
+      Mechanism mechanism, BuildOptions options, FormulationChoice choice) {
     SceneAnalysis scene = SceneAnalysis.of(mechanism);
-    FormulationChoice choice = FormulationChoice.of(options.formulation(), scene);
     Links links = Links.of(mechanism);
     Program derivative = ArticulatedBodyEquations.derive(links);
     List<Omission> leftOut = LeftOut.of(scene, links, options, derivative);

@@ -1,57 +1,122 @@
 package org.mechservice.sim.scene;
 
+import java.util.List;
 import java.util.Locale;
-import org.mechservice.solver.api.JointType;
-import org.mechservice.solver.mechanism.Joint;
+import java.util.stream.Collectors;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.closure.DistanceClosure;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
 
 /**
- * The formulation a scene's equations are written in.
+ * The formulation a scene's equations are written in, and how its loops are closed.
  *
- * @param formulation its name
- * @param reason why this one
+ * @param formulation {@code DTR}, {@code DSR}, {@code RR} or {@code RR-JF}
+ * @param closure {@code none} for open chains, {@code projection}
+ * @param reason why these
  */
-public record FormulationChoice(String formulation, String reason) {
+public record FormulationChoice(String formulation, String closure, String reason) {
+  private static final String AUTO = "AUTO";
   private static final String DTR = "DTR";
+  private static final String DSR = "DSR";
+  private static final String OPEN = "none";
+  private static final String PROJECTION = "projection";
+  private static final String RESIDUAL_INTEGRATOR = "ode15sR";
+  private static final List<String> KNOWN = List.of(DTR, DSR, "RR", "RR-JF");
 
   /**
    * Resolves what was asked for.
    *
-   * @param requested {@code auto} or the name of a formulation
-   * @param scene what it is for
-   * @throws ModelBuildException S-081 if the formulation is unknown or not in this version, or no
-   *     formulation of this version takes one of the joints
+   * @param formulation {@code auto} or the name of a formulation
+   * @param closure {@code auto} or the name of a closure
+   * @param integrator name of the integrator
+   * @throws ModelBuildException S-081 if one of them is unknown, not in this version, or does not
+   *     suit the others or the scene
    */
-  public static FormulationChoice of(String requested, SceneAnalysis scene) {
-    requireKnownJoints(scene);
-    String fits = "the scene is an open chain, which articulated bodies solve in O(n)";
-    return switch (requested.toUpperCase(Locale.ROOT)) {
-      case "AUTO" -> new FormulationChoice(DTR, "auto: " + fits);
-      case DTR -> new FormulationChoice(DTR, "asked for; it fits: " + fits);
-      case "DSR", "RR", "RR-JF" ->
-          throw new ModelBuildException(
-              "S-081",
-              "formulation "
-                  + requested
-                  + " is not in this version; use DTR or auto, which suit model \""
-                  + scene.mechanism().name()
-                  + "\": its joints form a tree");
-      default ->
-          throw new ModelBuildException(
-              "S-081", "there is no formulation \"" + requested + "\"; use DTR or auto");
-    };
+  public static FormulationChoice of(
+      String formulation, String closure, String integrator, Mechanism mechanism) {
+    String asked = formulation.toUpperCase(Locale.ROOT);
+    if (!asked.equals(AUTO) && !KNOWN.contains(asked)) {
+      throw refused(
+          "there is no formulation \"" + formulation + "\"; use DTR, DSR, RR, RR-JF or auto");
+    }
+    return mechanism.closures().isEmpty()
+        ? open(asked, closure, integrator, mechanism)
+        : closed(asked, closure, mechanism);
   }
 
-  private static void requireKnownJoints(SceneAnalysis scene) {
-    for (Joint joint : scene.mechanism().joints()) {
-      if (joint.type() != JointType.R && joint.type() != JointType.P) {
-        throw new ModelBuildException(
-            "S-081",
-            "joint \""
-                + joint.name()
-                + "\" is of type "
-                + joint.type()
-                + "; code is generated for joints of type R and P in this version");
-      }
+  private static FormulationChoice open(
+      String asked, String closure, String integrator, Mechanism mechanism) {
+    if (!closure.equals("auto") && !closure.equals(OPEN)) {
+      throw refused(
+          "closure \""
+              + closure
+              + "\" is for loops, which model \""
+              + mechanism.name()
+              + "\" does not have: its joints form a tree; use auto");
     }
+    String chosen = asked;
+    String reason = "asked for; it fits: the joints form a tree";
+    if (asked.equals(AUTO)) {
+      boolean residual = integrator.equals(RESIDUAL_INTEGRATOR);
+      chosen = residual ? "RR-JF" : DTR;
+      reason =
+          residual
+              ? "auto: ode15sR takes the residual form, with its derivatives by recursion"
+              : "auto: the scene is an open chain, which articulated bodies solve in O(n)";
+    } else if (asked.equals(DTR)) {
+      reason =
+          "asked for; it fits: the scene is an open chain, which articulated bodies solve in O(n)";
+    }
+    requireIntegrator(chosen, integrator);
+    return new FormulationChoice(chosen, OPEN, reason);
+  }
+
+  private static FormulationChoice closed(String asked, String closure, Mechanism mechanism) {
+    if (asked.equals(DTR)) {
+      throw refused(
+          "DTR is for open chains; the scene closes loops at "
+              + loops(mechanism)
+              + "; use DSR, RR or RR-JF");
+    }
+    if (asked.startsWith("RR") || closure.equals("penalty")) {
+      throw refused(
+          (closure.equals("penalty") ? "closure \"penalty\"" : "formulation " + asked)
+              + " of models with loops is not in this version; use DSR with projection, which suits"
+              + " model \""
+              + mechanism.name()
+              + "\"");
+    }
+    if (!closure.equals("auto") && !closure.equals(PROJECTION)) {
+      throw refused("there is no closure \"" + closure + "\"; use projection or auto");
+    }
+    String why = "the scene closes loops at " + loops(mechanism);
+    return new FormulationChoice(
+        DSR, PROJECTION, asked.equals(AUTO) ? "auto: " + why : "asked for; it fits: " + why);
+  }
+
+  private static void requireIntegrator(String formulation, String integrator) {
+    if (formulation.startsWith("RR") && !integrator.equals(RESIDUAL_INTEGRATOR)) {
+      throw refused(
+          "formulation "
+              + formulation
+              + " is a residual F(t, y, y') = 0, which integrator "
+              + integrator
+              + " does not take; use ode15sR, or DTR or DSR");
+    }
+  }
+
+  private static String loops(Mechanism mechanism) {
+    return mechanism.closures().stream()
+        .map(FormulationChoice::label)
+        .collect(Collectors.joining(", "));
+  }
+
+  private static String label(LoopClosure closure) {
+    boolean rod = closure instanceof DistanceClosure distance && distance.hasRod();
+    return closure.name() + (rod ? " (a rod with mass)" : "");
+  }
+
+  private static ModelBuildException refused(String why) {
+    return new ModelBuildException("S-081", why);
   }
 }

@@ -6,14 +6,19 @@ import java.util.stream.Stream;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
+import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.mechanism.Event;
+import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
 import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
-/** What a model file may hold that no code is generated for: refused by name, never left out. */
+/**
+ * What a model file may hold that this version does not simulate, refused by name, never left out;
+ * and what it simulates without generated code.
+ */
 public final class GenerationLimits {
   /** More names would hide the message. */
   private static final int MOST_NAMES = 5;
@@ -21,7 +26,7 @@ public final class GenerationLimits {
   private GenerationLimits() {}
 
   /**
-   * Refuses what no code is generated for.
+   * Refuses what is not simulated.
    *
    * @throws ModelBuildException S-088, naming all of it
    */
@@ -34,14 +39,12 @@ public final class GenerationLimits {
               + model.mechanism().name()
               + "\" has "
               + String.join("; ", beyond)
-              + ". In this version code is generated for open chains under gravity, run by"
-              + " <dynamic>");
+              + ". This version simulates none of it; it runs <dynamic> with one absolute tolerance");
     }
   }
 
-  /** Returns what no code is generated for, such as {@code forces "f1", "f2"}. */
+  /** Returns what is not simulated, such as {@code events "e1", "e2"}. */
   public static List<String> beyond(MechmlModel model) {
-    Mechanism mechanism = model.mechanism();
     SimulationSettings settings = model.settings();
     List<String> beyond = new ArrayList<>();
     if (!(settings.task() instanceof SimulationTask.Dynamic)) {
@@ -50,6 +53,23 @@ public final class GenerationLimits {
     if (!settings.absoluteTolerances().isUniform()) {
       beyond.add("absolute tolerances by class of state");
     }
+    add(beyond, "outputs", model.outputs().stream().map(Output::name));
+    add(beyond, "events", settings.events().stream().map(Event::name));
+    return beyond;
+  }
+
+  /** Returns what no code is generated for, such as {@code forces "f1", "f2"}. */
+  public static List<String> notGenerated(Mechanism mechanism, FormulationChoice choice) {
+    List<String> beyond = new ArrayList<>();
+    if (!choice.formulation().equals("DTR")) {
+      beyond.add("formulation " + choice.formulation());
+    }
+    add(
+        beyond,
+        "joints",
+        mechanism.joints().stream()
+            .filter(joint -> joint.type() != JointType.R && joint.type() != JointType.P)
+            .map(Joint::name));
     add(beyond, "constraints", mechanism.closures().stream().map(LoopClosure::name));
     add(
         beyond,
@@ -57,8 +77,6 @@ public final class GenerationLimits {
         mechanism.motions().stream().map(m -> mechanism.joints().get(m.joint()).name()));
     add(beyond, "forces", mechanism.forces().stream().map(ForceElement::name));
     add(beyond, "tunable parameters", mechanism.parameters().stream().map(Parameter::name));
-    add(beyond, "outputs", model.outputs().stream().map(Output::name));
-    add(beyond, "events", settings.events().stream().map(Event::name));
     return beyond;
   }
 

@@ -39,11 +39,16 @@ final class ModelFacts {
   }
 
   private static FormulationChoice formulation(LoadedModel loaded) {
-    String asked = loaded.model().settings().formulation();
+    SimulationSettings asked = loaded.model().settings();
     try {
-      return FormulationChoice.of(asked, SceneAnalysis.of(loaded.model().mechanism()));
+      return FormulationChoice.of(
+          asked.formulation(),
+          asked.closure(),
+          asked.run().integrator(),
+          loaded.model().mechanism());
     } catch (ModelBuildException e) {
-      return new FormulationChoice(asked, String.valueOf(e.getMessage()));
+      return new FormulationChoice(
+          asked.formulation(), asked.closure(), String.valueOf(e.getMessage()));
     }
   }
 

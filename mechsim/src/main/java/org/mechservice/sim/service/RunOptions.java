@@ -2,6 +2,7 @@ package org.mechservice.sim.service;
 
 import java.util.EnumSet;
 import java.util.HashMap;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
@@ -32,14 +33,24 @@ import org.mechservice.solver.api.RunSettings;
  * How a model is to be built and run: what its file says, overridden by the options of a request.
  *
  * @param formulation formulation asked for, {@code auto} or a name
+ * @param closure closure asked for, {@code auto} or a name
+ * @param compact whether the model is to carry data instead of generated code
  * @param columns column groups wanted
  * @param settings of the run, with the integrator resolved
  * @param standalone whether a JAR is to carry the solver
  */
 record RunOptions(
-    String formulation, Set<ColumnGroup> columns, RunSettings settings, boolean standalone) {
-  /** What {@code auto} means: right for models without stiffness, and the only family here. */
-  private static final String AUTOMATIC_INTEGRATOR = "ode113";
+    String formulation,
+    String closure,
+    boolean compact,
+    Set<ColumnGroup> columns,
+    RunSettings settings,
+    boolean standalone) {
+  /** What {@code auto} means for explicit formulations: right for models without stiffness. */
+  private static final String EXPLICIT_INTEGRATOR = "ode113";
+
+  /** What {@code auto} means for residual formulations: the only one that takes them. */
+  private static final String RESIDUAL_INTEGRATOR = "ode15sR";
 
   private static final String AUTO = "auto";
   private static final Set<String> KNOWN =
@@ -77,8 +88,10 @@ record RunOptions(
     refuseWhatIsToCome(given);
     return new RunOptions(
         given.getOrDefault(OPT_FORMULATION.value, ofFile.formulation()),
+        given.getOrDefault(OPT_CLOSURE.value, ofFile.closure()),
+        flag(given, OPT_COMPACT.value),
         columns(given.getOrDefault(OPT_COLUMNS.value, ColumnGroup.JOINTS.label())),
-        settings(given, ofFile.run()),
+        settings(given, ofFile),
         flag(given, OPT_STANDALONE.value));
   }
 
@@ -104,21 +117,11 @@ record RunOptions(
 
   private static void refuseWhatIsToCome(Map<String, String> given)
       throws InvalidOption, NotAvailable {
-    String closure = given.getOrDefault(OPT_CLOSURE.value, AUTO);
-    if (!closure.equals(AUTO)) {
-      throw Refusal.notAvailable(
-          "closure \""
-              + closure
-              + "\" is not in this version, whose models have no loops; use auto");
-    }
     if (!given.getOrDefault(OPT_SIMULATION.value, "1").equals("1")) {
       throw Refusal.notAvailable(
           "simulation \""
               + given.get(OPT_SIMULATION.value)
               + "\" is not in this version, which runs the first one of a file; use 1");
-    }
-    if (flag(given, OPT_COMPACT.value)) {
-      throw Refusal.notAvailable("compact models are not in this version; leave \"compact\" out");
     }
   }
 
@@ -170,8 +173,16 @@ record RunOptions(
             + " and all");
   }
 
-  private static RunSettings settings(Map<String, String> given, RunSettings ofFile)
+  private static String automatic(String formulation) {
+    return formulation.toUpperCase(Locale.ROOT).startsWith("RR")
+        ? RESIDUAL_INTEGRATOR
+        : EXPLICIT_INTEGRATOR;
+  }
+
+  private static RunSettings settings(Map<String, String> given, SimulationSettings file)
       throws InvalidOption, NotAvailable {
+    String formulation = given.getOrDefault(OPT_FORMULATION.value, file.formulation());
+    RunSettings ofFile = file.run();
     String integrator = given.getOrDefault(OPT_INTEGRATOR.value, ofFile.integrator());
     double end = number(given, OPT_T_END.value, ofFile.tEnd());
     if (end < ofFile.tStart()) {
@@ -183,7 +194,7 @@ record RunOptions(
         ofFile.tStart(),
         end,
         positive(given, OPT_T_STEP.value, ofFile.tStep(), "s"),
-        integrator.equals(AUTO) ? AUTOMATIC_INTEGRATOR : integrator,
+        integrator.equals(AUTO) ? automatic(formulation) : integrator,
         belowOne(given, OPT_REL_TOL.value, ofFile.relativeTolerance()),
         absoluteTolerance(given, ofFile.absoluteTolerance()),
         ofFile.maxStep(),
@@ -243,7 +254,7 @@ record RunOptions(
 
   /** Returns what a model is to be built for that carries these settings as its own. */
   BuildOptions forJar() {
-    return new BuildOptions(formulation, columns, settings);
+    return new BuildOptions(formulation, closure, compact, columns, settings);
   }
 
   /**
@@ -254,6 +265,8 @@ record RunOptions(
     RunSettings file = ofFile.run();
     return new BuildOptions(
         formulation,
+        closure,
+        compact,
         columns,
         new RunSettings(
             file.tStart(),

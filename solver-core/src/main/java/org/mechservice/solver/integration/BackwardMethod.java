@@ -97,6 +97,7 @@ abstract class BackwardMethod implements Integrator {
   /** Begins a problem. */
   final StepResult begin(StepEquations equations, double t0, double[] y0, double tEnd) {
     prepare(equations, t0, tEnd);
+    restarted = false;
     return beginAt(t0, y0, settings.initialStep());
   }
 
@@ -115,7 +116,6 @@ abstract class BackwardMethod implements Integrator {
     norm.begin(relativeTolerance, absoluteTolerances, equations.manifold());
     bounds.begin(t0, tEnd, settings.maxStep());
     progress.begin(t0, settings.relativeTolerance());
-    restarted = false;
   }
 
   @Override
@@ -298,7 +298,8 @@ abstract class BackwardMethod implements Integrator {
               relativeTolerance);
       double usual = equations.cautious(passing, Math.abs(tEnd - t0));
       double chosen = restarted ? firstStep.afterRestart(usual, differences.slope(), norm) : usual;
-      size = passing == 0 ? 0 : Math.max(smallest, Math.min(longestFirstStep, chosen));
+      double first = Math.min(longestFirstStep, chosen);
+      size = passing == 0 ? 0 : Math.max(smallest, first);
     }
     h = Math.copySign(size, longest);
     return size > 0;
@@ -463,7 +464,7 @@ abstract class BackwardMethod implements Integrator {
     state.require("number of unknowns", n);
     if (state.restoring()) {
       prepare(posed, t0, end);
-      control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER), false);
+      control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER), restarted);
       startDue = false;
       begun = false;
     }

@@ -156,6 +156,7 @@ final class BackwardOrderControl {
     rising = state.flag(rising);
     order = state.integer(order);
     equalSteps = state.integer(equalSteps);
+    rising = state.flag(rising);
     failedBefore = state.flag(failedBefore);
     error = state.number(error);
   }
