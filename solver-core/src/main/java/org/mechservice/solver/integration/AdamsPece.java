@@ -242,17 +242,39 @@ abstract class AdamsPece implements Integrator {
     history.accept(k);
     coefficients.accept(h, k);
     progress.accepted(h, triedTime, k, control.error());
-    stiffness.record(k, control.error());
+    recordStiffness(k);
+    double size = h;
+    double error = control.error();
     h *= control.accept(Math.abs(h), coefficients.equalSteps(), history, norm);
     scaleUnitGroups();
     manifold.accepted(triedTime, history.state());
-    if (jumps.accepted(triedTime, Math.signum(h))) {
+    if (jumps.accepted(size, triedTime, error)) {
       forgetHistory();
     } else if (jumps.active()) {
       h = towardsJump(h);
     }
     begun = false;
     prepared = false;
+  }
+
+  /** h L = ‖φ_{k+1} − d‖ / (g_{k+1} ‖d‖), for y − p = h g_{k+1} d and f(y) − f(p) = φ_{k+1} − d. */
+  private void recordStiffness(int k) {
+    double[] change = history.difference(k + 1);
+    double[] discrepancy = history.discrepancy;
+    double product = 0;
+    double correction = 0;
+    double reaction = 0;
+    for (int l = 0; l < change.length; l++) {
+      double weight = norm.weight(l);
+      double moved = weight * discrepancy[l];
+      double answer = weight * (change[l] - discrepancy[l]);
+      product += moved * answer;
+      correction += moved * moved;
+      reaction += answer * answer;
+    }
+    double ratio = Math.sqrt(reaction / correction);
+    double cosine = product / Math.sqrt(reaction * correction);
+    stiffness.record(k, control.error(), ratio / coefficients.g[k + 1], cosine);
   }
 
   /** Begins at order 1 behind a jump, where f is known. */
@@ -298,7 +320,7 @@ abstract class AdamsPece implements Integrator {
   /** Returns the step to try after one that failed the error test. */
   private double retry() {
     if (settings.mode() != Mode.FAITHFUL && Double.isFinite(control.error())) {
-      jumps.rejected(triedTime, control.error(), control.discrepancy());
+      jumps.rejected(h, control.order(), triedTime, control.error(), control.discrepancy());
     }
     return jumps.active() ? towardsJump(h) : control.reject() * h;
   }

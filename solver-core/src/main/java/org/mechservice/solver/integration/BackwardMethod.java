@@ -171,9 +171,10 @@ abstract class BackwardMethod implements Integrator {
   }
 
   private void tighten(double[] absoluteTolerances) {
-    relativeTolerance *= ALGEBRAIC_PART;
+    double smallest = IntegratorSettings.SMALLEST_RELATIVE_TOLERANCE;
+    relativeTolerance = Math.max(ALGEBRAIC_PART * relativeTolerance, smallest);
     for (int l = 0; l < absoluteTolerances.length; l++) {
-      absoluteTolerances[l] *= ALGEBRAIC_PART;
+      absoluteTolerances[l] = Math.max(ALGEBRAIC_PART * absoluteTolerances[l], Double.MIN_NORMAL);
     }
   }
 
@@ -476,8 +477,8 @@ abstract class BackwardMethod implements Integrator {
     h = state.number(h);
     triedTime = state.number(triedTime);
     initialStep = state.number(initialStep);
-    longestFirstStep = state.number(longestFirstStep);
     restarted = state.flag(restarted);
+    longestFirstStep = state.number(longestFirstStep);
     writtenSize = state.number(writtenSize);
     writtenOrder = state.integer(writtenOrder);
   }

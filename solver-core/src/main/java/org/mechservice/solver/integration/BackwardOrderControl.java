@@ -153,6 +153,7 @@ final class BackwardOrderControl {
 
   /** Carries the state between two steps over. */
   void transfer(StateTransfer state) {
+    rising = state.flag(rising);
     order = state.integer(order);
     equalSteps = state.integer(equalSteps);
     rising = state.flag(rising);

@@ -4,15 +4,21 @@ package org.mechservice.solver.integration;
  * Narrows down a place at which the right-hand side seems to jump.
  *
  * <p>Left alone, an Adams method meets an undeclared jump again and again: its steps grow on the
- * near side, run into it, and are halved many times over. Two tries in a row of failures that miss
- * the tolerance by far are taken for a jump somewhere before the end of the shorter one. From then
- * on the stretch in which it must lie is halved at every try, whether that is accepted or rejected,
- * until a step of order 1 over all of it would pass; after some failures in a row, at the geometric
- * mean of all of it and of that step. Behind the jump the history is of no use.
+ * near side, run into it, and are halved many times over. A jump is told from a smooth solution
+ * that moves fast by the error of the next, shorter try after one that has missed the tolerance by
+ * far: there the error falls like h^(k+1); across a jump it falls like h, and short of it to
+ * nothing.
+ *
+ * <p>The stretch in which the jump must lie is then halved at every try, whether that is accepted
+ * or rejected, until a step of order 1 over all of it would pass; after some failures in a row, at
+ * the geometric mean of all of it and of that step. Behind the jump the history is of no use.
  */
 final class JumpSearch {
-  /** Error over the tolerance that a step of a smooth problem hardly ever has. */
+  /** Error over the tolerance that is worth a second look. */
   private static final double FAR_OFF = 100;
+
+  /** Part of the error expected of a smooth solution that is next to nothing. */
+  private static final double NOTHING = 0.05;
 
   /** Error planned for the step across, over the tolerance. */
   private static final double AIM = 0.5;
@@ -20,9 +26,18 @@ final class JumpSearch {
   /** After this many failures in a row the jump is looked for right ahead. */
   private static final int MANY_IN_A_ROW = 4;
 
-  private int failures;
-  private int inARow;
+  private boolean active;
   private boolean crossing;
+  private int failuresInARow;
+
+  /**
+   * The last try that missed by far, 0 if there is none, and whether a shorter one had no error.
+   */
+  private double failedError;
+
+  private double failedSize;
+  private int failedOrder;
+  private boolean suspected;
 
   /** A place behind the jump, and the size of the jump in units of the error allowed. */
   private double behind;
@@ -30,33 +45,55 @@ final class JumpSearch {
   private double jump;
 
   void clear() {
-    failures = 0;
-    inARow = 0;
+    active = false;
     crossing = false;
-    behind = Double.NaN;
+    failuresInARow = 0;
+    failedError = 0;
+    suspected = false;
   }
 
   /** Returns whether a jump is being narrowed down. */
   boolean active() {
-    return failures >= 2;
+    return active;
   }
 
   /**
    * Takes note of a step that failed the error test.
    *
+   * @param h its size
+   * @param k its order
    * @param end where it would have ended
    * @param error over the tolerance
    * @param discrepancy norm of the difference of the right-hand side from its extrapolation
    */
-  void rejected(double end, double error, double discrepancy) {
-    if (!active() && !(error >= FAR_OFF)) {
-      return;
+  void rejected(double h, int k, double end, double error, double discrepancy) {
+    active |= suspected ? error >= FAR_OFF : k == failedOrder && error > notSmooth(h);
+    if (active) {
+      failuresInARow++;
+      jump = discrepancy;
     }
-    failures++;
-    inARow++;
-    crossing = false;
-    behind = end;
-    jump = discrepancy;
+    if (active || failedError > 0 || error >= FAR_OFF) {
+      crossing = false;
+      behind = end;
+      failedError = error;
+      failedSize = Math.abs(h);
+      failedOrder = k;
+    }
+  }
+
+  /** The mean of what a smooth solution and a jump would have for error; infinite at first. */
+  private double notSmooth(double h) {
+    double acrossJump = failedError * Math.abs(h) / failedSize;
+    return failedError > 0 ? Math.sqrt(acrossJump * smooth(h)) : Double.POSITIVE_INFINITY;
+  }
+
+  /** The error of a shorter try that a smooth solution would have. */
+  private double smooth(double h) {
+    double error = failedError;
+    for (int i = 0; i <= failedOrder; i++) {
+      error *= Math.abs(h) / failedSize;
+    }
+    return error;
   }
 
   /**
@@ -66,7 +103,7 @@ final class JumpSearch {
    * @param h its size
    */
   boolean inside(double h, double discrepancy) {
-    return active() && errorAcross(h, discrepancy) > 1;
+    return active && errorAcross(h, discrepancy) > 1;
   }
 
   /** Error of a step of order 1 across a jump, over the tolerance. */
@@ -77,17 +114,22 @@ final class JumpSearch {
   /**
    * Takes note of an accepted step.
    *
+   * @param h its size, signed
    * @param end where it ends
-   * @param direction 1 forwards, −1 backwards
+   * @param error over the tolerance
    * @return whether a jump that was narrowed down lies behind it
    */
-  boolean accepted(double end, double direction) {
-    inARow = 0;
-    if (failures == 0 || !(direction * (end - behind) >= 0)) {
+  boolean accepted(double h, double end, double error) {
+    failuresInARow = 0;
+    if (failedError == 0) {
       return false;
     }
-    boolean crossed = active();
-    clear();
+    boolean passed = Math.copySign(1, h) * (end - behind) >= 0;
+    boolean crossed = active && passed;
+    suspected |= error < NOTHING * smooth(h);
+    if (passed || !(active || suspected)) {
+      clear();
+    }
     return crossed;
   }
 
@@ -99,7 +141,7 @@ final class JumpSearch {
     if (crossing) {
       return stretch;
     }
-    return inARow < MANY_IN_A_ROW ? 0.5 * stretch : stretch * Math.sqrt(AIM / error);
+    return failuresInARow < MANY_IN_A_ROW ? 0.5 * stretch : stretch * Math.sqrt(AIM / error);
   }
 
   /** Returns whether the step to try goes across the jump. */
@@ -109,9 +151,13 @@ final class JumpSearch {
 
   /** Carries the state between two steps over. */
   void transfer(StateTransfer state) {
-    failures = state.integer(failures);
-    inARow = state.integer(inARow);
+    active = state.flag(active);
     crossing = state.flag(crossing);
+    failuresInARow = state.integer(failuresInARow);
+    failedError = state.number(failedError);
+    failedSize = state.number(failedSize);
+    failedOrder = state.integer(failedOrder);
+    suspected = state.flag(suspected);
     behind = state.number(behind);
     jump = state.number(jump);
   }

@@ -1,20 +1,45 @@
 package org.mechservice.solver.integration;
 
+import java.util.Arrays;
+
 /**
- * Suspects stiffness as DE does: in a stiff problem stability, not accuracy, limits the step of an
- * Adams method, and low orders have the larger regions of stability. The verdict falls every 500
- * steps: whether 50 in a row among them used order 4 or less. Shampine and Gordon 1975, ch. 8.
+ * Suspects stiffness: that stability, not accuracy, limits the step of an Adams method.
  *
- * <p>Beyond the original, such a row counts only if its errors came near the tolerance: where they
- * do not, it is the user's bound on the step or a solution at rest that keeps the order low.
+ * <p>The two evaluations of a step, at the prediction p and at the corrected y, tell how fast f
+ * changes: h L = h ‖f(y) − f(p)‖ / ‖y − p‖, at no cost, and whether it acts against the change, by
+ * the cosine of the angle between both vectors. A method is at the limit of its stability if h L is
+ * near 1, or, with formulas of high order, from 0.35 on if the change is damped; an oscillation
+ * that is merely resolved is not damped and stays below. The verdict is stiff as soon as 30 of the
+ * last 50 steps were at that limit. Shampine, <i>Lipschitz constants and robust ODE codes</i>,
+ * 1980.
+ *
+ * <p>The verdict of Shampine and Gordon 1975, ch. 8, counts too: 50 steps in a row with order 4 or
+ * less, looked for every 500 steps. Beyond the original, such a row counts only if its errors came
+ * near the tolerance: where they do not, it is the user's bound on the step or a solution at rest
+ * that keeps the order low.
  */
 final class StiffnessMonitor {
+  private static final int WINDOW = 50;
+  private static final int AT_THE_LIMIT = 30;
+
+  /** h L at the limit of stability, whatever the direction, and along damped directions. */
+  private static final double LIMIT = 0.8;
+
+  private static final double LIMIT_DAMPED = 0.35;
+  private static final double DAMPED = -0.6;
+
   private static final int STEPS_PER_VERDICT = 500;
   private static final int LOW_ORDER_STEPS = 50;
   private static final int LOW_ORDER = 4;
 
   /** Error, over the tolerance, that a step limited by stability reaches now and then. */
   private static final double NOTICEABLE_ERROR = 0.01;
+
+  /** Whether each of the last steps was at the limit; a ring. */
+  private final boolean[] limited = new boolean[WINDOW];
+
+  private int slot;
+  private int limitedSteps;
 
   private int steps;
   private int lowOrderSteps;
@@ -23,12 +48,15 @@ final class StiffnessMonitor {
   private boolean verdict;
 
   void clear() {
-    beginCount();
+    beginAgain();
     verdict = false;
   }
 
   /** Takes note that the history was forgotten: order and step start low anew. */
   void beginAgain() {
+    Arrays.fill(limited, false);
+    slot = 0;
+    limitedSteps = 0;
     beginCount();
   }
 
@@ -37,8 +65,11 @@ final class StiffnessMonitor {
    *
    * @param order its order
    * @param error its error over the tolerance
+   * @param hL h times the Lipschitz constant of f in the direction of the correction
+   * @param cosine of the angle between correction and change of f
    */
-  void record(int order, double error) {
+  void record(int order, double error, double hL, double cosine) {
+    lookAtLimit(hL, cosine);
     steps++;
     lowOrderSteps = order > LOW_ORDER ? 0 : lowOrderSteps + 1;
     largestError = order > LOW_ORDER ? 0 : Math.max(largestError, error);
@@ -49,11 +80,24 @@ final class StiffnessMonitor {
     }
   }
 
+  private void lookAtLimit(double hL, double cosine) {
+    boolean atLimit = hL >= LIMIT || (hL >= LIMIT_DAMPED && cosine <= DAMPED);
+    limitedSteps += (atLimit ? 1 : 0) - (limited[slot] ? 1 : 0);
+    limited[slot] = atLimit;
+    slot = (slot + 1) % WINDOW;
+    verdict |= atStabilityLimit();
+  }
+
   private void beginCount() {
     steps = 0;
     lowOrderSteps = 0;
     largestError = 0;
     suspected = false;
+  }
+
+  /** Returns whether the steps are at the limit of stability at present. */
+  boolean atStabilityLimit() {
+    return limitedSteps >= AT_THE_LIMIT;
   }
 
   /** Returns whether any verdict since the start was stiff. */
@@ -63,6 +107,11 @@ final class StiffnessMonitor {
 
   /** Carries the state between two steps over. */
   void transfer(StateTransfer state) {
+    for (int i = 0; i < WINDOW; i++) {
+      limited[i] = state.flag(limited[i]);
+    }
+    slot = state.integer(slot);
+    limitedSteps = state.integer(limitedSteps);
     steps = state.integer(steps);
     lowOrderSteps = state.integer(lowOrderSteps);
     largestError = state.number(largestError);
