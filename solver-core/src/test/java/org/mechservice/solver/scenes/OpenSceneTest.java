@@ -83,15 +83,6 @@ class OpenSceneTest {
     SharedScene scene = SharedScene.named(name);
     OpenSceneRun run =
         OpenSceneRun.of(scene, formulation, integrator, tolerance, scene.end(), step);
-        name
-            + " "
-            + formulation
-            + " "
-            + integrator
-            + " "
-            + run.error() / tolerance
-            + " "
-            + run.report().steps());
     assertThat(run.report().outcome()).isInstanceOf(Outcome.Completed.class);
     assertThat(run.error()).isLessThan(100 * tolerance);
   }
@@ -142,7 +133,6 @@ class OpenSceneTest {
     long explicitWith = evaluations(driver + "_CK100", "DTR", "DE");
     long implicitWithout = evaluations(driver + "_C0", "RR-JF", "ode15sR");
     long implicitWith = evaluations(driver + "_CK100", "RR-JF", "ode15sR");
-        explicitWithout + " " + explicitWith + " " + implicitWithout + " " + implicitWith);
     assertThat(explicitWith).isGreaterThan(2 * explicitWithout);
     assertThat(implicitWith).isLessThan(implicitWithout / 2);
     assertThat(implicitWith).isLessThan(explicitWith / 4);
