@@ -7,6 +7,7 @@ import static org.mechservice.solver.spatial.Blocks.cross;
 import static org.mechservice.solver.spatial.Blocks.dot;
 
 import java.util.Arrays;
+import org.mechservice.solver.force.ForceJacobian;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 
@@ -45,6 +46,7 @@ public final class ResidualJacobian {
   private final MassiveRods rods;
   private final RodDerivatives rodEnds;
   private final LinkDerivatives links;
+  private final ForceDerivatives forces;
 
   /** External wrenches and those of rods, 6 per link. */
   private final double[] loads;
@@ -74,6 +76,9 @@ public final class ResidualJacobian {
   private final double[] changeMoment = new double[3];
   private final double[] work = new double[6];
 
+  /** Whether the last evaluation was of all derivatives. */
+  private boolean full;
+
   /**
    * Makes a workspace.
    *
@@ -101,11 +106,15 @@ public final class ResidualJacobian {
     loads = new double[6 * tree.linkCount];
     rodEnds = new RodDerivatives(motion, newtonEuler);
     links = new LinkDerivatives(motion, byPosition, byVelocity, first, second, both);
+    forces = new ForceDerivatives(links, tree.stateVelocityCount);
   }
 
-  /** Takes further derivatives of wrenches and joint forces to the joints. */
-  LinkDerivatives links() {
-    return links;
+  /**
+   * Returns what applied forces give their derivatives to, between {@link #evaluate} or {@link
+   * #evaluateMass} and {@link #finish}.
+   */
+  public ForceJacobian forces() {
+    return forces;
   }
 
   /** Returns M as evaluated last. */
@@ -130,6 +139,10 @@ public final class ResidualJacobian {
   public void evaluateMass() {
     composites.compose();
     clear();
+    full = false;
+    for (int link = 0; link < tree.linkCount; link++) {
+      formColumns(link);
+    }
     for (int place = 0; place < pattern.size; place++) {
       int k = pattern.velocityAt[place];
       int link = tree.linkOfVelocity[k];
@@ -179,6 +192,7 @@ public final class ResidualJacobian {
     rods.addForces(motion, loads);
     newtonEuler.evaluate(loads, noForces, residual);
     clear();
+    full = true;
     for (int link = 0; link < tree.linkCount; link++) {
       formColumns(link);
     }
@@ -197,15 +211,26 @@ public final class ResidualJacobian {
     for (int ball = 0; ball < balls.count(); ball++) {
       int k = balls.velocity(ball);
       balls.add(ball, byPosition, byVelocity, 0, 1, motion.v, k);
-      balls.add(ball, byPosition, mass, 0, 1, motion.a, k);
-      for (int c = 0; c < 3; c++) {
-        // −[F]×: element (c+1, c+2) of [F]× is −F_c
-        int next = k + (c + 1) % 3;
-        int last = k + (c + 2) % 3;
-        byPosition.add(next, last, residual[k + c]);
-        byPosition.add(last, next, -residual[k + c]);
+      if (full) {
+        balls.add(ball, byPosition, mass, 0, 1, motion.a, k);
+        turnForce(k);
       }
     }
+  }
+
+  /** Adds −[F]×: element (c+1, c+2) of [F]× is −F_c. */
+  private void turnForce(int k) {
+    for (int c = 0; c < 3; c++) {
+      int next = k + (c + 1) % 3;
+      int last = k + (c + 2) % 3;
+      byPosition.add(next, last, residual[k + c]);
+      byPosition.add(last, next, -residual[k + c]);
+    }
+  }
+
+  /** Returns whether all derivatives are finite. */
+  public boolean isFinite() {
+    return byPosition.isFinite() && byVelocity.isFinite();
   }
 
   /** ψ' = V_p × S, ψ'' = A_p × S + V_p × ψ', and ψ' + S'. */

@@ -41,7 +41,7 @@ import org.mechservice.solver.spatial.Vector3;
  * Seeded forces of every kind between the bodies and joints of a mechanism, all terms of a size of
  * 1 to 10 so that their differences keep their digits.
  */
-final class RandomForces {
+public final class RandomForces {
   /** What can be drawn. */
   enum Kind {
     SPRING_BOTH,
@@ -67,7 +67,7 @@ final class RandomForces {
   private final List<JointCoordinate> velocities = new ArrayList<>();
   private final List<JointCoordinate> allPositions = new ArrayList<>();
 
-  RandomForces(long seed, Mechanism mechanism) {
+  public RandomForces(long seed, Mechanism mechanism) {
     random = new Random(seed);
     this.mechanism = mechanism;
     for (int j = 0; j < mechanism.joints().size(); j++) {
@@ -92,7 +92,7 @@ final class RandomForces {
   }
 
   /** Returns the mechanism with one force of every kind. */
-  Mechanism withAll() {
+  public Mechanism withAll() {
     List<ForceElement> forces = new ArrayList<>();
     for (Kind kind : Kind.values()) {
       forces.add(force(kind, kind.name()));

@@ -9,10 +9,10 @@ import org.mechservice.solver.api.UserForce;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /** User forces that read and act on everything there is, with and without derivatives. */
-final class RandomUserForces {
+public final class RandomUserForces {
   private RandomUserForces() {}
 
-  static UserForce create(UserForceElement element) {
+  public static UserForce create(UserForceElement element) {
     String[] words = element.className().split(" ", -1);
     int component = Integer.parseInt(words[2]);
     return words[0].equals("derivatives")
