@@ -11,6 +11,8 @@ import org.mechservice.solver.mechanism.Output;
  * @param settings the simulation wanted
  * @param simulations every simulation of the file, in file order
  * @param outputs columns of its author's own, in file order
+ * @param unused points, vectors and parameters that nothing refers to, such as {@code point "p3" of
+ *     body "bar"}
  * @param warnings what is worth knowing, in file order; no errors
  */
 public record MechmlModel(
@@ -18,15 +20,17 @@ public record MechmlModel(
     SimulationSettings settings,
     List<SimulationSettings> simulations,
     List<Output> outputs,
+    List<String> unused,
     List<Diagnostic> warnings) {
   public MechmlModel {
     simulations = List.copyOf(simulations);
     outputs = List.copyOf(outputs);
+    unused = List.copyOf(unused);
     warnings = List.copyOf(warnings);
   }
 
   /** A model with one simulation and no outputs of its own. */
   public MechmlModel(Mechanism mechanism, SimulationSettings settings, List<Diagnostic> warnings) {
-    this(mechanism, settings, List.of(settings), List.of(), warnings);
+    this(mechanism, settings, List.of(settings), List.of(), List.of(), warnings);
   }
 }

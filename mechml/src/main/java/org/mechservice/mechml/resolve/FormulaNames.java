@@ -165,6 +165,7 @@ final class FormulaNames {
           name, Quoted.of(name.text()) + ": a point has " + String.join(", ", POINT_COMPONENTS));
     }
     require(role == FormulaRole.STATE, name, role);
+    parts.points().use(point);
     Vector3 position = parts.points().value(point).orElse(Vector3.ZERO);
     BodyPoint place = new BodyPoint(names.indexOf(parts), position);
     return scaled(

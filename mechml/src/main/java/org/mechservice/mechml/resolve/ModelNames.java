@@ -78,6 +78,11 @@ final class ModelNames {
     return bodies.names().contains(name) ? bodies.value(name) : Optional.empty();
   }
 
+  /** Returns the bodies in file order, the root among them. */
+  List<BodyParts> bodies() {
+    return bodies.names().stream().map(bodies::value).flatMap(Optional<BodyParts>::stream).toList();
+  }
+
   Set<String> bodyNames() {
     return bodies.names();
   }

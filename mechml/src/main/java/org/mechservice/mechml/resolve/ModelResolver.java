@@ -13,6 +13,7 @@ import org.mechservice.mechml.unit.UnitSymbols;
 import org.mechservice.mechml.unit.UnitSystem;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
+import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /** Makes a mechanism and its settings of a document that keeps to the grammar. */
 public final class ModelResolver {
@@ -59,7 +60,14 @@ public final class ModelResolver {
         settings.get(chosen),
         settings,
         outputs,
+        unused(reader.orElseThrow(), parameters, mechanism.get()),
         diagnostics.inFileOrder());
+  }
+
+  private static List<String> unused(
+      MechanismReader reader, ParameterTable parameters, Mechanism mechanism) {
+    boolean byClasses = mechanism.forces().stream().anyMatch(UserForceElement.class::isInstance);
+    return UnusedNames.of(reader.names(), parameters, byClasses);
   }
 
   private static UnitSystem units(Element model) {

@@ -1,6 +1,8 @@
 package org.mechservice.mechml.resolve;
 
+import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -30,6 +32,7 @@ final class NameTable<T> {
   private final String absence;
   private final Diagnostics diagnostics;
   private final Map<String, Entry<T>> entries = new LinkedHashMap<>();
+  private final Set<String> used = new HashSet<>();
 
   /**
    * Begins empty.
@@ -70,6 +73,7 @@ final class NameTable<T> {
   Optional<T> find(Element user, String name) {
     Entry<T> entry = entries.get(name);
     if (entry != null) {
+      used.add(name);
       return entry.value();
     }
     if (!diagnostics.isFull()) {
@@ -86,6 +90,16 @@ final class NameTable<T> {
   /** Returns what a name stands for, without a complaint if nothing has it. */
   Optional<T> value(String name) {
     return Optional.ofNullable(entries.get(name)).flatMap(Entry::value);
+  }
+
+  /** Takes note that something refers to a name. */
+  void use(String name) {
+    used.add(name);
+  }
+
+  /** Returns the names that nothing has referred to, in file order. */
+  List<String> unused() {
+    return entries.keySet().stream().filter(name -> !used.contains(name)).toList();
   }
 
   /** Returns the names in file order. */

@@ -1,5 +1,6 @@
 package org.mechservice.mechml.resolve;
 
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -18,6 +19,7 @@ import org.mechservice.mechml.expression.Scope;
 final class ParameterTable implements Scope {
   private final Map<String, NamedNumber> parameters = new LinkedHashMap<>();
   private final Map<String, Integer> tunable = new LinkedHashMap<>();
+  private final Set<String> used = new HashSet<>();
   private final Set<String> unreadable;
 
   /**
@@ -35,7 +37,9 @@ final class ParameterTable implements Scope {
     }
   }
 
+  /** Returns the parameter a name in an expression stands for. */
   Optional<NamedNumber> find(ParsedExpression.Reference name) {
+    used.add(name.text());
     return name.names().size() == 1 && name.index().isEmpty()
         ? Optional.ofNullable(parameters.get(name.text()))
         : Optional.empty();
@@ -49,6 +53,11 @@ final class ParameterTable implements Scope {
   /** Returns the index of a tunable parameter among the model's. */
   int indexOf(NamedNumber parameter) {
     return tunable.getOrDefault(parameter.name(), -1);
+  }
+
+  /** Returns the parameters no expression refers to, in file order. */
+  List<NamedNumber> unused() {
+    return parameters.values().stream().filter(p -> !used.contains(p.name())).toList();
   }
 
   Set<String> names() {

@@ -2,17 +2,15 @@ package org.mechservice.sim.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.standalone.ShortestDecimal;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
 
 /** Looks for what the author of a mechanism may not have meant. */
 final class Findings {
-  /** How far principal moments of a rounded tensor may miss the triangle inequality. */
-  private static final double ROUNDED = 1e-6;
-
   private Findings() {}
 
   /** Returns the findings, outwards from the root. */
@@ -23,10 +21,9 @@ final class Findings {
       Joint joint = mechanism.joints().get(index);
       int child = joint.attachment().child();
       Body body = mechanism.bodies().get(child);
-      if (!heavy[child]) {
+      if (!heavy[child] && joint.type() != JointType.W && !mechanism.isDriven(index)) {
         findings.add(movesNothing(joint, body));
       }
-      addImpossibleInertia(body, findings);
     }
     return findings;
   }
@@ -34,6 +31,12 @@ final class Findings {
   /** Returns whether there is mass or inertia in each body or beyond it. */
   private static boolean[] heavy(Mechanism mechanism) {
     boolean[] heavy = new boolean[mechanism.bodies().size()];
+    for (LoopClosure closure : mechanism.closures()) {
+      // What a loop holds on to may resist by itself.
+      LoopPaths.indices(closure).stream()
+          .filter(body -> body != Mechanism.ROOT)
+          .forEach(body -> heavy[body] = true);
+    }
     int[] outward = mechanism.outward();
     for (int i = outward.length - 1; i >= 0; i--) {
       Attachment attachment = mechanism.joints().get(outward[i]).attachment();
@@ -56,27 +59,5 @@ final class Findings {
             + "\" and nothing beyond it that has mass: its acceleration is not defined; give a body"
             + " there mass and inertia, or leave the joint out",
         joint.origin());
-  }
-
-  /** No moment of inertia of a body exceeds the sum of the other two. */
-  private static void addImpossibleInertia(Body body, List<Finding> findings) {
-    double[] moments = PrincipalMoments.of(body.inertia());
-    double rounded = ROUNDED * Math.abs(body.inertia().trace());
-    if (moments[0] < -rounded || moments[2] > moments[0] + moments[1] + rounded) {
-      findings.add(
-          new Finding(
-              "S-087",
-              "no body has the inertia of \""
-                  + body.name()
-                  + "\": its principal moments are "
-                  + ShortestDecimal.format(moments[0])
-                  + ", "
-                  + ShortestDecimal.format(moments[1])
-                  + " and "
-                  + ShortestDecimal.format(moments[2])
-                  + " kg m^2, and each must lie between 0 and the sum of the others; check the"
-                  + " signs of the products of inertia and the units",
-              body.origin()));
-    }
   }
 }

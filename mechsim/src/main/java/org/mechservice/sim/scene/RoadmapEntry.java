@@ -11,6 +11,7 @@ import org.mechservice.solver.api.JointType;
  *     or planar joint), components separated by blanks; empty if it has none
  * @param positionUnit SI units of its coordinates, separated by blanks
  * @param velocityUnit SI units of its velocities, separated by blanks
+ * @param driven whether its coordinates are prescribed and so no states
  * @param position index of its first coordinate in q
  * @param velocity index of its first velocity in v
  */
@@ -20,5 +21,6 @@ public record RoadmapEntry(
     String axis,
     String positionUnit,
     String velocityUnit,
+    boolean driven,
     int position,
     int velocity) {}

@@ -15,6 +15,7 @@ import org.mechservice.solver.mechanism.Prismatic;
 import org.mechservice.solver.mechanism.Revolute;
 import org.mechservice.solver.mechanism.Screw;
 import org.mechservice.solver.mechanism.Universal;
+import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.standalone.ShortestDecimal;
 
@@ -59,6 +60,7 @@ public record SceneAnalysis(
         axisOf(joint),
         units(type.positionCount(), type::positionUnit),
         units(type.velocityCount(), type::velocityUnit),
+        mechanism.isDriven(index),
         mechanism.positionOffset(index),
         mechanism.velocityOffset(index));
   }
@@ -103,5 +105,13 @@ public record SceneAnalysis(
   /** Returns the mass of all moving bodies, kg. */
   public double mass() {
     return mechanism.bodies().stream().mapToDouble(Body::mass).sum();
+  }
+
+  /** Returns the mass of all rods between points, kg. */
+  public double rodMass() {
+    return mechanism.closures().stream()
+        .filter(DistanceClosure.class::isInstance)
+        .mapToDouble(closure -> ((DistanceClosure) closure).rodMass())
+        .sum();
   }
 }

@@ -4,10 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.mechml.Diagnostic;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.MechmlReader;
 import org.mechservice.mechml.Severity;
 
 class CheckReportTest {
@@ -59,5 +65,101 @@ class CheckReportTest {
         new Diagnostic(Severity.WARNING, "M-099", "odd", "p.xml", 3, 4, "MechML/MBSmodel");
     MechmlModel model = new MechmlModel(plain.mechanism(), plain.settings(), List.of(noticed));
     assertThat(CheckReport.of(model).warnings()).containsExactly("p.xml:3:4: M-099 odd");
+  }
+
+  private static CheckReport example(String file) throws Exception {
+    Path path = Path.of("..", "examples").resolve(file);
+    return CheckReport.of(
+        MechmlReader.read(path.getFileName().toString(), Files.readAllBytes(path)));
+  }
+
+  @Test
+  void theSuspensionsReportForPeople() throws Exception {
+    assertThat(example("five-point-suspension/five-point-suspension.xml").text())
+        .startsWith(
+            """
+            FivePointSuspension
+
+              Ground
+              +- j1 (P): Frame, 10 kg
+              +- j2 (F): Carrier, 15 kg
+                 +- j3 (R): Wheel, 12 kg
+
+            Loops:
+              C1 (distance, rod with mass): Carrier - Frame, closing j2 - j1; 1 equation; at the \
+            start 2.8e-17 m, 0.0e+00 m/s
+            """)
+        .contains(
+            """
+            Degrees of freedom: 3 (8 of the tree less 5 independent of 5 equations); bodies: 3; \
+            mass: 49 kg (rods 12); loops: 5; redundant equations: 0
+            """,
+            """
+            State y = [q; v]:
+              q[0] v[0]        j1  P  m, m/s  axis 1 0 0
+              q[1..7] v[1..6]  j2  F  1 1 1 1 m m m, rad/s rad/s rad/s m/s m/s m/s
+            """,
+            """
+            Forces besides gravity:
+              fBody (class examples.fivepointsuspension.FpsFBody)
+              fFpsSpringDamper (class examples.fivepointsuspension.FpsSpringDamper)
+
+            Not used:
+              vector "uFinal" of body "Ground"
+
+            Warnings: none
+            """);
+  }
+
+  @Test
+  void redundantEquationsAreNamed() throws Exception {
+    CheckReport report = example("extremes/fourbar_redundant.xml");
+    assertThat(report.degreesOfFreedom()).isEqualTo(1);
+    assertThat(report.loops().redundant()).isEqualTo(3);
+    assertThat(report.warnings())
+        .singleElement()
+        .asString()
+        .startsWith("fourbar_redundant.xml:61: S-090 3 equations of the loops follow from the")
+        .contains("\"R4\" (displacement along", "\"R4\" (tilt about");
+  }
+
+  @Test
+  void aStartThatDoesNotCloseTheLoopsIsTold() throws Exception {
+    CheckReport report = example("extremes/fps_inconsistent_rod.xml");
+    assertThat(report.warnings())
+        .singleElement()
+        .asString()
+        .startsWith("fps_inconsistent_rod.xml:83: S-092 ")
+        .contains("constraint \"C3\" (distance) is 1.0e-03 m");
+  }
+
+  @CsvSource({
+    "extremes/coaxial_massless.xml, ja jb",
+    "extremes/gimbal_q2_1.5707963267948966.xml, ja jb jc"
+  })
+  @ParameterizedTest
+  void jointsWithoutInertiaAreNamedTogether(String file, String joints) throws Exception {
+    assertThat(example(file).warnings())
+        .singleElement()
+        .asString()
+        .contains(": N-002 ")
+        .contains(Stream.of(joints.split(" ", -1)).map(joint -> "\"" + joint + "\"").toList());
+  }
+
+  @CsvSource({
+    "benchmarks/A03_andrews.xml, 7, 6, 1",
+    "benchmarks/slider_crank_planar.xml, 3, 2, 1",
+    "extremes/slider_crank_singular.xml, 2, 1, 1",
+    "extremes/gimbal_q2_0.4.xml, 3, 0, 3",
+    "driver/driver-c0.xml, 41, 0, 41"
+  })
+  @ParameterizedTest
+  void freedomsAreThoseOfTheTreeLessTheEquations(String file, int tree, int equations, int freedoms)
+      throws Exception {
+    JsonObject report = JsonParser.parseString(example(file).json()).getAsJsonObject();
+    assertThat(report.get("treeFreedoms").getAsInt()).isEqualTo(tree);
+    assertThat(report.get("independentEquations").getAsInt()).isEqualTo(equations);
+    assertThat(report.get("redundantEquations").getAsInt()).isZero();
+    assertThat(report.get("degreesOfFreedom").getAsInt()).isEqualTo(freedoms);
   }
 }

@@ -1,0 +1,38 @@
+package org.mechservice.mechml.resolve;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.mechml.diagnosis.Phrase;
+import org.mechservice.mechml.diagnosis.Quoted;
+
+/** What a file defines and nothing in it refers to: often a slip, never an error. */
+final class UnusedNames {
+  private UnusedNames() {}
+
+  /**
+   * Lists them, such as {@code vector "u2" of body "bar"}.
+   *
+   * @param byClasses whether classes of users may refer to points and tunable parameters
+   */
+  static List<String> of(ModelNames names, ParameterTable parameters, boolean byClasses) {
+    List<String> unused = new ArrayList<>();
+    for (NamedNumber parameter : parameters.unused()) {
+      if (!(byClasses && parameter.tunable())) {
+        unused.add("parameter " + Quoted.of(parameter.name()));
+      }
+    }
+    for (BodyParts body : names.bodies()) {
+      if (!byClasses) {
+        add(unused, "point", body.points().unused(), body);
+      }
+      add(unused, "vector", body.directions().unused(), body);
+    }
+    return unused;
+  }
+
+  private static void add(List<String> unused, String kind, List<String> names, BodyParts body) {
+    for (String name : names) {
+      unused.add(Phrase.of("%s %s of body %s", kind, Quoted.of(name), Quoted.of(body.name())));
+    }
+  }
+}

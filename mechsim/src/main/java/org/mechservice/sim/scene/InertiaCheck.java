@@ -1,0 +1,94 @@
+package org.mechservice.sim.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.dynamics.SemiRecursive;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/** Looks for joints that no inertia resists at the start, as in a gimbal that starts locked. */
+public final class InertiaCheck {
+  /** More velocities make the mass matrix of a chain too large. */
+  private static final int MOST_VELOCITIES = 2000;
+
+  private InertiaCheck() {}
+
+  /**
+   * Returns what is wrong with the inertia of an open tree at the start. A tree whose bodies all
+   * have inertia is sound, and loops may hold what the tree leaves open.
+   *
+   * @param t time of the start, s
+   */
+  public static Optional<Finding> of(Mechanism mechanism, double t) {
+    boolean sound = mechanism.bodies().stream().noneMatch(Body::isMassless);
+    if (sound || !mechanism.closures().isEmpty() || mechanism.velocityCount() > MOST_VELOCITIES) {
+      return Optional.empty();
+    }
+    TreeGeometry tree = new TreeGeometry(mechanism);
+    TreeMotion motion = new TreeMotion(tree);
+    double[] y = new double[mechanism.positionCount() + mechanism.velocityCount()];
+    mechanism.initialState(y);
+    motion.sweep(t, y);
+    SemiRecursive.Workspace work = new SemiRecursive(tree).newWorkspace(motion);
+    work.formMassMatrix();
+    int velocity = work.factorMassMatrix();
+    return velocity == ExplicitModel.REGULAR
+        ? Optional.empty()
+        : Optional.of(singular(mechanism, jointOf(mechanism, velocity)));
+  }
+
+  private static int jointOf(Mechanism mechanism, int velocity) {
+    int joint = 0;
+    for (int j = 0; j < mechanism.joints().size(); j++) {
+      boolean hasStates =
+          !mechanism.isDriven(j) && mechanism.joints().get(j).type().velocityCount() > 0;
+      if (hasStates && mechanism.velocityOffset(j) <= velocity) {
+        joint = j;
+      }
+    }
+    return joint;
+  }
+
+  private static Finding singular(Mechanism mechanism, int index) {
+    Joint joint = mechanism.joints().get(index);
+    List<String> chain = chain(mechanism, index);
+    return new Finding(
+        "N-002",
+        "at the start no inertia resists joint \""
+            + joint.name()
+            + "\""
+            + (chain.size() > 1
+                ? ", which massless bodies join with "
+                    + String.join(
+                        ", ",
+                        chain.subList(1, chain.size()).stream().map(n -> "\"" + n + "\"").toList())
+                    + ": their freedoms coincide there"
+                : "")
+            + "; give the bodies between inertia, leave a joint out, or start elsewhere",
+        joint.origin());
+  }
+
+  /** Returns a joint and those beyond it that only massless bodies separate from it. */
+  private static List<String> chain(Mechanism mechanism, int index) {
+    List<String> names = new ArrayList<>();
+    List<Integer> front = new ArrayList<>(List.of(index));
+    while (!front.isEmpty()) {
+      Joint joint = mechanism.joints().get(front.remove(0));
+      names.add(joint.name());
+      int child = joint.attachment().child();
+      if (mechanism.bodies().get(child).isMassless()) {
+        for (int j = 0; j < mechanism.joints().size(); j++) {
+          if (mechanism.joints().get(j).attachment().parent() == child) {
+            front.add(j);
+          }
+        }
+      }
+    }
+    return names;
+  }
+}

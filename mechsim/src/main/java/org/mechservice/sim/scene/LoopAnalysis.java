@@ -1,0 +1,148 @@
+package org.mechservice.sim.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.closure.LoopEquations;
+import org.mechservice.solver.closure.LoopFinding;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
+
+/**
+ * The loops of a mechanism: what closes them, how well the start does, how many of the equations
+ * are independent.
+ *
+ * @param loops constraints in the mechanism's order
+ * @param equations number of all their equations
+ * @param independent how many of them are independent; −1 if that could not be judged
+ * @param findings what its author should know
+ */
+public record LoopAnalysis(
+    List<LoopEntry> loops, int equations, int independent, List<Finding> findings) {
+  /** A mechanism that is a tree. */
+  public static final LoopAnalysis NONE = new LoopAnalysis(List.of(), 0, 0, List.of());
+
+  /** More velocities make the judgement of rank, of the third order in them, too slow. */
+  private static final int MOST_VELOCITIES = 1000;
+
+  private static final int NOT_JUDGED = -1;
+
+  public LoopAnalysis {
+    loops = List.copyOf(loops);
+    findings = List.copyOf(findings);
+  }
+
+  /**
+   * Analyses the loops at the start of a run.
+   *
+   * @param defaults settings of the run, of which the start counts
+   */
+  public static LoopAnalysis of(Mechanism mechanism, RunSettings defaults) {
+    if (mechanism.closures().isEmpty()) {
+      return NONE;
+    }
+    TreeGeometry tree = new TreeGeometry(mechanism);
+    LoopEquations loops = new LoopEquations(tree);
+    double[] y = new double[mechanism.positionCount() + mechanism.velocityCount()];
+    mechanism.initialState(y);
+    TreeMotion motion = new TreeMotion(tree);
+    motion.sweep(defaults.tStart(), y);
+    loops.place(motion, defaults.tStart());
+    loops.move(motion, defaults.tStart());
+    List<LoopEntry> entries = entries(mechanism, loops);
+    if (mechanism.velocityCount() > MOST_VELOCITIES || loops.count() > MOST_VELOCITIES) {
+      return new LoopAnalysis(entries, loops.count(), NOT_JUDGED, List.of(tooLarge(mechanism)));
+    }
+    ClosedMechanism closed = new ClosedMechanism(mechanism, "", defaults);
+    int independent = closed.isAssembled() ? closed.rank() : NOT_JUDGED;
+    return new LoopAnalysis(
+        entries, loops.count(), independent, findings(mechanism, closed.findings()));
+  }
+
+  private static Finding tooLarge(Mechanism mechanism) {
+    return new Finding(
+        "S-089",
+        "model \""
+            + mechanism.name()
+            + "\" has more than "
+            + MOST_VELOCITIES
+            + " velocities or loop equations; which of the equations are independent was not judged",
+        Origin.NONE);
+  }
+
+  private static List<LoopEntry> entries(Mechanism mechanism, LoopEquations loops) {
+    LoopPaths paths = new LoopPaths(mechanism);
+    List<LoopEntry> entries = new ArrayList<>();
+    for (LoopClosure closure : mechanism.closures()) {
+      int count = 0;
+      int worst = -1;
+      int fastest = -1;
+      for (int row = 0; row < loops.count(); row++) {
+        if (loops.closure(row) == closure) {
+          count++;
+          worst = worse(loops.value, loops, row, worst);
+          fastest = worse(loops.rate, loops, row, fastest);
+        }
+      }
+      entries.add(
+          new LoopEntry(
+              closure.name(),
+              LoopKind.of(closure),
+              paths.bodies(closure),
+              paths.path(closure),
+              count,
+              worst < 0 ? 0 : Math.abs(loops.value[worst]),
+              fastest < 0 ? 0 : Math.abs(loops.rate[fastest]),
+              worst < 0 ? "1" : loops.unit(worst)));
+    }
+    return entries;
+  }
+
+  /** Returns the row whose residual is larger compared with its size. */
+  private static int worse(double[] residual, LoopEquations loops, int row, int best) {
+    boolean larger =
+        best < 0
+            || Math.abs(residual[row]) / loops.size(row)
+                > Math.abs(residual[best]) / loops.size(best);
+    return larger ? row : best;
+  }
+
+  private static List<Finding> findings(Mechanism mechanism, List<LoopFinding> found) {
+    List<Finding> findings = new ArrayList<>();
+    for (LoopFinding finding : found) {
+      findings.add(new Finding(code(finding), finding.message(), origin(mechanism, finding)));
+    }
+    return findings;
+  }
+
+  private static String code(LoopFinding finding) {
+    return switch (finding.kind()) {
+      case REDUNDANT -> "S-090";
+      case SINGULAR_START, NEAR_SINGULAR, SINGULAR -> "S-091";
+      default -> "S-092";
+    };
+  }
+
+  /** Returns the line of the first constraint a finding names. */
+  private static Origin origin(Mechanism mechanism, LoopFinding finding) {
+    return mechanism.closures().stream()
+        .filter(closure -> finding.part().contains("\"" + closure.name() + "\""))
+        .map(LoopClosure::origin)
+        .findFirst()
+        .orElse(Origin.NONE);
+  }
+
+  /** Returns whether the number of independent equations is known. */
+  public boolean isJudged() {
+    return independent != NOT_JUDGED;
+  }
+
+  /** Returns how many equations follow from the others; 0 if that is not known. */
+  public int redundant() {
+    return isJudged() ? equations - independent : 0;
+  }
+}
