@@ -20,6 +20,22 @@ public interface Solver {
    *     do
    * @throws IOException if the sink could not keep a row
    */
-  RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
+  default RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
+      throws IOException {
+    return run(model, request, sink, control, Checkpoints.NONE);
+  }
+
+  /**
+   * Runs a model as {@link #run(Model, RunRequest, ResultSink, RunControl)} does, leaving
+   * checkpoints on its way, or going on from one. A run that goes on hands the rows that are still
+   * to come to the sink; they and the report's counts are those of a run that was never
+   * interrupted.
+   *
+   * @throws IllegalArgumentException also if the checkpoint is damaged, or of another model, solver
+   *     version or request; or if the model has a state of its own that it does not tell
+   * @throws IOException also if a checkpoint could not be kept
+   */
+  RunReport run(
+      Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException;
 }

@@ -1,6 +1,7 @@
 package org.mechservice.solver.simulation;
 
 import java.io.IOException;
+import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.DependentStates;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ProjectedStates;
@@ -24,10 +25,12 @@ public final class RuntimeSolver implements Solver {
   private static final String RESIDUAL = "ode15sR";
 
   @Override
-  public RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
+  public RunReport run(
+      Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException {
     String name = request.settings().integrator();
-    return new Simulation(integrator(name), formOf(model, name)).run(model, request, sink, control);
+    return new Simulation(integrator(name), formOf(model, name))
+        .run(model, request, sink, control, checkpoints);
   }
 
   /** Returns the form in which an integrator takes a model's equations. */
