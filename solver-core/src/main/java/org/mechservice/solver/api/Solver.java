@@ -20,10 +20,8 @@ public interface Solver {
    *     do
    * @throws IOException if the sink could not keep a row
    */
-  default RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
-      throws IOException {
-    return run(model, request, sink, control, Checkpoints.NONE);
-  }
+  RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
+      throws IOException;
 
   /**
    * Runs a model as {@link #run(Model, RunRequest, ResultSink, RunControl)} does, leaving
@@ -34,8 +32,11 @@ public interface Solver {
    * @throws IllegalArgumentException also if the checkpoint is damaged, or of another model, solver
    *     version or request; or if the model has a state of its own that it does not tell
    * @throws IOException also if a checkpoint could not be kept
+   * @throws UnsupportedOperationException if this solver leaves no checkpoints
    */
-  RunReport run(
+  default RunReport run(
       Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
-      throws IOException;
+      throws IOException {
+    throw new UnsupportedOperationException("this solver leaves no checkpoints");
+  }
 }

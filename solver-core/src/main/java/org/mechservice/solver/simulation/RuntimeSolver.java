@@ -25,6 +25,12 @@ public final class RuntimeSolver implements Solver {
   private static final String RESIDUAL = "ode15sR";
 
   @Override
+  public RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
+      throws IOException {
+    return run(model, request, sink, control, Checkpoints.NONE);
+  }
+
+  @Override
   public RunReport run(
       Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException {

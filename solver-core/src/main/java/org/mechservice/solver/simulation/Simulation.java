@@ -55,6 +55,12 @@ public final class Simulation implements Solver {
   }
 
   @Override
+  public RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
+      throws IOException {
+    return run(model, request, sink, control, Checkpoints.NONE);
+  }
+
+  @Override
   public RunReport run(
       Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException {
