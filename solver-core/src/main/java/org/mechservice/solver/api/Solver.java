@@ -22,4 +22,21 @@ public interface Solver {
    */
   RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
       throws IOException;
+
+  /**
+   * Runs a model as {@link #run(Model, RunRequest, ResultSink, RunControl)} does, leaving
+   * checkpoints on its way, or going on from one. A run that goes on hands the rows that are still
+   * to come to the sink; they and the report's counts are those of a run that was never
+   * interrupted.
+   *
+   * @throws IllegalArgumentException also if the checkpoint is damaged, or of another model, solver
+   *     version or request; or if the model has a state of its own that it does not tell
+   * @throws IOException also if a checkpoint could not be kept
+   * @throws UnsupportedOperationException if this solver leaves no checkpoints
+   */
+  default RunReport run(
+      Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
+      throws IOException {
+    throw new UnsupportedOperationException("this solver leaves no checkpoints");
+  }
 }

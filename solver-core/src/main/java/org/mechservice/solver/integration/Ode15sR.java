@@ -53,10 +53,7 @@ public final class Ode15sR extends BackwardMethod implements ResidualIntegrator 
     return new ResidualEquations(residual, linearisation, yDot0, tEnd, norm(), settings());
   }
 
-  /**
-   * Goes on with an integration in residual form that was saved; see {@link
-   * Integrator#resume(OdeSystem, byte[])}.
-   */
+  @Override
   public StepResult resume(ResidualSystem system, byte[] saved) {
     double[] slope = new double[system.dimension()];
     return resume(saved, (t0, tEnd) -> implicit(system, slope, t0, tEnd));

@@ -17,4 +17,10 @@ public interface ResidualIntegrator extends Integrator {
    *     and derivative or the number of absolute tolerances do not fit the system
    */
   StepResult start(ResidualSystem system, double t0, double[] y0, double[] yDot0, double tEnd);
+
+  /**
+   * Goes on with an integration in residual form that was saved; see {@link
+   * Integrator#resume(OdeSystem, byte[])}.
+   */
+  StepResult resume(ResidualSystem system, byte[] saved);
 }

@@ -2,6 +2,7 @@ package org.mechservice.solver.simulation;
 
 import java.util.OptionalDouble;
 import org.mechservice.solver.api.Energies;
+import org.mechservice.solver.integration.StateTransfer;
 
 /**
  * Watches the mechanical energy at the output times; without forces that do work it must stay what
@@ -46,5 +47,14 @@ final class EnergyMonitor {
   /** Returns the larger of largest kinetic energy and largest change of potential energy, J. */
   OptionalDouble scale() {
     return started ? OptionalDouble.of(scale) : OptionalDouble.empty();
+  }
+
+  /** Carries what was observed over. */
+  void transfer(StateTransfer state) {
+    started = state.flag(started);
+    initialTotal = state.number(initialTotal);
+    initialPotential = state.number(initialPotential);
+    drift = state.number(drift);
+    scale = state.number(scale);
   }
 }

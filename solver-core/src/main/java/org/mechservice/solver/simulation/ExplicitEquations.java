@@ -20,6 +20,11 @@ class ExplicitEquations extends ModelEquations implements OdeSystem {
   }
 
   @Override
+  StepResult resume(Integrator integrator, byte[] saved) {
+    return integrator.resume(this, saved);
+  }
+
+  @Override
   public void derivative(double t, double[] y, double[] yDot) {
     note(model.derivative(t, y, yDot), yDot);
   }

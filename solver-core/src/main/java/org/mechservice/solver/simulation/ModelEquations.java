@@ -9,7 +9,10 @@ import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.ModelState;
 import org.mechservice.solver.integration.Integrator;
+import org.mechservice.solver.integration.SavedSystem;
+import org.mechservice.solver.integration.StateTransfer;
 import org.mechservice.solver.integration.StepResult;
 import org.mechservice.solver.integration.UnitGroups;
 
@@ -17,7 +20,7 @@ import org.mechservice.solver.integration.UnitGroups;
  * What every form of a model's equations tells an integrator: which states are Euler parameters;
  * and what the last evaluation that failed had to say.
  */
-public abstract class ModelEquations implements UnitGroups {
+public abstract class ModelEquations implements UnitGroups, SavedSystem {
   private static final int EULER_PARAMETERS = 4;
 
   private final ExplicitModel model;
@@ -54,6 +57,22 @@ public abstract class ModelEquations implements UnitGroups {
    * @param y0 unknowns at the start, the states being given; multipliers are overwritten
    */
   abstract StepResult start(Integrator integrator, double t0, double[] y0, double tEnd);
+
+  /** Goes on with an integration of these equations that was saved. */
+  abstract StepResult resume(Integrator integrator, byte[] saved);
+
+  /** Carries the model's own state over, if it has one. */
+  @Override
+  public final void transfer(StateTransfer state) {
+    if (model instanceof ModelState own) {
+      double[] numbers = new double[own.stateLength()];
+      own.saveState(numbers);
+      state.numbers(numbers);
+      if (state.restoring()) {
+        own.restoreState(numbers);
+      }
+    }
+  }
 
   /**
    * Makes an interpolated state exact, where the model's loops determine it.

@@ -18,16 +18,26 @@ class ResidualEquations extends ModelEquations implements ResidualSystem {
 
   @Override
   StepResult start(Integrator integrator, double t0, double[] y0, double tEnd) {
-    if (!(integrator instanceof ResidualIntegrator method)) {
-      throw new IllegalArgumentException(
-          "S-061 the integrator takes no residual form F(t, y, y') = 0");
-    }
+    ResidualIntegrator method = residual(integrator);
     double[] yDot0 = new double[dimension()];
     int result = model.consistent(t0, y0, yDot0);
     note(result, yDot0);
     return result == ExplicitModel.REGULAR
         ? method.start(this, t0, y0, yDot0, tEnd)
         : StepResult.FAILED;
+  }
+
+  @Override
+  StepResult resume(Integrator integrator, byte[] saved) {
+    return residual(integrator).resume(this, saved);
+  }
+
+  private static ResidualIntegrator residual(Integrator integrator) {
+    if (integrator instanceof ResidualIntegrator method) {
+      return method;
+    }
+    throw new IllegalArgumentException(
+        "S-061 the integrator takes no residual form F(t, y, y') = 0");
   }
 
   @Override

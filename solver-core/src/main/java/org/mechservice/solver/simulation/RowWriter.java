@@ -10,6 +10,7 @@ import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunNotes.Note;
 import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.integration.StateTransfer;
 
 /** Completes states to rows and hands them to the sink. */
 final class RowWriter {
@@ -110,5 +111,11 @@ final class RowWriter {
 
   EnergyMonitor energyMonitor() {
     return energyMonitor;
+  }
+
+  /** Carries the number of rows and what was observed in them over. */
+  void transfer(StateTransfer state) {
+    rows = state.integer(rows);
+    energyMonitor.transfer(state);
   }
 }

@@ -1,6 +1,7 @@
 package org.mechservice.solver.simulation;
 
 import java.io.IOException;
+import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.DependentStates;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ProjectedStates;
@@ -26,8 +27,16 @@ public final class RuntimeSolver implements Solver {
   @Override
   public RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
       throws IOException {
+    return run(model, request, sink, control, Checkpoints.NONE);
+  }
+
+  @Override
+  public RunReport run(
+      Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
+      throws IOException {
     String name = request.settings().integrator();
-    return new Simulation(integrator(name), formOf(model, name)).run(model, request, sink, control);
+    return new Simulation(integrator(name), formOf(model, name))
+        .run(model, request, sink, control, checkpoints);
   }
 
   /** Returns the form in which an integrator takes a model's equations. */

@@ -3,7 +3,9 @@ package org.mechservice.solver.simulation;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
+import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
@@ -21,6 +23,7 @@ import org.mechservice.solver.integration.IntegrationStatistics;
 import org.mechservice.solver.integration.Integrator;
 import org.mechservice.solver.integration.IntegratorFactory;
 import org.mechservice.solver.integration.IntegratorSettings;
+import org.mechservice.solver.integration.StateTransfer;
 import org.mechservice.solver.integration.StepResult;
 
 /**
@@ -55,7 +58,14 @@ public final class Simulation implements Solver {
   @Override
   public RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
       throws IOException {
-    return new Run(form.of(model), request, sink, control).toEnd();
+    return run(model, request, sink, control, Checkpoints.NONE);
+  }
+
+  @Override
+  public RunReport run(
+      Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
+      throws IOException {
+    return new Run(form.of(model), request, sink, control, checkpoints).toEnd();
   }
 
   /** One run in progress. */
@@ -67,6 +77,7 @@ public final class Simulation implements Solver {
     private final ModelEquations equations;
     private final OutputTimes outputTimes;
     private final RowWriter rows;
+    private final CheckpointWriter checkpoints;
     private final double[] y;
     private final double[] yDot;
     private final long startedAt = System.nanoTime();
@@ -74,7 +85,12 @@ public final class Simulation implements Solver {
     private long nextRow;
     private long steps;
 
-    Run(ModelEquations equations, RunRequest request, ResultSink sink, RunControl control)
+    Run(
+        ModelEquations equations,
+        RunRequest request,
+        ResultSink sink,
+        RunControl control,
+        Checkpoints store)
         throws IOException {
       this.equations = equations;
       this.model = equations.model();
@@ -83,6 +99,7 @@ public final class Simulation implements Solver {
       requireUsable(settings);
       integrator = createIntegrator();
       outputTimes = new OutputTimes(settings);
+      checkpoints = new CheckpointWriter(model, request, store);
       rows = new RowWriter(model, request, sink);
       y = new double[equations.dimension()];
       yDot = new double[equations.dimension()];
@@ -110,6 +127,10 @@ public final class Simulation implements Solver {
     }
 
     private Outcome integrate() throws IOException {
+      Optional<byte[]> saved = checkpoints.saved();
+      if (saved.isPresent()) {
+        return goOnFrom(saved.get());
+      }
       model.initialState(y);
       StepResult result = equations.start(integrator, settings.tStart(), y, settings.tEnd());
       if (result == StepResult.FAILED) {
@@ -120,9 +141,31 @@ public final class Simulation implements Solver {
         return rowFailed(outputTimes.time(nextRow), badColumn);
       }
       nextRow++;
-      if (!control.proceed(settings.tStart(), 0, 0, 0)) {
-        return new Outcome.Stopped();
+      return control.proceed(settings.tStart(), 0, 0, 0)
+          ? stepToEnd(result)
+          : new Outcome.Stopped();
+    }
+
+    private Outcome goOnFrom(byte[] saved) throws IOException {
+      checkpoints.restore(saved, this::transfer);
+      return goOn() ? stepToEnd(StepResult.ADVANCED) : new Outcome.Stopped();
+    }
+
+    /** Carries the run between two steps over. */
+    private void transfer(StateTransfer state) {
+      timeReached = state.number(timeReached);
+      nextRow = state.integer(nextRow);
+      steps = state.integer(steps);
+      rows.transfer(state);
+      if (state.restoring()) {
+        equations.resume(integrator, state.bytes(new byte[0]));
+      } else {
+        state.bytes(integrator.save());
       }
+    }
+
+    private Outcome stepToEnd(StepResult begun) throws IOException {
+      StepResult result = begun;
       while (result == StepResult.ADVANCED) {
         result = integrator.step();
         if (result == StepResult.FAILED) {
@@ -132,12 +175,16 @@ public final class Simulation implements Solver {
           return new Outcome.Stopped();
         }
         steps++;
-        badColumn = writeRowsOfStep();
+        int badColumn = writeRowsOfStep();
         if (badColumn != RowWriter.ALL_FINITE) {
           return rowFailed(outputTimes.time(nextRow), badColumn);
         }
-        if (!goOn() && result == StepResult.ADVANCED) {
-          return new Outcome.Stopped();
+        boolean goesOn = goOn();
+        if (result == StepResult.ADVANCED) {
+          checkpoints.keepIfDue(!goesOn, this::transfer);
+          if (!goesOn) {
+            return new Outcome.Stopped();
+          }
         }
       }
       return new Outcome.Completed();

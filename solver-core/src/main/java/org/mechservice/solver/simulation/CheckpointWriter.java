@@ -1,0 +1,77 @@
+package org.mechservice.solver.simulation;
+
+import java.io.IOException;
+import java.util.Optional;
+import org.mechservice.solver.api.Checkpoints;
+import org.mechservice.solver.api.DependentStates;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelState;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.integration.StateTransfer;
+
+/** Leaves checkpoints on the way of a run, and takes one up that fits the run to the bit. */
+final class CheckpointWriter {
+  private static final double NANOSECONDS = 1e9;
+
+  private final Model model;
+  private final RunRequest request;
+  private final Checkpoints store;
+  private long lastAt = System.nanoTime();
+
+  /**
+   * @throws IllegalArgumentException if checkpoints are asked for and the model cannot be saved
+   */
+  CheckpointWriter(Model model, RunRequest request, Checkpoints store) {
+    this.model = model;
+    this.request = request;
+    this.store = store;
+    boolean asked = store.saved().isPresent() || Double.isFinite(store.secondsBetween());
+    if (asked && model instanceof DependentStates && !(model instanceof ModelState)) {
+      throw new IllegalArgumentException(
+          "S-072 model \""
+              + model.description().name()
+              + "\" does not tell the state of its loops, so a run of it cannot be saved; run it"
+              + " without checkpoints, or with penalty closure");
+    }
+  }
+
+  Optional<byte[]> saved() {
+    return store.saved();
+  }
+
+  /**
+   * Takes a checkpoint up.
+   *
+   * @throws IllegalArgumentException S-071 if it does not belong to this run
+   */
+  void restore(byte[] saved, StateTransfer.Part run) {
+    try {
+      StateTransfer.restore(saved, state -> transfer(state, run));
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException("S-071 " + e.getMessage(), e);
+    }
+  }
+
+  /**
+   * Keeps a checkpoint if the time has come.
+   *
+   * @param last whether the run ends here, to be taken up later
+   */
+  void keepIfDue(boolean last, StateTransfer.Part run) throws IOException {
+    double distance = store.secondsBetween();
+    double since = (System.nanoTime() - lastAt) / NANOSECONDS;
+    if (since >= distance || (last && Double.isFinite(distance))) {
+      store.keep(StateTransfer.save(state -> transfer(state, run)));
+      lastAt = System.nanoTime();
+    }
+  }
+
+  private void transfer(StateTransfer state, StateTransfer.Part run) {
+    state.require("model", model.description().name());
+    state.require("hash of the model", store.modelHash());
+    state.require("solver version", SolverVersion.CURRENT);
+    state.require("run", request.settings());
+    state.require("list of column groups", request.columns().stream().sorted().toList());
+    run.transfer(state);
+  }
+}
