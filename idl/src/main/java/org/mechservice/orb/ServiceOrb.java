@@ -199,6 +199,11 @@ public final class ServiceOrb implements AutoCloseable {
     return peers.outbound();
   }
 
+  /** Returns how many connections others have opened to this ORB and not closed. */
+  public int connections() {
+    return peers.inbound().count();
+  }
+
   /** Returns where this ORB listens, or listened before it was closed. */
   public Endpoint endpoint() {
     return adapters.endpoint();
