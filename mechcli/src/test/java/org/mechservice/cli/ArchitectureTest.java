@@ -26,14 +26,18 @@ class ArchitectureTest {
   /** Lower first; a package knows only those before it. */
   private static final List<String> SOLVER_LAYERS =
       List.of(
+          "pack",
           "linear",
           "spatial",
           "api",
+          "expression",
           "mechanism",
-          "force",
           "integration",
+          "kinematics",
+          "force",
           "dynamics",
           "closure",
+          "compact",
           "analysis",
           "simulation",
           "standalone");
@@ -68,14 +72,18 @@ class ArchitectureTest {
 
   @ValueSource(
       strings = {
+        "pack",
         "linear",
         "spatial",
         "api",
+        "expression",
         "mechanism",
-        "force",
         "integration",
+        "kinematics",
+        "force",
         "dynamics",
         "closure",
+        "compact",
         "analysis",
         "simulation"
       })

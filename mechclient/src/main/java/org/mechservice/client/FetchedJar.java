@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.jar.Attributes;
 import java.util.jar.JarInputStream;
 import java.util.zip.ZipEntry;
+import org.mechservice.solver.pack.PackedClasses;
 
 /** The content of a JAR whose hash was checked; what is loaded is what was checked. */
 final class FetchedJar {
@@ -29,7 +30,9 @@ final class FetchedJar {
     try (JarInputStream in = new JarInputStream(new ByteArrayInputStream(jar))) {
       ZipEntry entry = in.getNextEntry();
       while (entry != null) {
-        if (!entry.isDirectory()) {
+        if (entry.getName().equals(PackedClasses.ENTRY)) {
+          entries.putAll(PackedClasses.unpack(in.readAllBytes()));
+        } else if (!entry.isDirectory()) {
           entries.put(entry.getName(), in.readAllBytes());
         }
         entry = in.getNextEntry();

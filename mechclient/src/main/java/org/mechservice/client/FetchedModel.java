@@ -8,6 +8,7 @@ import java.util.ServiceLoader;
 import java.util.Set;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.Solver;
 
@@ -53,10 +54,10 @@ record FetchedModel(Model model, Solver solver, Optional<String> formulationReas
   private static Model instance(FetchedClasses classes, String mainClass)
       throws ReflectiveOperationException {
     Class<?> type = classes.loadClass(mainClass);
-    if (!Model.class.isAssignableFrom(type)) {
+    if (!Model.class.isAssignableFrom(type) && !ModelSource.class.isAssignableFrom(type)) {
       throw refused("names " + mainClass + ", which is no model");
     }
-    return type.asSubclass(Model.class).getDeclaredConstructor().newInstance();
+    return ModelSource.of(type.getDeclaredConstructor().newInstance());
   }
 
   private static Solver solver(FetchedClasses classes) {

@@ -2,17 +2,31 @@ package org.mechservice.mechml;
 
 import java.util.List;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Output;
 
 /**
  * A model file, read and resolved: SI units, numbers only.
  *
  * @param mechanism the mechanism
- * @param settings the simulation asked for
+ * @param settings the simulation wanted
+ * @param simulations every simulation of the file, in file order
+ * @param outputs columns of its author's own, in file order
  * @param warnings what is worth knowing, in file order; no errors
  */
 public record MechmlModel(
-    Mechanism mechanism, SimulationSettings settings, List<Diagnostic> warnings) {
+    Mechanism mechanism,
+    SimulationSettings settings,
+    List<SimulationSettings> simulations,
+    List<Output> outputs,
+    List<Diagnostic> warnings) {
   public MechmlModel {
+    simulations = List.copyOf(simulations);
+    outputs = List.copyOf(outputs);
     warnings = List.copyOf(warnings);
+  }
+
+  /** A model with one simulation and no outputs of its own. */
+  public MechmlModel(Mechanism mechanism, SimulationSettings settings, List<Diagnostic> warnings) {
+    this(mechanism, settings, List.of(settings), List.of(), warnings);
   }
 }

@@ -34,7 +34,7 @@ class PendulumFileTest {
 
   private static JsonObject scene() {
     try {
-      return JsonParser.parseString(Resources.text("pendulum5.json")).getAsJsonObject();
+      return JsonParser.parseString(Resources.text("scenes/pendulum5.json")).getAsJsonObject();
     } catch (Exception e) {
       throw new IllegalStateException(e);
     }

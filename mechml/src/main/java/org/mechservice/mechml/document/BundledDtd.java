@@ -20,6 +20,7 @@ final class BundledDtd implements EntityResolver2 {
 
   private final ParserPlace here;
   private boolean served;
+  private boolean unasked;
 
   BundledDtd(ParserPlace here) {
     this.here = here;
@@ -42,9 +43,15 @@ final class BundledDtd implements EntityResolver2 {
     return served;
   }
 
+  /** Returns whether the file itself did not name it. */
+  boolean isUnasked() {
+    return unasked;
+  }
+
   /** {@inheritDoc} A file without DOCTYPE is checked all the same. */
   @Override
   public InputSource getExternalSubset(String name, @Nullable String baseUri) {
+    unasked = true;
     return serve();
   }
 

@@ -43,17 +43,17 @@ public final class DocumentReader {
    *
    * @param content the file's bytes; not modified
    * @param diagnostics takes what is wrong
-   * @return the element MechML; everything in it keeps to the grammar
+   * @return the document; everything in it keeps to the grammar
    * @throws MechmlException if the file is too large, not well-formed or not valid
    */
-  public static Element read(byte[] content, Diagnostics diagnostics) throws MechmlException {
+  public static Document read(byte[] content, Diagnostics diagnostics) throws MechmlException {
     return new DocumentReader(diagnostics).read(content);
   }
 
-  private Element read(byte[] content) throws MechmlException {
-    Optional<Element> root = Optional.empty();
+  private Document read(byte[] content) throws MechmlException {
+    Optional<Document> document = Optional.empty();
     try {
-      root = parse(content);
+      document = parse(content);
     } catch (Refusal refusal) {
       diagnostics.error(refusal.code(), refusal.place(), refusal.text());
     } catch (SAXException | RuntimeException e) {
@@ -66,12 +66,12 @@ public final class DocumentReader {
           "the file is not written in the encoding it claims, UTF-8 if it claims none; save it as"
               + " UTF-8");
     }
-    root.ifPresent(this::explainInvalidity);
+    document.map(Document::root).ifPresent(this::explainInvalidity);
     diagnostics.throwIfErrors();
-    return root.orElseThrow();
+    return document.orElseThrow();
   }
 
-  private Optional<Element> parse(byte[] content) throws SAXException, IOException {
+  private Optional<Document> parse(byte[] content) throws SAXException, IOException {
     if (content.length > Limits.BYTES) {
       throw new Refusal(
           MessageCode.TOO_LARGE,
@@ -79,7 +79,7 @@ public final class DocumentReader {
           Phrase.of("the file has %d bytes; %d are allowed", content.length, Limits.BYTES));
     }
     parser().parse(new InputSource(new ByteArrayInputStream(content)));
-    return builder.root();
+    return builder.document(!dtd.isUnasked());
   }
 
   /** The classes are named, so that no setting of the machine can put others in their place. */

@@ -1,5 +1,6 @@
 package org.mechservice.mechml.document;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Place;
@@ -10,16 +11,28 @@ import org.mechservice.mechml.diagnosis.Quoted;
  *
  * @param name name of the element, such as {@code joint}
  * @param attributes in file order
- * @param children in file order
+ * @param content elements and comments between its tags, in file order
  * @param place where its tag begins
  * @param owner the nearest named element around it as {@link #label()} gives it, such as {@code
  *     body "bar1"}; empty if there is none
  */
 public record Element(
-    String name, List<Attribute> attributes, List<Element> children, Place place, String owner) {
+    String name, List<Attribute> attributes, List<Content> content, Place place, String owner)
+    implements Content {
   public Element {
     attributes = List.copyOf(attributes);
-    children = List.copyOf(children);
+    content = List.copyOf(content);
+  }
+
+  /** Returns the elements between its tags, in file order. */
+  public List<Element> children() {
+    List<Element> children = new ArrayList<>();
+    for (Content part : content) {
+      if (part instanceof Element child) {
+        children.add(child);
+      }
+    }
+    return children;
   }
 
   /** Returns the text of an attribute if the file gives it. */
@@ -42,12 +55,12 @@ public record Element(
 
   /** Returns the children of a name, in file order. */
   public List<Element> children(String childName) {
-    return children.stream().filter(c -> c.name().equals(childName)).toList();
+    return children().stream().filter(c -> c.name().equals(childName)).toList();
   }
 
   /** Returns the first child of a name. */
   public Optional<Element> child(String childName) {
-    return children.stream().filter(c -> c.name().equals(childName)).findFirst();
+    return children().stream().filter(c -> c.name().equals(childName)).findFirst();
   }
 
   /**

@@ -6,6 +6,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
@@ -29,18 +30,22 @@ final class ElementBuilder extends DefaultHandler2 {
    * An element whose end has not been read.
    *
    * @param head the element without its children
-   * @param children those read so far
+   * @param content what has been read of it so far
    */
-  private record Open(Element head, List<Element> children) {
+  private record Open(Element head, List<Content> content) {
     Element close() {
-      return new Element(head.name(), head.attributes(), children, head.place(), head.owner());
+      return new Element(head.name(), head.attributes(), content, head.place(), head.owner());
     }
   }
 
   private final Diagnostics diagnostics;
   private final ParserPlace here;
   private final Deque<Open> open = new ArrayDeque<>();
+  private final List<Comment> prolog = new ArrayList<>();
+  private final List<Comment> epilog = new ArrayList<>();
+  private Optional<String> systemId = Optional.empty();
   private Optional<Element> root = Optional.empty();
+  private boolean inDtd;
   private int elements;
   private int line = 1;
   private int column = 1;
@@ -56,9 +61,13 @@ final class ElementBuilder extends DefaultHandler2 {
     this.here = here;
   }
 
-  /** Returns the outermost element once its end has been read. */
-  Optional<Element> root() {
-    return root;
+  /**
+   * Returns what has been read once the end of the outermost element has.
+   *
+   * @param hasDoctype whether the file itself names the grammar
+   */
+  Optional<Document> document(boolean hasDoctype) {
+    return root.map(r -> new Document(systemId.filter(id -> hasDoctype), prolog, r, epilog));
   }
 
   /** Returns the innermost element whose end has not been read, without its children. */
@@ -141,7 +150,7 @@ final class ElementBuilder extends DefaultHandler2 {
     if (parent == null) {
       root = Optional.of(element);
     } else {
-      parent.children().add(element);
+      parent.content().add(element);
     }
     passed();
   }
@@ -175,7 +184,30 @@ final class ElementBuilder extends DefaultHandler2 {
   }
 
   @Override
+  public void startDTD(String name, @Nullable String publicId, @Nullable String dtdId) {
+    inDtd = true;
+    // Without DOCTYPE the parser announces the bundled grammar with the file's own id, which is
+    // none.
+    systemId = Optional.ofNullable(dtdId);
+  }
+
+  @Override
+  public void endDTD() {
+    inDtd = false;
+  }
+
+  /** {@inheritDoc} Comments inside a DOCTYPE, of the grammar for one, are not the model's. */
+  @Override
   public void comment(char[] text, int start, int length) {
+    Comment comment = new Comment(new String(text, start, length));
+    if (!inDtd) {
+      Open element = open.peek();
+      if (element != null) {
+        element.content().add(comment);
+      } else {
+        (root.isEmpty() ? prolog : epilog).add(comment);
+      }
+    }
     passed();
   }
 

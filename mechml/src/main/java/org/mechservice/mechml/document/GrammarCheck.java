@@ -84,21 +84,14 @@ final class GrammarCheck {
 
   private void unknownAttribute(
       Element element, String name, Collection<String> known, Optional<String> meant) {
-    if (LaterLanguage.hasAttribute(element.name(), name)) {
-      error(
-          MessageCode.NOT_IN_THIS_VERSION,
-          element,
-          Phrase.of("attribute %s is not available; %s", Quoted.of(name), LaterLanguage.PRESENT));
-    } else {
-      String hint =
-          meant
-              .map(n -> "; did you mean " + Quoted.of(n) + "?")
-              .orElse(known.isEmpty() ? "; it has none" : "; it has " + String.join(", ", known));
-      error(
-          MessageCode.UNKNOWN_ATTRIBUTE,
-          element,
-          Phrase.of("<%s> has no attribute %s%s", element.name(), Quoted.of(name), hint));
-    }
+    String hint =
+        meant
+            .map(n -> "; did you mean " + Quoted.of(n) + "?")
+            .orElse(known.isEmpty() ? "; it has none" : "; it has " + String.join(", ", known));
+    error(
+        MessageCode.UNKNOWN_ATTRIBUTE,
+        element,
+        Phrase.of("<%s> has no attribute %s%s", element.name(), Quoted.of(name), hint));
   }
 
   private void notInList(Element element, Attribute attribute, Grammar.AttributeRule rule) {
@@ -138,13 +131,6 @@ final class GrammarCheck {
   }
 
   private void unknownElement(Element parent, Element child, ContentModel content) {
-    if (LaterLanguage.hasElement(child.name())) {
-      diagnostics.error(
-          MessageCode.NOT_IN_THIS_VERSION,
-          child.place(),
-          Phrase.of("<%s> is not available; %s", child.name(), LaterLanguage.PRESENT));
-      return;
-    }
     String hint =
         Nearest.of(child.name(), grammar.elements())
             .map(n -> "; did you mean <" + n + ">?")

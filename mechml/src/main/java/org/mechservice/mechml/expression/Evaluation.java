@@ -18,44 +18,44 @@ public final class Evaluation {
    * @return a finite number
    * @throws ExpressionException if a name stands for nothing or a part has no finite value
    */
-  public static double of(Expression expression, Scope scope) throws ExpressionException {
+  public static double of(ParsedExpression expression, Scope scope) throws ExpressionException {
     return new Evaluation(scope).value(expression);
   }
 
-  private double value(Expression expression) throws ExpressionException {
-    if (expression instanceof Expression.Literal literal) {
+  private double value(ParsedExpression expression) throws ExpressionException {
+    if (expression instanceof ParsedExpression.Literal literal) {
       return literal.value();
     }
-    if (expression instanceof Expression.Reference reference) {
+    if (expression instanceof ParsedExpression.Reference reference) {
       return finite(scope.value(reference), reference.offset(), reference.text());
     }
-    if (expression instanceof Expression.Sum sum) {
+    if (expression instanceof ParsedExpression.Sum sum) {
       return sum(sum);
     }
-    if (expression instanceof Expression.Product product) {
+    if (expression instanceof ParsedExpression.Product product) {
       return product(product);
     }
-    if (expression instanceof Expression.Negation negation) {
+    if (expression instanceof ParsedExpression.Negation negation) {
       return 0 - value(negation.operand());
     }
-    if (expression instanceof Expression.Power power) {
+    if (expression instanceof ParsedExpression.Power power) {
       return power(power);
     }
-    return call((Expression.Call) expression);
+    return call((ParsedExpression.Call) expression);
   }
 
-  private double sum(Expression.Sum sum) throws ExpressionException {
+  private double sum(ParsedExpression.Sum sum) throws ExpressionException {
     double total = value(sum.parts().get(0).operand());
-    for (Expression.Part part : rest(sum.parts())) {
+    for (ParsedExpression.Part part : rest(sum.parts())) {
       double operand = value(part.operand());
       total = finite(part.inverse() ? total - operand : total + operand, part.offset(), "the sum");
     }
     return total;
   }
 
-  private double product(Expression.Product product) throws ExpressionException {
+  private double product(ParsedExpression.Product product) throws ExpressionException {
     double total = value(product.parts().get(0).operand());
-    for (Expression.Part part : rest(product.parts())) {
+    for (ParsedExpression.Part part : rest(product.parts())) {
       double operand = value(part.operand());
       if (part.inverse() && operand == 0) {
         throw new ExpressionException(
@@ -67,18 +67,18 @@ public final class Evaluation {
     return total;
   }
 
-  private static List<Expression.Part> rest(List<Expression.Part> parts) {
+  private static List<ParsedExpression.Part> rest(List<ParsedExpression.Part> parts) {
     return parts.subList(1, parts.size());
   }
 
-  private double power(Expression.Power power) throws ExpressionException {
+  private double power(ParsedExpression.Power power) throws ExpressionException {
     double base = value(power.base());
     double exponent = value(power.exponent());
     return finite(
         StrictMath.pow(base, exponent), power.offset(), Phrase.of("%s ^ %s", base, exponent));
   }
 
-  private double call(Expression.Call call) throws ExpressionException {
+  private double call(ParsedExpression.Call call) throws ExpressionException {
     double[] arguments = new double[call.arguments().size()];
     StringBuilder shown = new StringBuilder(call.function().symbol()).append('(');
     for (int i = 0; i < arguments.length; i++) {

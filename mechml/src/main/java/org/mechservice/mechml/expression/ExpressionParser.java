@@ -2,6 +2,8 @@ package org.mechservice.mechml.expression;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalInt;
+import java.util.regex.Pattern;
 import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Nearest;
 import org.mechservice.mechml.diagnosis.Phrase;
@@ -11,6 +13,8 @@ import org.mechservice.mechml.diagnosis.Quoted;
 public final class ExpressionParser {
   /** Deeper nesting is refused, which bounds the stack here and wherever the tree is walked. */
   static final int DEEPEST = 100;
+
+  private static final Pattern INDEX = Pattern.compile("[0-9]");
 
   private final Tokenizer tokenizer;
   private Token token;
@@ -26,65 +30,65 @@ public final class ExpressionParser {
    *
    * @throws ExpressionException if the text is not an expression or nests too deeply
    */
-  public static Expression parse(String text) throws ExpressionException {
+  public static ParsedExpression parse(String text) throws ExpressionException {
     ExpressionParser parser = new ExpressionParser(text);
     if (parser.token.kind() == Token.Kind.END) {
       throw new ExpressionException(
           MessageCode.EXPRESSION_SYNTAX, parser.token.offset(), "a value is missing");
     }
-    Expression expression = parser.sum();
+    ParsedExpression expression = parser.sum();
     if (parser.token.kind() != Token.Kind.END) {
       throw parser.unexpected("an operator or the end");
     }
     return expression;
   }
 
-  private Expression sum() throws ExpressionException {
+  private ParsedExpression sum() throws ExpressionException {
     int offset = token.offset();
-    List<Expression.Part> parts = new ArrayList<>();
-    parts.add(new Expression.Part(false, product(), offset));
+    List<ParsedExpression.Part> parts = new ArrayList<>();
+    parts.add(new ParsedExpression.Part(false, product(), offset));
     while (token.is("+") || token.is("-")) {
       Token operator = advance();
-      parts.add(new Expression.Part(operator.is("-"), product(), operator.offset()));
+      parts.add(new ParsedExpression.Part(operator.is("-"), product(), operator.offset()));
     }
-    return parts.size() == 1 ? parts.get(0).operand() : new Expression.Sum(parts, offset);
+    return parts.size() == 1 ? parts.get(0).operand() : new ParsedExpression.Sum(parts, offset);
   }
 
-  private Expression product() throws ExpressionException {
+  private ParsedExpression product() throws ExpressionException {
     int offset = token.offset();
-    List<Expression.Part> parts = new ArrayList<>();
-    parts.add(new Expression.Part(false, signed(), offset));
+    List<ParsedExpression.Part> parts = new ArrayList<>();
+    parts.add(new ParsedExpression.Part(false, signed(), offset));
     while (token.is("*") || token.is("/")) {
       Token operator = advance();
-      parts.add(new Expression.Part(operator.is("/"), signed(), operator.offset()));
+      parts.add(new ParsedExpression.Part(operator.is("/"), signed(), operator.offset()));
     }
-    return parts.size() == 1 ? parts.get(0).operand() : new Expression.Product(parts, offset);
+    return parts.size() == 1 ? parts.get(0).operand() : new ParsedExpression.Product(parts, offset);
   }
 
-  private Expression signed() throws ExpressionException {
+  private ParsedExpression signed() throws ExpressionException {
     int offset = token.offset();
     boolean negative = false;
     while (token.is("+") || token.is("-")) {
       negative ^= advance().is("-");
     }
-    Expression power = power();
-    return negative ? new Expression.Negation(power, offset) : power;
+    ParsedExpression power = power();
+    return negative ? new ParsedExpression.Negation(power, offset) : power;
   }
 
   /** Every way down leads through here, so here the depth is counted. */
-  private Expression power() throws ExpressionException {
+  private ParsedExpression power() throws ExpressionException {
     enter();
-    Expression base = primary();
-    Expression result = base;
+    ParsedExpression base = primary();
+    ParsedExpression result = base;
     if (token.is("^")) {
       Token operator = advance();
-      result = new Expression.Power(base, signed(), operator.offset());
+      result = new ParsedExpression.Power(base, signed(), operator.offset());
     }
     depth--;
     return result;
   }
 
-  private Expression primary() throws ExpressionException {
+  private ParsedExpression primary() throws ExpressionException {
     if (token.kind() == Token.Kind.NUMBER) {
       return literal(advance());
     }
@@ -95,12 +99,12 @@ public final class ExpressionParser {
       throw unexpected("a number, a name or \"(\"");
     }
     advance();
-    Expression inner = sum();
+    ParsedExpression inner = sum();
     expect(")");
     return inner;
   }
 
-  private static Expression literal(Token number) throws ExpressionException {
+  private static ParsedExpression literal(Token number) throws ExpressionException {
     double value = Double.parseDouble(number.text());
     boolean written = number.text().split("[eE]", 2)[0].chars().anyMatch(c -> c >= '1' && c <= '9');
     if (Double.isInfinite(value) || (value == 0 && written)) {
@@ -109,10 +113,10 @@ public final class ExpressionParser {
           number.offset(),
           Quoted.plain(number.text()) + " is too " + (written && value == 0 ? "small" : "large"));
     }
-    return new Expression.Literal(value, number.offset());
+    return new ParsedExpression.Literal(value, number.offset());
   }
 
-  private Expression referenceOrCall() throws ExpressionException {
+  private ParsedExpression referenceOrCall() throws ExpressionException {
     int offset = token.offset();
     List<String> names = new ArrayList<>();
     names.add(advance().text());
@@ -123,15 +127,30 @@ public final class ExpressionParser {
       }
       names.add(advance().text());
     }
-    Expression.Reference reference = new Expression.Reference(names, offset);
+    ParsedExpression.Reference reference = new ParsedExpression.Reference(names, index(), offset);
     return token.is("(") ? call(reference) : reference;
   }
 
-  private Expression call(Expression.Reference name) throws ExpressionException {
+  private OptionalInt index() throws ExpressionException {
+    if (!token.is("[")) {
+      return OptionalInt.empty();
+    }
+    advance();
+    if (!INDEX.matcher(token.text()).matches()) {
+      throw unexpected("the number of a component, from 0 to 9");
+    }
+    int index = Integer.parseInt(advance().text());
+    expect("]");
+    return OptionalInt.of(index);
+  }
+
+  private ParsedExpression call(ParsedExpression.Reference name) throws ExpressionException {
     String symbol = name.names().get(name.names().size() - 1);
     boolean prefixed = name.names().size() == 2 && name.names().get(0).equals("Math");
     Function function =
-        prefixed || name.names().size() == 1 ? Function.named(symbol).orElse(null) : null;
+        (prefixed || name.names().size() == 1) && name.index().isEmpty()
+            ? Function.named(symbol).orElse(null)
+            : null;
     if (function == null) {
       throw new ExpressionException(
           MessageCode.EXPRESSION_NAME,
@@ -140,7 +159,7 @@ public final class ExpressionParser {
               + Quoted.of(name.text())
               + Nearest.suggestion(symbol, Function.symbols()));
     }
-    List<Expression> arguments = arguments();
+    List<ParsedExpression> arguments = arguments();
     if (arguments.size() != function.arity()) {
       throw new ExpressionException(
           MessageCode.EXPRESSION_SYNTAX,
@@ -149,11 +168,11 @@ public final class ExpressionParser {
               "%s takes %d argument%s, not %d",
               symbol, function.arity(), function.arity() == 1 ? "" : "s", arguments.size()));
     }
-    return new Expression.Call(function, arguments, name.offset());
+    return new ParsedExpression.Call(function, arguments, name.offset());
   }
 
-  private List<Expression> arguments() throws ExpressionException {
-    List<Expression> arguments = new ArrayList<>();
+  private List<ParsedExpression> arguments() throws ExpressionException {
+    List<ParsedExpression> arguments = new ArrayList<>();
     do {
       advance();
       arguments.add(sum());

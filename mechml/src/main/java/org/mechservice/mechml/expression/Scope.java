@@ -1,5 +1,7 @@
 package org.mechservice.mechml.expression;
 
+import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Nearest;
@@ -9,16 +11,23 @@ import org.mechservice.mechml.diagnosis.Quoted;
 @FunctionalInterface
 public interface Scope {
   /** The names every expression knows: {@code PI}, also written {@code Math.PI}. */
-  Scope CONSTANTS = Scope::constant;
+  Scope CONSTANTS = name -> constant(name, List.of());
 
   /**
    * Returns the value of a name.
    *
    * @throws ExpressionException if the name stands for nothing
    */
-  double value(Expression.Reference name) throws ExpressionException;
+  double value(ParsedExpression.Reference name) throws ExpressionException;
 
-  private static double constant(Expression.Reference name) throws ExpressionException {
+  /**
+   * Returns the value of a name that every expression knows.
+   *
+   * @param others the other names known here, for a suggestion
+   * @throws ExpressionException if the name is none of them
+   */
+  static double constant(ParsedExpression.Reference name, Collection<String> others)
+      throws ExpressionException {
     if (name.text().equals("PI") || name.text().equals("Math.PI")) {
       return Math.PI;
     }
@@ -26,11 +35,13 @@ public interface Scope {
       throw new ExpressionException(
           MessageCode.EXPRESSION_SYNTAX, name.offset(), name.text() + " lacks its arguments");
     }
+    List<String> known = new ArrayList<>(others);
+    known.add("PI");
     throw new ExpressionException(
         MessageCode.EXPRESSION_NAME,
         name.offset(),
         Quoted.of(name.text())
             + " stands for nothing here"
-            + Nearest.suggestion(name.text(), List.of("PI")));
+            + Nearest.suggestion(name.text(), known));
   }
 }

@@ -13,7 +13,7 @@ final class Tokenizer {
 
   private static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z0-9_]*+");
   private static final Pattern QUOTED_NAME = Pattern.compile("'([^']++)'");
-  private static final String SYMBOLS = "+-*/^(),.";
+  private static final String SYMBOLS = "+-*/^(),.[]";
 
   private final String text;
   private int position;

@@ -9,8 +9,8 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Reads point, {@code vector} and {@code vector2} of a joint that needs an axis in both bodies: A0
- * a2 = a1 with the least rotation, and with second vectors A0 b2 = b1 (MECHML §4).
+ * Reads points and vectors of joints, and how the bodies stand at zero (MECHML §4): a1, a2 are the
+ * vectors, b1, b2 the second vectors.
  */
 final class AxisReader {
   private final Diagnostics diagnostics;
@@ -19,22 +19,136 @@ final class AxisReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns how the joint sits; empty if something was wrong and has been reported. */
+  /**
+   * Returns how a joint with one axis sits: A0 a2 = a1 with the least rotation, and with second
+   * vectors A0 b2 = b1; empty if something was wrong and has been reported.
+   */
   Optional<AxisPlacement> read(JointInput input) {
-    Optional<Vector3> point1 = input.end1().point();
-    Optional<Vector3> point2 = input.end2().point();
     Optional<Vector3> axis1 = axis(input, input.end1());
     Optional<Vector3> axis2 = axis(input, input.end2());
     Optional<Rotation> zero =
         axis1.isPresent() && axis2.isPresent()
             ? zeroRotation(input, axis1.get(), axis2.get())
             : Optional.empty();
+    return placement(input, axis1, axis2, zero);
+  }
+
+  /**
+   * Returns how a planar joint sits: as {@link #read}, but the second vector of body1 is needed,
+   * and that of body2 may be left out.
+   */
+  Optional<AxisPlacement> readPlane(JointInput input) {
+    Optional<Vector3> axis1 = axis(input, input.end1());
+    Optional<Vector3> axis2 = axis(input, input.end2());
+    if (!input.end1().has("vector2")) {
+      error(
+          MessageCode.SECOND_VECTOR,
+          input,
+          "body1 needs vector2, the direction of the first displacement");
+      return Optional.empty();
+    }
+    if (axis1.isEmpty() || axis2.isEmpty() || secondDirection(input, axis1.get()).isEmpty()) {
+      return Optional.empty();
+    }
+    Optional<Rotation> zero =
+        input.end2().has("vector2")
+            ? withSecondVectors(input, axis1.get(), axis2.get())
+            : leastRotation(input, axis1.get(), axis2.get());
+    return placement(input, axis1, axis2, zero);
+  }
+
+  /** Returns b1, orthogonal to a1 and of length 1; empty if it has been reported. */
+  Optional<Vector3> secondDirection(JointInput input, Vector3 axis1) {
+    Optional<Vector3> second = input.end1().direction("vector2");
+    if (second.isPresent() && ZeroRotation.areParallel(axis1, second.get())) {
+      error(MessageCode.SECOND_VECTOR, input, "vector2 is parallel to vector");
+      return Optional.empty();
+    }
+    return second.map(direction -> ZeroRotation.normalTo(axis1, direction));
+  }
+
+  /**
+   * Returns how a universal joint sits: A0 is the least rotation that brings a2 into the plane
+   * normal to a1, or onto b1.
+   */
+  Optional<AxisPlacement> readCross(JointInput input) {
+    Optional<Vector3> axis1 = axis(input, input.end1());
+    Optional<Vector3> axis2 = axis(input, input.end2());
+    if (axis1.isEmpty() || axis2.isEmpty()) {
+      return Optional.empty();
+    }
+    return placement(input, axis1, axis2, crossRotation(input, axis1.get(), axis2.get()));
+  }
+
+  private Optional<Rotation> crossRotation(JointInput input, Vector3 axis1, Vector3 axis2) {
+    if (input.end2().has("vector2")) {
+      error(
+          MessageCode.SECOND_VECTOR,
+          input,
+          "body2 takes no vector2; that of body1 says where the vector of body2 points at zero");
+      return Optional.empty();
+    }
+    if (input.end1().has("vector2")) {
+      return secondDirection(input, axis1)
+          .flatMap(direction -> leastRotation(input, direction, axis2));
+    }
+    if (ZeroRotation.areParallel(axis1, axis2)) {
+      error(
+          MessageCode.SECOND_VECTOR,
+          input,
+          "the vectors of the two bodies are parallel, which leaves open where the second axis"
+              + " points at zero; add vector2 to body1");
+      return Optional.empty();
+    }
+    return ZeroRotation.areOrthogonal(axis1, axis2)
+        ? Optional.of(Rotation.IDENTITY)
+        : ZeroRotation.least(axis2, ZeroRotation.normalTo(axis1, axis2));
+  }
+
+  /** Returns how a weld sits: as {@link #read}, with parallel axes if there are no vectors. */
+  Optional<AxisPlacement> readWeld(JointInput input) {
+    if (input.end1().has("vector") || input.end2().has("vector")) {
+      return read(input);
+    }
+    return readPoints(input);
+  }
+
+  /** Returns how a joint without axes sits, with parallel axes at zero. */
+  Optional<AxisPlacement> readPoints(JointInput input) {
+    refuseVectors(input, input.end1());
+    refuseVectors(input, input.end2());
+    return placement(
+        input,
+        Optional.of(Vector3.ZERO),
+        Optional.of(Vector3.ZERO),
+        Optional.of(Rotation.IDENTITY));
+  }
+
+  private void refuseVectors(JointInput input, JointEnd end) {
+    if (end.has("vector") || end.has("vector2")) {
+      diagnostics.error(
+          MessageCode.VECTOR_WITHOUT_MEANING,
+          end.element().place(),
+          Phrase.of(
+              input.type().name().equals("W")
+                  ? "%s names vector2 but no vector"
+                  : "%s names a vector; a joint of type %s has none: its axes are parallel where its"
+                      + " Euler parameters are 1;0;0;0",
+              end.element().role(),
+              input.type()));
+    }
+  }
+
+  private static Optional<AxisPlacement> placement(
+      JointInput input, Optional<Vector3> axis1, Optional<Vector3> axis2, Optional<Rotation> zero) {
+    Optional<Vector3> point1 = input.end1().point();
+    Optional<Vector3> point2 = input.end2().point();
     if (point1.isEmpty() || point2.isEmpty() || axis1.isEmpty() || zero.isEmpty()) {
       return Optional.empty();
     }
     Attachment attachment =
         new Attachment(input.body1(), point1.get(), input.body2(), point2.get(), zero.get());
-    return Optional.of(new AxisPlacement(attachment, axis1.get()));
+    return Optional.of(new AxisPlacement(attachment, axis1.get(), axis2.orElseThrow()));
   }
 
   private Optional<Vector3> axis(JointInput input, JointEnd end) {
@@ -59,7 +173,11 @@ final class AxisReader {
       error(MessageCode.SECOND_VECTOR, input, "vector2 must be given in both bodies or in neither");
       return Optional.empty();
     }
-    Optional<Rotation> least = ZeroRotation.least(axis2, axis1);
+    return leastRotation(input, axis1, axis2);
+  }
+
+  private Optional<Rotation> leastRotation(JointInput input, Vector3 to, Vector3 from) {
+    Optional<Rotation> least = ZeroRotation.least(from, to);
     if (least.isEmpty()) {
       error(
           MessageCode.OPPOSITE_VECTORS,

@@ -7,7 +7,7 @@ import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
-import org.mechservice.mechml.unit.Dimension;
+import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.spatial.InertiaTensor;
@@ -32,7 +32,7 @@ final class BodyReader {
     String absence = Phrase.of("body %s does not have", Quoted.of(element.required("name")));
     NameTable<Vector3> points = new NameTable<>("point", absence, diagnostics);
     for (Element point : element.children("point")) {
-      points.add(point, values.vector(point, "x", "y", "z", Dimension.LENGTH));
+      points.add(point, values.vector(point, "x", "y", "z", Quantity.LENGTH));
     }
     NameTable<Vector3> vectors = new NameTable<>("vector", absence, diagnostics);
     for (Element vector : element.children("vector")) {
@@ -45,7 +45,7 @@ final class BodyReader {
     Optional<Vector3> centerOfMass =
         element
             .child("cog")
-            .map(cog -> values.vector(cog, "x", "y", "z", Dimension.LENGTH))
+            .map(cog -> values.vector(cog, "x", "y", "z", Quantity.LENGTH))
             .orElse(Optional.of(Vector3.ZERO));
     OptionalDouble mass = element.child("mass").map(this::mass).orElse(OptionalDouble.of(0));
     Optional<InertiaTensor> inertia =
@@ -63,7 +63,7 @@ final class BodyReader {
   }
 
   private OptionalDouble mass(Element element) {
-    OptionalDouble mass = values.quantity(element, "value", Dimension.MASS);
+    OptionalDouble mass = values.quantity(element, "value", Quantity.MASS);
     if (mass.isPresent() && mass.getAsDouble() < 0) {
       diagnostics.error(
           MessageCode.NEGATIVE_MASS,

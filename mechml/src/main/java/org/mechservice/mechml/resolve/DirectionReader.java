@@ -5,7 +5,7 @@ import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
-import org.mechservice.mechml.unit.Dimension;
+import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.solver.spatial.Vector3;
 
 /** Reads {@code vector}: a direction, normalised. */
@@ -20,7 +20,7 @@ final class DirectionReader {
 
   /** Returns the unit vector; reports one of length zero. */
   Optional<Vector3> read(Element element) {
-    Optional<Vector3> vector = values.vector(element, "vx", "vy", "vz", Dimension.NONE);
+    Optional<Vector3> vector = values.vector(element, "vx", "vy", "vz", Quantity.NUMBER);
     if (vector.isPresent() && !hasDirection(vector.get())) {
       diagnostics.error(
           MessageCode.ZERO_VECTOR,

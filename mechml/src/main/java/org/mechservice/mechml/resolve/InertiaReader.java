@@ -6,7 +6,7 @@ import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
-import org.mechservice.mechml.unit.Dimension;
+import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.solver.spatial.InertiaTensor;
 
 /** Reads {@code inertiaTensor} and checks that some body could have it. */
@@ -27,12 +27,12 @@ final class InertiaReader {
 
   /** Returns the tensor; reports negative principal moments as an error. */
   Optional<InertiaTensor> read(Element element) {
-    OptionalDouble xx = values.quantity(element, "Ixx", Dimension.INERTIA);
-    OptionalDouble yy = values.quantity(element, "Iyy", Dimension.INERTIA);
-    OptionalDouble zz = values.quantity(element, "Izz", Dimension.INERTIA);
-    OptionalDouble xy = values.quantityOrZero(element, "Ixy", Dimension.INERTIA);
-    OptionalDouble xz = values.quantityOrZero(element, "Ixz", Dimension.INERTIA);
-    OptionalDouble yz = values.quantityOrZero(element, "Iyz", Dimension.INERTIA);
+    OptionalDouble xx = values.quantity(element, "Ixx", Quantity.INERTIA);
+    OptionalDouble yy = values.quantity(element, "Iyy", Quantity.INERTIA);
+    OptionalDouble zz = values.quantity(element, "Izz", Quantity.INERTIA);
+    OptionalDouble xy = values.quantityOrZero(element, "Ixy", Quantity.INERTIA);
+    OptionalDouble xz = values.quantityOrZero(element, "Ixz", Quantity.INERTIA);
+    OptionalDouble yz = values.quantityOrZero(element, "Iyz", Quantity.INERTIA);
     boolean diagonal = xx.isPresent() && yy.isPresent() && zz.isPresent();
     if (!diagonal || xy.isEmpty() || xz.isEmpty() || yz.isEmpty()) {
       return Optional.empty();

@@ -1,60 +1,55 @@
 package org.mechservice.mechml.resolve;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.function.DoublePredicate;
+import org.mechservice.mechml.AbsoluteTolerances;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Nearest;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.unit.Unit;
 import org.mechservice.solver.integration.IntegratorSettings;
 
 /** Reads {@code integrator}. */
 final class IntegratorReader {
-  private static final List<String> KNOWN = List.of("DE", "ode113");
+  private static final List<String> KNOWN = List.of("auto", "DE", "ode113", "ode15s", "ode15sR");
+  private static final List<String> BACKWARD = List.of("ode15s", "ode15sR");
 
   /** Order of the Adams formulas with local extrapolation at its highest. */
-  private static final int HIGHEST_ORDER = 13;
+  private static final int HIGHEST_ADAMS_ORDER = 13;
+
+  /** Order of the backward differentiation formulas at its highest; the next one is unstable. */
+  private static final int HIGHEST_BACKWARD_ORDER = 5;
 
   private final ValueReader values;
+  private final SettingReader settings;
   private final Diagnostics diagnostics;
 
   IntegratorReader(ValueReader values, Diagnostics diagnostics) {
     this.values = values;
+    this.settings = new SettingReader(values, diagnostics);
     this.diagnostics = diagnostics;
   }
 
   /** Returns the integrator; empty if something was wrong and has been reported. */
   Optional<IntegratorChoice> read(Element element) {
     String name = element.required("name");
-    boolean known = KNOWN.contains(name);
-    if (!known) {
-      diagnostics.error(
-          MessageCode.UNKNOWN_INTEGRATOR,
-          element.place(),
-          Phrase.of("there is no integrator %s; this version has DE and ode113", Quoted.of(name)));
-    }
+    boolean known = isKnown(element, name);
     OptionalDouble relative =
-        checked(
+        settings.read(
             element,
             "relTol",
             0,
             x -> x >= IntegratorSettings.SMALLEST_RELATIVE_TOLERANCE && x < 1,
             "must lie between " + IntegratorSettings.SMALLEST_RELATIVE_TOLERANCE + " and 1");
-    OptionalDouble absolute =
-        checked(element, "absTol", 0, x -> x >= Double.MIN_NORMAL, "must be positive");
-    OptionalDouble maxStep =
-        checked(element, "maxStep", Double.POSITIVE_INFINITY, x -> x > 0, "must be positive");
-    OptionalDouble initialStep = checked(element, "initialStep", 0, x -> x > 0, "must be positive");
-    OptionalDouble maxOrder =
-        checked(
-            element,
-            "maxOrder",
-            0,
-            x -> x >= 1 && x <= HIGHEST_ORDER && x == Math.rint(x),
-            "must be a whole number from 1 to " + HIGHEST_ORDER);
+    Optional<AbsoluteTolerances> absolute = absoluteTolerances(element);
+    OptionalDouble maxStep = positive(element, "maxStep", Double.POSITIVE_INFINITY);
+    OptionalDouble initialStep = positive(element, "initialStep", 0);
+    OptionalDouble maxOrder = maxOrder(element, name);
     boolean tolerances = relative.isPresent() && absolute.isPresent();
     boolean bounds = maxStep.isPresent() && initialStep.isPresent() && maxOrder.isPresent();
     return known && tolerances && bounds
@@ -62,27 +57,64 @@ final class IntegratorReader {
             new IntegratorChoice(
                 name,
                 relative.getAsDouble(),
-                absolute.getAsDouble(),
+                absolute.get(),
                 maxStep.getAsDouble(),
                 initialStep.getAsDouble(),
                 (int) maxOrder.getAsDouble()))
         : Optional.empty();
   }
 
-  /** Returns a number that satisfies a condition; the open value if the attribute is missing. */
-  private OptionalDouble checked(
-      Element element, String attribute, double open, DoublePredicate condition, String rule) {
-    if (element.attribute(attribute).isEmpty()) {
-      return OptionalDouble.of(open);
+  private boolean isKnown(Element element, String name) {
+    if (KNOWN.contains(name)) {
+      return true;
     }
-    OptionalDouble value = values.number(element, attribute);
-    if (value.isPresent() && !condition.test(value.getAsDouble())) {
-      diagnostics.error(
-          MessageCode.INTEGRATOR_SETTING,
-          element.place(),
-          Phrase.of("%s: %s is %s; it %s", element.label(), attribute, value.getAsDouble(), rule));
-      return OptionalDouble.empty();
+    diagnostics.error(
+        MessageCode.UNKNOWN_INTEGRATOR,
+        element.place(),
+        Phrase.of(
+            "there is no integrator %s%s",
+            Quoted.of(name),
+            Nearest.of(name, KNOWN)
+                .map(n -> "; did you mean " + Quoted.of(n) + "?")
+                .orElse("; there are " + String.join(", ", KNOWN))));
+    return false;
+  }
+
+  private OptionalDouble positive(Element element, String attribute, double open) {
+    return settings.read(element, attribute, open, x -> x > 0, "must be positive");
+  }
+
+  private OptionalDouble maxOrder(Element element, String name) {
+    int highest = BACKWARD.contains(name) ? HIGHEST_BACKWARD_ORDER : HIGHEST_ADAMS_ORDER;
+    return settings.read(
+        element,
+        "maxOrder",
+        0,
+        x -> x >= 1 && x <= highest && x == Math.rint(x),
+        "must be a whole number from 1 to " + highest);
+  }
+
+  private Optional<AbsoluteTolerances> absoluteTolerances(Element element) {
+    List<AttributeText> items = AttributeText.itemsOf(element, "absTol");
+    if (items.size() != 1 && !values.hasCount(items, 4)) {
+      return Optional.empty();
     }
-    return value;
+    List<Double> tolerances = new ArrayList<>();
+    for (AttributeText item : items) {
+      OptionalDouble tolerance = values.evaluate(item, Unit.ONE);
+      if (tolerance.isPresent() && tolerance.getAsDouble() < Double.MIN_NORMAL) {
+        settings.report(element, "absTol", tolerance.getAsDouble(), "must be positive");
+      } else {
+        tolerance.ifPresent(tolerances::add);
+      }
+    }
+    if (tolerances.size() < items.size()) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        tolerances.size() == 1
+            ? AbsoluteTolerances.uniform(tolerances.get(0))
+            : new AbsoluteTolerances(
+                tolerances.get(0), tolerances.get(1), tolerances.get(2), tolerances.get(3)));
   }
 }

@@ -2,13 +2,14 @@ package org.mechservice.mechml.resolve;
 
 import java.util.Optional;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
  * What the reader of a joint type is given.
  *
- * @param element the joint
+ * @param element the joint, or the constraint that has a joint's equations
  * @param end1 body1
  * @param end2 body2
  * @param body1 index of body1's body; {@link Mechanism#ROOT} for the root
@@ -28,5 +29,9 @@ record JointInput(
   /** Returns the joint's name. */
   String name() {
     return element.required("name");
+  }
+
+  JointType type() {
+    return JointType.valueOf(element.required("type"));
   }
 }

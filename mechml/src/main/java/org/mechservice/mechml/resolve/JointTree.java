@@ -2,32 +2,63 @@ package org.mechservice.mechml.resolve;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.stream.IntStream;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
-import org.mechservice.mechml.document.LaterLanguage;
+import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 
-/** Whether the joints form a tree, and which end of each is nearer the root. */
+/**
+ * Which joints form the tree, which close loops and are cut, and which end of each is nearer the
+ * root.
+ *
+ * <p>Welds are taken first, then the others, each in file order; one whose bodies are connected
+ * already is cut. A joint marked {@code cut="true"} never enters the tree (MECHML §4).
+ */
 final class JointTree {
   private final List<JointLink> links;
   private final BodyIndex index;
   private final BodyGroups groups;
+  private final boolean[] cut;
 
   JointTree(List<JointLink> links, BodyIndex index) {
     this.links = links;
     this.index = index;
     this.groups = new BodyGroups(index.moving().size());
+    this.cut = new boolean[links.size()];
+    for (int j : inOrderOfChoice()) {
+      JointLink link = links.get(j);
+      cut[j] = link.isCutAsked() || groups.areJoined(link.body1(), link.body2());
+      if (!cut[j]) {
+        groups.join(link.body1(), link.body2());
+      }
+    }
   }
 
-  /** Reports each joint of a body with itself and each that closes a loop with earlier ones. */
-  void checkLoops(Diagnostics diagnostics) {
+  private List<Integer> inOrderOfChoice() {
+    return IntStream.range(0, links.size())
+        .boxed()
+        .sorted(Comparator.comparing(j -> links.get(j).type() != JointType.W))
+        .toList();
+  }
+
+  /** Returns whether a joint closes a loop. */
+  boolean isCut(int joint) {
+    return cut[joint];
+  }
+
+  /** Reports joints of a body with itself. */
+  void checkBodies(Diagnostics diagnostics) {
     for (JointLink link : links) {
       if (link.body1() == link.body2()) {
         diagnostics.error(
@@ -36,48 +67,67 @@ final class JointTree {
             Phrase.of(
                 "%s: body1 and body2 are the same body, %s",
                 link.element().label(), name(link.body1())));
-      } else if (groups.areJoined(link.body1(), link.body2())) {
-        diagnostics.error(
-            MessageCode.LOOP,
-            link.element().place(),
-            Phrase.of(
-                "%s closes a loop: %s and %s are connected already; %s",
-                link.element().label(),
-                name(link.body1()),
-                name(link.body2()),
-                LaterLanguage.PRESENT));
       }
-      groups.join(link.body1(), link.body2());
     }
   }
 
-  /** Reports bodies that no chain of joints connects with the root, once for each group. */
+  /** Reports bodies that no chain of uncut joints connects with the root, once for each group. */
   void checkConnection(Diagnostics diagnostics) {
-    Map<Integer, List<Element>> loose = new LinkedHashMap<>();
+    Map<Integer, List<Integer>> loose = new LinkedHashMap<>();
     for (int body = 0; body < index.moving().size(); body++) {
       if (!groups.areJoined(body, Mechanism.ROOT)) {
-        loose
-            .computeIfAbsent(groups.group(body), g -> new ArrayList<>())
-            .add(index.moving().get(body).element());
+        loose.computeIfAbsent(groups.group(body), g -> new ArrayList<>()).add(body);
       }
     }
-    for (List<Element> group : loose.values()) {
+    for (List<Integer> group : loose.values()) {
+      if (diagnostics.isFull()) {
+        return;
+      }
+      Element first = index.moving().get(group.get(0)).element();
       diagnostics.error(
           MessageCode.NOT_CONNECTED,
-          group.get(0).place(),
+          first.place(),
           Phrase.of(
-              "%s: no chain of joints leads from it to the root, %s%s",
-              group.get(0).label(), name(Mechanism.ROOT), alsoLoose(group.size() - 1)));
+              "%s: no chain of joints leads from it to the root, %s%s%s",
+              first.label(),
+              name(Mechanism.ROOT),
+              alsoLoose(group.size() - 1),
+              cutBetween(group.get(0))));
     }
+  }
+
+  private String cutBetween(int body) {
+    Optional<JointLink> bridge =
+        links.stream()
+            .filter(JointLink::isCutAsked)
+            .filter(
+                link ->
+                    groups.areJoined(link.body1(), body) != groups.areJoined(link.body2(), body))
+            .findFirst();
+    return bridge
+        .map(b -> "; " + b.element().label() + " would, but it is cut=\"true\"")
+        .orElse("");
   }
 
   /**
-   * Returns for each joint whether its body2 is the one nearer the root; the joints must form a
-   * tree.
+   * Returns the joints of the tree in file order, each from the body nearer the root outwards; all
+   * must have been read and connect every body.
    */
-  boolean[] reversed() {
+  List<Joint> outward() {
+    boolean[] reversed = reversed();
+    List<Joint> joints = new ArrayList<>();
+    for (int j = 0; j < links.size(); j++) {
+      if (!cut[j]) {
+        Joint joint = links.get(j).joint().orElseThrow();
+        joints.add(reversed[j] ? joint.reversed() : joint);
+      }
+    }
+    return joints;
+  }
+
+  private boolean[] reversed() {
     List<List<Integer>> linksOf = linksOfBodies();
-    boolean[] passed = new boolean[links.size()];
+    boolean[] passed = cut.clone();
     boolean[] reversed = new boolean[links.size()];
     Deque<Integer> front = new ArrayDeque<>(List.of(Mechanism.ROOT));
     while (!front.isEmpty()) {

@@ -8,25 +8,19 @@ import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
-import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
-import org.mechservice.mechml.document.LaterLanguage;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Origin;
 
-/** Reads {@code Joints} and {@code relCoorVals}; the joint's type chooses who reads it. */
+/** Reads {@code Joints} with the starts that {@code relCoorVals} gives them. */
 final class JointsReader {
-  private final Map<String, JointReader> readers;
+  private final JointReader reader;
   private final NameTable<BodyParts> bodies;
   private final BodyIndex index;
   private final Diagnostics diagnostics;
 
   JointsReader(
       ValueReader values, NameTable<BodyParts> bodies, BodyIndex index, Diagnostics diagnostics) {
-    AxisReader axes = new AxisReader(diagnostics);
-    StartReader starts = new StartReader(values);
-    this.readers =
-        Map.of("R", new RevoluteReader(axes, starts), "P", new PrismaticReader(axes, starts));
+    this.reader = new JointReader(values, diagnostics);
     this.bodies = bodies;
     this.index = index;
     this.diagnostics = diagnostics;
@@ -63,7 +57,8 @@ final class JointsReader {
     return starts;
   }
 
-  private Optional<JointLink> link(Element element, Optional<Element> start) {
+  /** Returns a joint, or the joint whose equations a constraint has; reports unknown bodies. */
+  Optional<JointLink> link(Element element, Optional<Element> start) {
     Optional<JointEnd> end1 = end(element.requiredChild("body1"));
     Optional<JointEnd> end2 = end(element.requiredChild("body2"));
     if (end1.isEmpty() || end2.isEmpty()) {
@@ -78,25 +73,11 @@ final class JointsReader {
             index.of(end2.get().body()),
             start,
             new Origin(diagnostics.file(), element.place().line()));
-    return Optional.of(new JointLink(element, input.body1(), input.body2(), joint(input)));
+    return Optional.of(
+        new JointLink(element, start, input.body1(), input.body2(), reader.read(input)));
   }
 
   private Optional<JointEnd> end(Element element) {
     return bodies.find(element, element.required("name")).map(body -> new JointEnd(element, body));
-  }
-
-  private Optional<Joint> joint(JointInput input) {
-    String type = input.element().required("type");
-    JointReader reader = readers.get(type);
-    if (reader == null) {
-      diagnostics.error(
-          MessageCode.NOT_IN_THIS_VERSION,
-          input.element().place(),
-          Phrase.of(
-              "%s: type %s is not available; %s",
-              input.element().label(), Quoted.of(type), LaterLanguage.PRESENT));
-      return Optional.empty();
-    }
-    return reader.read(input);
   }
 }

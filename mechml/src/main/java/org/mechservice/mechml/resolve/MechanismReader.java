@@ -8,52 +8,76 @@ import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.document.Limits;
-import org.mechservice.mechml.unit.Dimension;
+import org.mechservice.mechml.unit.Quantity;
+import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Body;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Output;
+import org.mechservice.solver.mechanism.Parameter;
+import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.Root;
+import org.mechservice.solver.mechanism.StartRole;
+import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.spatial.Vector3;
 
-/** Reads {@code MBSmodel}: bodies, the root, joints with their start, gravity. */
+/**
+ * Reads {@code MBSmodel} in two steps: first bodies, root and joints, which settles what every name
+ * stands for; then what refers to them.
+ */
 final class MechanismReader {
+  private final Element model;
   private final ValueReader values;
   private final Diagnostics diagnostics;
+  private final Optional<Root> root;
+  private final BodyIndex index;
+  private final JointsReader jointsReader;
+  private final List<JointLink> links;
+  private final JointTree tree;
+  private final ModelNames names;
+  private final FormulaReader formulas;
 
-  MechanismReader(ValueReader values, Diagnostics diagnostics) {
+  private MechanismReader(
+      Element model,
+      ValueReader values,
+      Diagnostics diagnostics,
+      NameTable<BodyParts> bodies,
+      Optional<Root> root,
+      BodyIndex index) {
+    this.model = model;
     this.values = values;
     this.diagnostics = diagnostics;
+    this.root = root;
+    this.index = index;
+    this.jointsReader = new JointsReader(values, bodies, index, diagnostics);
+    this.links = jointsReader.read(joints(), jointVals());
+    this.tree = new JointTree(links, index);
+    this.names = new ModelNames(bodies, index, diagnostics);
+    this.formulas = new FormulaReader(values, names, diagnostics);
+    checkTree();
+    placeJoints();
   }
 
-  /** Returns the mechanism; empty if something was wrong and has been reported. */
-  Optional<Mechanism> read(Element model) {
+  /** Returns a reader that knows the names; empty if there is no root or too much of something. */
+  static Optional<MechanismReader> begin(
+      Element model, ValueReader values, Diagnostics diagnostics) {
     NameRule.check(model, diagnostics);
-    Element topology = model.requiredChild("topology");
-    Element rootElement = topology.requiredChild("root");
+    Element rootElement = model.requiredChild("topology").requiredChild("root");
     NameTable<BodyParts> names = new NameTable<>("body", "does not exist", diagnostics);
-    List<BodyParts> bodies = bodies(model, names);
-    Optional<Vector3> gravity = gravity(model);
+    List<BodyParts> bodies = bodies(model, names, values, diagnostics);
     Optional<BodyParts> rootBody = names.find(rootElement, rootElement.required("name"));
     if (rootBody.isEmpty() || bodies.size() > Limits.BODIES) {
       return Optional.empty();
     }
     Optional<Root> root = new RootReader(values, diagnostics).read(rootElement, rootBody.get());
-    BodyIndex index = new BodyIndex(bodies, rootBody.get());
-    List<JointLink> links = links(model, topology, names, index);
-    JointTree tree = tree(model, links, index);
-    if (diagnostics.hasErrors()) {
-      return Optional.empty();
-    }
     return Optional.of(
-        new Mechanism(
-            model.required("name"),
-            root.orElseThrow(),
-            gravity.orElseThrow(),
-            index.moving().stream().map(BodyParts::body).flatMap(Optional<Body>::stream).toList(),
-            outward(links, tree.reversed())));
+        new MechanismReader(
+            model, values, diagnostics, names, root, new BodyIndex(bodies, rootBody.get())));
   }
 
-  private List<BodyParts> bodies(Element model, NameTable<BodyParts> names) {
+  private static List<BodyParts> bodies(
+      Element model, NameTable<BodyParts> names, ValueReader values, Diagnostics diagnostics) {
     List<Element> elements = model.requiredChild("Bodies").children("body");
     if (elements.size() > Limits.BODIES) {
       diagnostics.error(
@@ -71,30 +95,10 @@ final class MechanismReader {
     return bodies;
   }
 
-  private Optional<Vector3> gravity(Element model) {
-    return model
-        .child("Forces")
-        .flatMap(forces -> forces.child("gravity"))
-        .map(g -> values.vector(g, "gx", "gy", "gz", Dimension.ACCELERATION))
-        .orElse(Optional.of(Vector3.ZERO));
-  }
-
-  private List<JointLink> links(
-      Element model, Element topology, NameTable<BodyParts> names, BodyIndex index) {
-    List<Element> jointVals =
-        topology.child("relCoorVals").map(r -> r.children("jointVal")).orElse(List.of());
-    return new JointsReader(values, names, index, diagnostics).read(joints(model), jointVals);
-  }
-
-  private static List<Element> joints(Element model) {
-    return model.child("Joints").map(j -> j.children("joint")).orElse(List.of());
-  }
-
   /** A joint whose body is unknown would make others look unconnected. */
-  private JointTree tree(Element model, List<JointLink> links, BodyIndex index) {
-    JointTree tree = new JointTree(links, index);
-    tree.checkLoops(diagnostics);
-    if (links.size() == joints(model).size()) {
+  private void checkTree() {
+    tree.checkBodies(diagnostics);
+    if (links.size() == joints().size()) {
       tree.checkConnection(diagnostics);
     }
     if (index.moving().isEmpty()) {
@@ -105,15 +109,116 @@ final class MechanismReader {
               "%s is the only body, and it is the root: nothing moves",
               index.root().element().label()));
     }
-    return tree;
   }
 
-  private static List<Joint> outward(List<JointLink> links, boolean[] reversed) {
-    List<Joint> joints = new ArrayList<>();
-    for (int j = 0; j < reversed.length; j++) {
-      Joint joint = links.get(j).joint().orElseThrow();
-      joints.add(reversed[j] ? joint.reversed() : joint);
+  private void placeJoints() {
+    int inTree = 0;
+    int closures = 0;
+    for (int j = 0; j < links.size(); j++) {
+      JointLink link = links.get(j);
+      boolean cut = tree.isCut(j);
+      names.add(
+          new JointPlace(
+              link.element(), link.type(), cut, link.isDriven(), cut ? closures++ : inTree++));
     }
-    return joints;
+  }
+
+  /** Returns what names stand for. */
+  ModelNames names() {
+    return names;
+  }
+
+  /** Returns what reads expressions of these names. */
+  FormulaReader formulas() {
+    return formulas;
+  }
+
+  /** Returns the outputs in file order. */
+  List<Output> outputs() {
+    return new OutputsReader(values, formulas, names, diagnostics).read(model);
+  }
+
+  /** Returns the mechanism; empty if something was wrong and has been reported. */
+  Optional<Mechanism> mechanism() {
+    Optional<Vector3> gravity = gravity();
+    DriveReader drives = new DriveReader(values, formulas, diagnostics);
+    List<PrescribedMotion> motions = new ArrayList<>();
+    List<StartRole> roles = new ArrayList<>();
+    List<LoopClosure> closures = new ArrayList<>();
+    for (int j = 0; j < links.size(); j++) {
+      JointLink link = links.get(j);
+      List<Expression> motion = drives.motion(link);
+      StartRole role = DriveReader.role(link);
+      if (tree.isCut(j)) {
+        link.joint().ifPresent(joint -> closures.add(new JointClosure(joint, role, motion)));
+        continue;
+      }
+      if (!motion.isEmpty()) {
+        motions.add(new PrescribedMotion(roles.size(), motion));
+      }
+      roles.add(role);
+    }
+    closures.addAll(
+        new ConstraintsReader(values, formulas, jointsReader, names, diagnostics).read(model));
+    List<ForceElement> forces = forces();
+    if (diagnostics.hasErrors()) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new Mechanism(
+            model.required("name"),
+            root.orElseThrow(),
+            gravity.orElseThrow(),
+            index.moving().stream().map(BodyParts::body).flatMap(Optional<Body>::stream).toList(),
+            tree.outward(),
+            motions,
+            roles,
+            closures,
+            forces,
+            parameters()));
+  }
+
+  private List<ForceElement> forces() {
+    JointAttributesReader attributes = new JointAttributesReader(formulas, names, diagnostics);
+    List<ForceElement> forces = new ArrayList<>();
+    for (JointLink link : links) {
+      names
+          .joint(link.element().required("name"))
+          .ifPresent(joint -> forces.addAll(attributes.read(joint)));
+    }
+    forces.addAll(new ForcesReader(values, formulas, names, diagnostics).read(model));
+    return forces;
+  }
+
+  private List<Parameter> parameters() {
+    List<Parameter> parameters = new ArrayList<>();
+    for (NamedNumber tunable : values.parameters().tunable()) {
+      parameters.add(
+          new Parameter(
+              tunable.name(),
+              tunable.unit().toSi(tunable.value()),
+              tunable.unit().dimension().siSymbol()));
+    }
+    return parameters;
+  }
+
+  private Optional<Vector3> gravity() {
+    return model
+        .child("Forces")
+        .flatMap(forces -> forces.child("gravity"))
+        .map(g -> values.vector(g, "gx", "gy", "gz", Quantity.ACCELERATION))
+        .orElse(Optional.of(Vector3.ZERO));
+  }
+
+  private List<Element> joints() {
+    return model.child("Joints").map(j -> j.children("joint")).orElse(List.of());
+  }
+
+  private List<Element> jointVals() {
+    return model
+        .requiredChild("topology")
+        .child("relCoorVals")
+        .map(r -> r.children("jointVal"))
+        .orElse(List.of());
   }
 }

@@ -54,8 +54,11 @@ final class NameTable<T> {
           MessageCode.DUPLICATE_NAME,
           element.place(),
           Phrase.of(
-              "%s: line %d has a %s of this name already",
-              element.label(), first.element().place().line(), kind));
+              "%s: line %d has %s %s of this name already",
+              element.label(),
+              first.element().place().line(),
+              "aeiou".indexOf(kind.charAt(0)) < 0 ? "a" : "an",
+              kind));
     }
   }
 
@@ -78,6 +81,11 @@ final class NameTable<T> {
               user.role(), kind, Quoted.of(name), absence, Nearest.suggestion(name, names())));
     }
     return Optional.empty();
+  }
+
+  /** Returns what a name stands for, without a complaint if nothing has it. */
+  Optional<T> value(String name) {
+    return Optional.ofNullable(entries.get(name)).flatMap(Entry::value);
   }
 
   /** Returns the names in file order. */

@@ -7,7 +7,7 @@ import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
-import org.mechservice.mechml.unit.Dimension;
+import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.solver.mechanism.Root;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
@@ -41,7 +41,7 @@ final class RootReader {
     }
     Element point = inipos.get().requiredChild("point");
     Optional<Vector3> own = body.points().find(point, point.required("name"));
-    Optional<Vector3> world = values.vector(point, "x", "y", "z", Dimension.LENGTH);
+    Optional<Vector3> world = values.vector(point, "x", "y", "z", Quantity.LENGTH);
     Optional<Rotation> orientation = orientation(inipos.get(), body);
     if (own.isEmpty() || world.isEmpty() || orientation.isEmpty()) {
       return Optional.empty();

@@ -1,67 +1,86 @@
 package org.mechservice.mechml.resolve;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
-import org.mechservice.mechml.unit.Dimension;
 import org.mechservice.mechml.unit.Unit;
-import org.mechservice.mechml.unit.UnitSymbols;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.mechanism.JointStart;
 
-/**
- * Reads {@code jointVal}. Its {@code unit} is that of the positions; velocities are per second of
- * it. What is not given starts at zero.
- */
+/** Reads {@code jointVal}. What is not given starts at zero, Euler parameters at 1, 0, 0, 0. */
 final class StartReader {
-  private static final Unit PER_SECOND = UnitSymbols.unit("s").orElseThrow().power(-1);
+  /** How far the norm of Euler parameters may be off 1 before anything is said: nine digits. */
+  private static final double ROUNDED = 1e-9;
+
+  /** How far it may be off before it is taken for a slip. */
+  private static final double ROUNDED_BY_HAND = 1e-3;
+
+  private static final List<JointType> WITH_EULER_PARAMETERS = List.of(JointType.S, JointType.F);
 
   private final ValueReader values;
+  private final CoordinateUnits units;
+  private final Diagnostics diagnostics;
 
-  StartReader(ValueReader values) {
+  StartReader(ValueReader values, Diagnostics diagnostics) {
     this.values = values;
+    this.units = new CoordinateUnits(values, diagnostics);
+    this.diagnostics = diagnostics;
   }
 
-  /** Returns the joint's start; empty if something was wrong and has been reported. */
-  Optional<StartValues> read(JointInput input, JointType type) {
-    List<String> positions = new ArrayList<>();
-    for (int i = 0; i < type.positionCount(); i++) {
-      positions.add(type.positionUnit(i));
+  /** Returns a joint's start; empty if something was wrong and has been reported. */
+  Optional<JointStart> read(Optional<Element> jointVal, JointType type) {
+    JointStart atZero = JointStart.atZero(type);
+    if (jointVal.isEmpty()) {
+      return Optional.of(atZero);
     }
-    List<String> velocities = new ArrayList<>();
-    for (int i = 0; i < type.velocityCount(); i++) {
-      velocities.add(type.velocityUnit(i));
+    Element element = jointVal.get();
+    Optional<List<Double>> q =
+        list(element, "posVals", units.positions(element, type), atZero.positions());
+    Optional<List<Double>> v =
+        list(element, "velVals", units.velocities(element, type), atZero.velocities());
+    if (WITH_EULER_PARAMETERS.contains(type)) {
+      q = q.flatMap(positions -> normalized(element, positions));
     }
-    Optional<List<Double>> q = list(input.start(), "posVals", positions);
-    Optional<List<Double>> v = list(input.start(), "velVals", velocities);
     return q.isPresent() && v.isPresent()
-        ? Optional.of(new StartValues(q.get(), v.get()))
+        ? Optional.of(new JointStart(q.get(), v.get()))
         : Optional.empty();
   }
 
   private Optional<List<Double>> list(
-      Optional<Element> start, String attribute, List<String> siUnits) {
-    if (start.isEmpty() || start.get().attribute(attribute).isEmpty()) {
-      return Optional.of(Collections.nCopies(siUnits.size(), 0.0));
-    }
-    List<Unit> units = new ArrayList<>();
-    for (String siUnit : siUnits) {
-      unit(start.get(), siUnit).ifPresent(units::add);
-    }
-    return units.size() == siUnits.size()
-        ? values.list(start.get(), attribute, units)
-        : Optional.empty();
+      Element element, String attribute, Optional<List<Unit>> itemUnits, List<Double> open) {
+    return element.attribute(attribute).isEmpty()
+        ? Optional.of(open)
+        : itemUnits.flatMap(units -> values.list(element, attribute, units));
   }
 
-  /** Returns the unit in the file of what has a given unit in SI. */
-  private Optional<Unit> unit(Element start, String siUnit) {
-    return switch (siUnit) {
-      case "m" -> values.unit(start, Dimension.LENGTH);
-      case "rad" -> values.unit(start, Dimension.ANGLE);
-      case "m/s" -> values.unit(start, Dimension.LENGTH).map(PER_SECOND::times);
-      case "rad/s" -> values.unit(start, Dimension.ANGLE).map(PER_SECOND::times);
-      default -> Optional.of(Unit.ONE);
-    };
+  private Optional<List<Double>> normalized(Element element, List<Double> q) {
+    double norm = 0;
+    for (double e : q.subList(0, 4)) {
+      norm = StrictMath.hypot(norm, e);
+    }
+    String found =
+        Phrase.of("%s: the Euler parameters have the norm %.12g, not 1", element.label(), norm);
+    if (!(Math.abs(norm - 1) <= ROUNDED_BY_HAND)) {
+      diagnostics.error(
+          MessageCode.NOT_EULER_PARAMETERS,
+          element.place(),
+          found + "; they are cos(a/2) and the unit axis times sin(a/2), the scalar first");
+      return Optional.empty();
+    }
+    if (Math.abs(norm - 1) > ROUNDED) {
+      diagnostics.warning(
+          MessageCode.EULER_PARAMETERS_NORMALIZED,
+          element.place(),
+          found + "; they were divided by it");
+    }
+    List<Double> normalized = new ArrayList<>(q);
+    for (int i = 0; i < 4; i++) {
+      normalized.set(i, q.get(i) / norm);
+    }
+    return Optional.of(normalized);
   }
 }

@@ -6,7 +6,7 @@ import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
-import org.mechservice.mechml.unit.Dimension;
+import org.mechservice.mechml.unit.Quantity;
 
 /** Reads {@code timeSet}. */
 final class TimeSetReader {
@@ -23,9 +23,9 @@ final class TimeSetReader {
 
   /** Returns the time set; empty if something was wrong and has been reported. */
   Optional<TimeSet> read(Element element) {
-    OptionalDouble start = values.quantity(element, "tini", Dimension.TIME);
-    OptionalDouble end = values.quantity(element, "tend", Dimension.TIME);
-    OptionalDouble step = values.quantity(element, "tstep", Dimension.TIME);
+    OptionalDouble start = values.quantity(element, "tini", Quantity.TIME);
+    OptionalDouble end = values.quantity(element, "tend", Quantity.TIME);
+    OptionalDouble step = values.quantity(element, "tstep", Quantity.TIME);
     if (start.isEmpty() || end.isEmpty() || step.isEmpty()) {
       return Optional.empty();
     }

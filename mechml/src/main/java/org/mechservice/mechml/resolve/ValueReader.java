@@ -12,8 +12,9 @@ import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.expression.Evaluation;
 import org.mechservice.mechml.expression.ExpressionException;
 import org.mechservice.mechml.expression.ExpressionParser;
-import org.mechservice.mechml.expression.Scope;
-import org.mechservice.mechml.unit.Dimension;
+import org.mechservice.mechml.expression.ParsedExpression;
+import org.mechservice.mechml.expression.References;
+import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.mechml.unit.Unit;
 import org.mechservice.mechml.unit.UnitException;
 import org.mechservice.mechml.unit.UnitParser;
@@ -26,46 +27,62 @@ import org.mechservice.solver.spatial.Vector3;
  */
 final class ValueReader {
   private final UnitSystem units;
-  private final Scope scope;
+  private final ParameterTable parameters;
   private final Diagnostics diagnostics;
 
   /**
    * Reads in given units.
    *
    * @param units units of bare numbers
-   * @param scope what names in expressions stand for
+   * @param parameters what names in expressions stand for
    * @param diagnostics takes what is wrong
    */
-  ValueReader(UnitSystem units, Scope scope, Diagnostics diagnostics) {
+  ValueReader(UnitSystem units, ParameterTable parameters, Diagnostics diagnostics) {
     this.units = units;
-    this.scope = scope;
+    this.parameters = parameters;
     this.diagnostics = diagnostics;
+  }
+
+  /** Returns the units of bare numbers. */
+  UnitSystem units() {
+    return units;
+  }
+
+  /** Returns the parameters of the model. */
+  ParameterTable parameters() {
+    return parameters;
   }
 
   /** Returns a required pure number. */
   OptionalDouble number(Element element, String attribute) {
-    return evaluate(element, attribute, element.required(attribute), 0, Unit.ONE);
+    return evaluate(AttributeText.of(element, attribute), Unit.ONE);
   }
 
-  /** Returns a required quantity in SI; the element's {@code unit} counts. */
-  OptionalDouble quantity(Element element, String attribute, Dimension dimension) {
-    return unit(element, dimension)
-        .map(unit -> evaluate(element, attribute, element.required(attribute), 0, unit))
+  /** Returns a required quantity in SI; a unit beside it counts. */
+  OptionalDouble quantity(Element element, String attribute, Quantity quantity) {
+    return unit(element, attribute, quantity)
+        .map(unit -> evaluate(AttributeText.of(element, attribute), unit))
         .orElse(OptionalDouble.empty());
   }
 
-  /** Returns a quantity in SI, zero if the attribute is missing. */
-  OptionalDouble quantityOrZero(Element element, String attribute, Dimension dimension) {
+  /** Returns a quantity in SI, a default if the attribute is missing. */
+  OptionalDouble quantityOr(
+      double otherwise, Element element, String attribute, Quantity quantity) {
     return element.attribute(attribute).isPresent()
-        ? quantity(element, attribute, dimension)
-        : OptionalDouble.of(0);
+        ? quantity(element, attribute, quantity)
+        : OptionalDouble.of(otherwise);
+  }
+
+  /** Returns a quantity in SI, zero if the attribute is missing. */
+  OptionalDouble quantityOrZero(Element element, String attribute, Quantity quantity) {
+    return quantityOr(0, element, attribute, quantity);
   }
 
   /** Returns three required quantities in SI as a vector. */
-  Optional<Vector3> vector(Element element, String x, String y, String z, Dimension dimension) {
-    OptionalDouble vx = quantity(element, x, dimension);
-    OptionalDouble vy = quantity(element, y, dimension);
-    OptionalDouble vz = quantity(element, z, dimension);
+  Optional<Vector3> vector(Element element, String x, String y, String z, Quantity quantity) {
+    OptionalDouble vx = quantity(element, x, quantity);
+    OptionalDouble vy = quantity(element, y, quantity);
+    OptionalDouble vz = quantity(element, z, quantity);
     return vx.isPresent() && vy.isPresent() && vz.isPresent()
         ? Optional.of(new Vector3(vx.getAsDouble(), vy.getAsDouble(), vz.getAsDouble()))
         : Optional.empty();
@@ -77,74 +94,129 @@ final class ValueReader {
    * @param itemUnits one unit per item
    */
   Optional<List<Double>> list(Element element, String attribute, List<Unit> itemUnits) {
-    String[] items = element.required(attribute).split(";", -1);
-    if (items.length != itemUnits.size()) {
-      diagnostics.error(
-          MessageCode.VALUE_COUNT,
-          element.place(),
-          Phrase.of(
-              "%s: %s holds %s; %s",
-              element.label(),
-              attribute,
-              items.length == 1 ? "1 value" : items.length + " values",
-              itemUnits.size() == 1
-                  ? "1 is needed"
-                  : itemUnits.size() + " are needed, separated by \";\""));
+    List<AttributeText> items = AttributeText.itemsOf(element, attribute);
+    if (!hasCount(items, itemUnits.size())) {
       return Optional.empty();
     }
     List<Double> values = new ArrayList<>();
-    int offset = 0;
-    for (int i = 0; i < items.length; i++) {
-      evaluate(element, attribute, items[i], offset, itemUnits.get(i)).ifPresent(values::add);
-      offset += items[i].length() + 1;
+    for (int i = 0; i < items.size(); i++) {
+      evaluate(items.get(i), itemUnits.get(i)).ifPresent(values::add);
     }
-    return values.size() == items.length ? Optional.of(values) : Optional.empty();
+    return values.size() == items.size() ? Optional.of(values) : Optional.empty();
   }
 
-  /** Returns the unit of an element's values: its own if it has one, else the file's. */
-  Optional<Unit> unit(Element element, Dimension dimension) {
-    Optional<String> own = element.attribute("unit");
-    if (own.isEmpty()) {
-      return Optional.of(units.of(dimension));
+  /** Returns whether a list has as many items as are needed; reports it if not. */
+  boolean hasCount(List<AttributeText> items, int needed) {
+    if (items.size() == needed) {
+      return true;
     }
-    try {
-      Unit unit = UnitParser.parse(own.get().strip());
-      if (unit.dimension().equals(dimension)) {
-        return Optional.of(unit);
-      }
+    AttributeText first = items.get(0);
+    diagnostics.error(
+        MessageCode.VALUE_COUNT,
+        first.element().place(),
+        Phrase.of(
+            "%s: %s holds %s; %s",
+            first.element().label(),
+            first.attribute(),
+            items.size() == 1 ? "1 value" : items.size() + " values",
+            switch (needed) {
+              case 0 -> "none is needed";
+              case 1 -> "1 is needed";
+              default -> needed + " are needed, separated by \";\"";
+            }));
+    return false;
+  }
+
+  /** Returns the unit of an attribute's values: that beside it if there is one, else the file's. */
+  Optional<Unit> unit(Element element, String attribute, Quantity quantity) {
+    Optional<String> text = unitText(element, attribute);
+    if (text.isEmpty()) {
+      return Optional.of(units.of(quantity));
+    }
+    Optional<Unit> own = parse(element, text.get());
+    if (own.isPresent() && !quantity.isMeasuredBy(own.get())) {
       diagnostics.error(
           MessageCode.WRONG_DIMENSION,
           element.place(),
           Phrase.of(
               "%s: the unit %s measures %s, but here stands %s",
-              element.label(), Quoted.of(own.get()), unit.dimension(), dimension));
+              element.label(), Quoted.of(text.get()), own.get().dimension(), quantity.dimension()));
+      return Optional.empty();
+    }
+    return own;
+  }
+
+  /** Returns the text of the unit beside an attribute. */
+  private static Optional<String> unitText(Element element, String attribute) {
+    return element.attribute(attribute + "Unit").or(() -> element.attribute("unit"));
+  }
+
+  /** Returns the unit a text means; reports one that means none. */
+  Optional<Unit> parse(Element element, String text) {
+    try {
+      return Optional.of(UnitParser.parse(text.strip()));
     } catch (UnitException e) {
       diagnostics.error(
           MessageCode.UNKNOWN_UNIT, element.place(), element.label() + ": " + e.reason());
+      return Optional.empty();
     }
-    return Optional.empty();
   }
 
-  private OptionalDouble evaluate(
-      Element element, String attribute, String text, int offset, Unit unit) {
+  /** Returns the constant a text means, in SI. */
+  OptionalDouble evaluate(AttributeText text, Unit unit) {
     try {
-      double value = unit.toSi(Evaluation.of(ExpressionParser.parse(text), scope));
-      if (Double.isFinite(value)) {
-        return OptionalDouble.of(value + 0.0);
+      ParsedExpression expression = ExpressionParser.parse(text.text());
+      if (usesWhatIsUnreadable(expression)) {
+        return OptionalDouble.empty();
       }
-      throw new ExpressionException(MessageCode.EXPRESSION_VALUE, 0, "too large in SI units");
+      double value = unit.toSi(Evaluation.of(expression, parameters));
+      if (!Double.isFinite(value)) {
+        throw new ExpressionException(MessageCode.EXPRESSION_VALUE, 0, "too large in SI units");
+      }
+      warnOfDegrees(text, expression, unit);
+      return OptionalDouble.of(value + 0.0);
     } catch (ExpressionException e) {
-      diagnostics.error(
-          e.code(),
-          element.place(),
-          Phrase.of(
-              "%s: in %s=%s at character %d: %s",
-              element.label(),
-              attribute,
-              Quoted.of(element.required(attribute)),
-              offset + e.offset() + 1,
-              e.reason()));
+      report(text, e);
       return OptionalDouble.empty();
     }
+  }
+
+  /** Returns whether an expression needs a parameter that has been reported already. */
+  boolean usesWhatIsUnreadable(ParsedExpression expression) {
+    return References.in(expression).stream()
+        .anyMatch(reference -> parameters.isUnreadable(reference.text()));
+  }
+
+  /** Reports an expression that cannot be read or has no value. */
+  void report(AttributeText text, ExpressionException e) {
+    diagnostics.error(
+        e.code(),
+        text.element().place(),
+        Phrase.of(
+            "%s: in %s=%s at character %d: %s",
+            text.element().label(),
+            text.attribute(),
+            Quoted.of(text.element().required(text.attribute())),
+            text.offset() + e.offset() + 1,
+            e.reason()));
+  }
+
+  /** Expressions see angles in rad, so a named angle read in degrees is a slip. */
+  void warnOfDegrees(AttributeText text, ParsedExpression expression, Unit unit) {
+    boolean inRadians = unit.numerator() == unit.denominator();
+    if (unit.dimension().angle() != 1 || inRadians) {
+      return;
+    }
+    References.in(expression).stream()
+        .filter(reference -> parameters.find(reference).map(NamedNumber::isAngle).orElse(false))
+        .findFirst()
+        .ifPresent(
+            angle ->
+                diagnostics.warning(
+                    MessageCode.ANGLE_IN_DEGREES,
+                    text.element().place(),
+                    Phrase.of(
+                        "%s: %s is in rad in expressions, but %s is read in deg; add unit=\"rad\"",
+                        text.element().label(), Quoted.of(angle.text()), text.attribute())));
   }
 }

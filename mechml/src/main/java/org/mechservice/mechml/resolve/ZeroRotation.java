@@ -40,6 +40,18 @@ final class ZeroRotation {
     return Optional.of(frame(to, to2).times(frame(from, from2).transposed()));
   }
 
+  /** Returns the part of a vector normal to an axis, with length 1; they must not be parallel. */
+  static Vector3 normalTo(Vector3 axis, Vector3 vector) {
+    // Twice: what the first pass leaves along the axis by rounding, the second removes.
+    Vector3 normal = axis.cross(vector.cross(axis)).normalized();
+    return axis.cross(normal.cross(axis)).normalized();
+  }
+
+  /** Returns whether two unit vectors stand at right angles. */
+  static boolean areOrthogonal(Vector3 a, Vector3 b) {
+    return Math.abs(a.dot(b)) < PARALLEL;
+  }
+
   /** Returns whether two unit vectors have the same or opposite directions. */
   static boolean areParallel(Vector3 a, Vector3 b) {
     return a.cross(b).norm() < PARALLEL;

@@ -17,6 +17,11 @@ public record Unit(double numerator, double denominator, Dimension dimension) {
     return value * numerator / denominator;
   }
 
+  /** Returns a value given in SI in this unit; infinite if that is too large for a double. */
+  public double fromSi(double value) {
+    return value * denominator / numerator;
+  }
+
   /** Returns the product of two units. */
   public Unit times(Unit other) {
     return new Unit(

@@ -19,7 +19,8 @@ class DoctypeTest {
   }
 
   private static Element read(String text) throws MechmlException {
-    return DocumentReader.read(text.getBytes(StandardCharsets.UTF_8), new Diagnostics("model.xml"));
+    return DocumentReader.read(text.getBytes(StandardCharsets.UTF_8), new Diagnostics("model.xml"))
+        .root();
   }
 
   @ParameterizedTest

@@ -14,7 +14,7 @@ import org.mechservice.mechml.diagnosis.Diagnostics;
 /** Every element knows where its tag begins. */
 class ElementPlaceTest {
   private static Element read(String text, Charset charset) throws MechmlException {
-    return DocumentReader.read(text.getBytes(charset), new Diagnostics("model.xml"));
+    return DocumentReader.read(text.getBytes(charset), new Diagnostics("model.xml")).root();
   }
 
   /** Asserts that the text at each element's place is its tag. */

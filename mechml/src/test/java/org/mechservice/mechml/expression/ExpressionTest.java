@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.Random;
 import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.RepetitionInfo;
@@ -144,12 +145,13 @@ class ExpressionTest {
   @Test
   void referencesKeepTheirNames() throws ExpressionException {
     assertThat(ExpressionParser.parse("'left knee'.q"))
-        .isEqualTo(new Expression.Reference(List.of("left knee", "q"), 0));
+        .isEqualTo(
+            new ParsedExpression.Reference(List.of("left knee", "q"), OptionalInt.empty(), 0));
   }
 
   @Test
   void scopesGiveNamesTheirValue() throws ExpressionException {
-    Expression expression = ExpressionParser.parse("2*m + knee.q");
+    ParsedExpression expression = ExpressionParser.parse("2*m + knee.q");
     assertThat(Evaluation.of(expression, name -> name.text().equals("m") ? 10 : 1)).isEqualTo(21);
   }
 

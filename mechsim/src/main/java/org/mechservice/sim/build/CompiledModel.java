@@ -6,6 +6,7 @@ import java.util.SortedMap;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.javac.ModelClassLoader;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelSource;
 
 /** A generated model and its class files. Immutable; shared freely between threads. */
 public final class CompiledModel {
@@ -13,7 +14,7 @@ public final class CompiledModel {
   private final GeneratedModel generated;
   private final BuildOptions options;
   private final SortedMap<String, byte[]> classFiles;
-  private final Constructor<? extends Model> constructor;
+  private final Constructor<?> constructor;
 
   /**
    * Loads the class of a model.
@@ -35,11 +36,10 @@ public final class CompiledModel {
     this.constructor = constructor(generated.className(), classFiles);
   }
 
-  private static Constructor<? extends Model> constructor(
+  private static Constructor<?> constructor(
       String className, SortedMap<String, byte[]> classFiles) {
     try {
-      Class<?> loaded = new ModelClassLoader(classFiles).loadClass(className);
-      return loaded.asSubclass(Model.class).getConstructor();
+      return new ModelClassLoader(classFiles).loadClass(className).getConstructor();
     } catch (ReflectiveOperationException e) {
       throw new IllegalStateException("the generated class " + className + " cannot be loaded", e);
     }
@@ -68,7 +68,7 @@ public final class CompiledModel {
   /** Returns a new instance of the model, for one run. The class is loaded once. */
   public Model newInstance() {
     try {
-      return constructor.newInstance();
+      return ModelSource.of(constructor.newInstance());
     } catch (ReflectiveOperationException e) {
       throw new IllegalStateException(
           "the generated class " + generated.className() + " cannot be instantiated", e);

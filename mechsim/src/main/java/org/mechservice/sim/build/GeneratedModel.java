@@ -1,27 +1,81 @@
 package org.mechservice.sim.build;
 
 import java.util.List;
+import org.mechservice.sim.build.emit.ModelClass;
+import org.mechservice.sim.build.emit.WrittenClass;
 
 /**
- * A model as readable Java source.
- *
- * @param className fully qualified name of the class
- * @param source its formatted source
- * @param formulation formulation its equations are written in
- * @param formulationReason why this formulation
- * @param operations additions, multiplications and divisions of one evaluation of the derivative
- * @param leftOut what the scene does not need
- * @param modelName the model's name in its file
+ * A model specialised to its scene: what its class computes, planned, ready to be written as Java
+ * source or as a class file. Immutable.
  */
-public record GeneratedModel(
-    String className,
-    String source,
-    String formulation,
-    String formulationReason,
-    int operations,
-    List<Omission> leftOut,
-    String modelName) {
-  public GeneratedModel {
-    leftOut = List.copyOf(leftOut);
+public final class GeneratedModel {
+  private final WrittenClass written;
+  private final String modelName;
+  private final String formulation;
+  private final String formulationReason;
+  private final int operations;
+  private final List<Omission> leftOut;
+
+  /**
+   * @param written what the class computes
+   * @param modelName the model's name in its file
+   * @param formulation formulation its equations are written in
+   * @param formulationReason why this formulation
+   * @param operations additions, multiplications and divisions of one evaluation of the derivative
+   * @param leftOut what the scene does not need
+   */
+  GeneratedModel(
+      WrittenClass written,
+      String modelName,
+      String formulation,
+      String formulationReason,
+      int operations,
+      List<Omission> leftOut) {
+    this.written = written;
+    this.modelName = modelName;
+    this.formulation = formulation;
+    this.formulationReason = formulationReason;
+    this.operations = operations;
+    this.leftOut = List.copyOf(leftOut);
+  }
+
+  /** Returns the fully qualified name of the class. */
+  public String className() {
+    return ModelClass.PACKAGE + "." + written.simpleName();
+  }
+
+  /** Returns the class as formatted source, for people. */
+  public String source() {
+    return written.source();
+  }
+
+  /** Returns the class file; it computes what {@link #source} says, bit by bit. */
+  byte[] classFile() {
+    return written.classFile();
+  }
+
+  /** Returns the formulation its equations are written in. */
+  public String formulation() {
+    return formulation;
+  }
+
+  /** Returns why this formulation. */
+  public String formulationReason() {
+    return formulationReason;
+  }
+
+  /** Returns additions, multiplications and divisions of one evaluation of the derivative. */
+  public int operations() {
+    return operations;
+  }
+
+  /** Returns what the scene does not need. */
+  public List<Omission> leftOut() {
+    return leftOut;
+  }
+
+  /** Returns the model's name in its file. */
+  public String modelName() {
+    return modelName;
   }
 }

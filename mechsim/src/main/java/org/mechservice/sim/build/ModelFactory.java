@@ -12,8 +12,10 @@ import org.mechservice.sim.build.dynamics.EnergyEquations;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.build.dynamics.PoseEquations;
 import org.mechservice.sim.build.emit.ModelClass;
+import org.mechservice.sim.build.emit.ModelPlan;
 import org.mechservice.sim.build.javac.ModelCompiler;
 import org.mechservice.sim.scene.FormulationChoice;
+import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
@@ -31,12 +33,14 @@ public final class ModelFactory {
    * Writes the model class of a mechanism, specialised to it.
    *
    * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
-   *     the formulation (S-081) or the integrator (S-082) does not fit or exist, or a name cannot
-   *     be kept (S-083); the message says why and what does
+   *     the formulation (S-081) or the integrator (S-082) does not fit or exist, a name cannot be
+   *     kept (S-083), or the model has what no code is generated for (S-088); the message says why
+   *     and what does
    */
   public static GeneratedModel generate(MechmlModel model, BuildOptions options) {
     Mechanism mechanism = model.mechanism();
     ModelNames.requireUsable(mechanism);
+    GenerationLimits.require(model);
     StandaloneMain.requireIntegrator(options.settings().integrator());
     SceneAnalysis scene = SceneAnalysis.of(mechanism);
     FormulationChoice choice = FormulationChoice.of(options.formulation(), scene);
@@ -54,13 +58,12 @@ public final class ModelFactory {
                 : Optional.empty(),
             notes(choice, derivative, leftOut));
     return new GeneratedModel(
-        ModelClass.PACKAGE + "." + written.simpleName(),
-        written.source(),
+        ModelPlan.of(written),
+        mechanism.name(),
         choice.formulation(),
         choice.reason(),
         derivative.operationCount(),
-        leftOut,
-        mechanism.name());
+        leftOut);
   }
 
   private static ModelDescription description(
@@ -91,12 +94,26 @@ public final class ModelFactory {
   }
 
   /**
-   * Compiles a generated model in memory.
+   * Writes the class file of a generated model and loads it.
+   *
+   * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
+   *     the class is too large (S-085)
+   */
+  public static CompiledModel compile(
+      MechmlModel model, BuildOptions options, GeneratedModel generated) {
+    SortedMap<String, byte[]> classFiles = new TreeMap<>();
+    classFiles.put(generated.className(), generated.classFile());
+    return new CompiledModel(model, generated, options, classFiles);
+  }
+
+  /**
+   * Compiles the source of a generated model in memory: another way to the same results, kept as
+   * the proof that the source is what runs.
    *
    * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
    *     this JVM has no compiler (S-084) or the class is too large (S-085)
    */
-  public static CompiledModel compile(
+  static CompiledModel compileSource(
       MechmlModel model, BuildOptions options, GeneratedModel generated) {
     SortedMap<String, byte[]> classFiles =
         ModelCompiler.compile(

@@ -2,9 +2,11 @@ package org.mechservice.sim.build;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.stream.Collectors;
 import org.mechservice.sim.build.jar.ModelDescriptionXml;
@@ -30,7 +32,7 @@ final class ModelJars {
 
   /** Packs a model with its main class and the solver classes that it reaches. */
   static PackedJar standalone(CompiledModel model, String mechmlSha256) {
-    SortedMap<String, byte[]> own = StandaloneMain.compile(model);
+    SortedMap<String, byte[]> own = StandaloneMain.classFiles(model);
     String mainClass = StandaloneMain.className(model.generated());
     Map<String, String> manifest = new LinkedHashMap<>();
     manifest.put("Main-Class", mainClass);
@@ -82,11 +84,19 @@ final class ModelJars {
     return manifest;
   }
 
-  /** Returns the column groups the model can put out: all but the poses come by themselves. */
+  /** Groups that every model has; the others it must have been built with. */
+  private static final Set<ColumnGroup> ALWAYS =
+      EnumSet.of(ColumnGroup.JOINTS, ColumnGroup.ACCELERATIONS, ColumnGroup.ENERGY);
+
+  /** Groups that a model can be built with. */
+  private static final Set<ColumnGroup> ON_DEMAND = EnumSet.of(ColumnGroup.BODIES);
+
+  /** Returns the column groups the model can put out. */
   private static String columns(CompiledModel model) {
     List<String> groups = new ArrayList<>();
     for (ColumnGroup group : ColumnGroup.values()) {
-      if (group != ColumnGroup.BODIES || model.options().columns().contains(group)) {
+      if (ALWAYS.contains(group)
+          || (ON_DEMAND.contains(group) && model.options().columns().contains(group))) {
         groups.add(group.label());
       }
     }

@@ -9,18 +9,28 @@ import org.mechservice.sim.build.jar.ReachableClasses;
 import org.mechservice.sim.build.jar.ReproducibleJar;
 import org.mechservice.sim.build.jar.Sha256;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.integration.Integrator;
-import org.mechservice.solver.simulation.RuntimeSolver;
+import org.mechservice.solver.pack.PackedClasses;
 import org.mechservice.solver.simulation.SolverVersion;
 
 /**
- * The solver as a JAR: all of it but the integration methods that its service does not offer by
- * name.
+ * The solver as a JAR: all that models of any kind may need, but of the integration methods only
+ * those that its service offers by name, and nothing of the main class of standalone JARs. Its
+ * classes are packed together, which takes a third of the room they take one by one.
  */
 final class RuntimeJar {
-  private static final String SERVICE = path(RuntimeSolver.class);
-  private static final List<String> METHOD_FOLDERS =
-      List.of(folder(Integrator.class), "org/mechservice/solver/linear/");
+  private static final String CLASS = ".class";
+  private static final String SOLVER = "org/mechservice/solver/";
+
+  /** What is in these folders comes along if something else needs it. */
+  private static final List<String> ON_DEMAND =
+      List.of(
+          SOLVER + "integration/",
+          SOLVER + "linear/",
+          SOLVER + "analysis/",
+          SOLVER + "standalone/");
+
+  /** What unpacks is there already. */
+  private static final String PACKER = SOLVER + "pack/";
 
   private static final PackedJar PACKED = pack();
 
@@ -36,7 +46,9 @@ final class RuntimeJar {
     manifest.put("Implementation-Version", SolverVersion.CURRENT);
     manifest.put("Mech-Api-Version", Integer.toString(Model.API_VERSION));
     ReproducibleJar jar = new ReproducibleJar(manifest);
-    contents().forEach(jar::add);
+    SortedMap<String, byte[]> classes = contents();
+    jar.add(PackedClasses.ENTRY, PackedClasses.pack(classes));
+    SolverFiles.lean().forEach((path, bytes) -> addOther(jar, path, bytes));
     byte[] bytes = jar.bytes();
     return new PackedJar(
         "mechservice-runtime-" + SolverVersion.CURRENT + ".jar",
@@ -47,24 +59,22 @@ final class RuntimeJar {
         manifest);
   }
 
+  private static void addOther(ReproducibleJar jar, String path, byte[] bytes) {
+    if (!path.endsWith(CLASS)) {
+      jar.add(path, bytes);
+    }
+  }
+
   private static SortedMap<String, byte[]> contents() {
     SortedMap<String, byte[]> contents = new TreeMap<>(SolverFiles.lean());
-    SortedMap<String, byte[]> offered =
-        ReachableClasses.from(
-            new TreeMap<>(Map.of(SERVICE, SolverFiles.lean().get(SERVICE))), SolverFiles.lean());
     contents
         .keySet()
         .removeIf(
             path ->
-                METHOD_FOLDERS.stream().anyMatch(path::startsWith) && !offered.containsKey(path));
+                !path.endsWith(CLASS)
+                    || path.startsWith(PACKER)
+                    || ON_DEMAND.stream().anyMatch(path::startsWith));
+    contents.putAll(ReachableClasses.from(contents, SolverFiles.lean()));
     return contents;
-  }
-
-  private static String path(Class<?> type) {
-    return type.getName().replace('.', '/') + ".class";
-  }
-
-  private static String folder(Class<?> type) {
-    return type.getPackageName().replace('.', '/') + "/";
   }
 }

@@ -7,9 +7,10 @@ import org.mechservice.solver.api.JointType;
  *
  * @param joint the joint's name
  * @param type its kind
- * @param axis its unit vector in the axes of its inner body, components separated by blanks
- * @param positionUnit SI unit of its coordinate
- * @param velocityUnit SI unit of its velocity
+ * @param axis its unit vector in the axes of its inner body (of the file's body 1 for a universal
+ *     or planar joint), components separated by blanks; empty if it has none
+ * @param positionUnit SI units of its coordinates, separated by blanks
+ * @param velocityUnit SI units of its velocities, separated by blanks
  * @param position index of its first coordinate in q
  * @param velocity index of its first velocity in v
  */

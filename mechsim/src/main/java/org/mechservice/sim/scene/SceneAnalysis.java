@@ -2,11 +2,19 @@ package org.mechservice.sim.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.IntFunction;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.Cylindrical;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Planar;
 import org.mechservice.solver.mechanism.Prismatic;
 import org.mechservice.solver.mechanism.Revolute;
+import org.mechservice.solver.mechanism.Screw;
+import org.mechservice.solver.mechanism.Universal;
 import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.standalone.ShortestDecimal;
 
@@ -44,26 +52,47 @@ public record SceneAnalysis(
 
   private static RoadmapEntry entry(Mechanism mechanism, int index) {
     Joint joint = mechanism.joints().get(index);
-    Vector3 axis = axisOf(joint);
+    JointType type = joint.type();
     return new RoadmapEntry(
         joint.name(),
-        joint.type(),
-        ShortestDecimal.format(axis.x())
-            + " "
-            + ShortestDecimal.format(axis.y())
-            + " "
-            + ShortestDecimal.format(axis.z()),
-        joint.type().positionUnit(0),
-        joint.type().velocityUnit(0),
+        type,
+        axisOf(joint),
+        units(type.positionCount(), type::positionUnit),
+        units(type.velocityCount(), type::velocityUnit),
         mechanism.positionOffset(index),
         mechanism.velocityOffset(index));
   }
 
-  private static Vector3 axisOf(Joint joint) {
+  /** Returns the components of a joint's first axis; empty if it has none. */
+  private static String axisOf(Joint joint) {
     if (joint instanceof Revolute revolute) {
-      return revolute.axis();
+      return text(revolute.axis());
     }
-    return ((Prismatic) joint).axis();
+    if (joint instanceof Prismatic prismatic) {
+      return text(prismatic.axis());
+    }
+    if (joint instanceof Cylindrical cylindrical) {
+      return text(cylindrical.axis());
+    }
+    if (joint instanceof Screw screw) {
+      return text(screw.axis());
+    }
+    if (joint instanceof Universal universal) {
+      return text(universal.axis1());
+    }
+    return joint instanceof Planar planar ? text(planar.normal()) : "";
+  }
+
+  private static String text(Vector3 axis) {
+    return ShortestDecimal.format(axis.x())
+        + " "
+        + ShortestDecimal.format(axis.y())
+        + " "
+        + ShortestDecimal.format(axis.z());
+  }
+
+  private static String units(int count, IntFunction<String> unit) {
+    return IntStream.range(0, count).mapToObj(unit).collect(Collectors.joining(" "));
   }
 
   /** Returns the number of degrees of freedom; a tree has one for each velocity. */

@@ -147,16 +147,19 @@ record RunOptions(
   }
 
   private static ColumnGroup group(String label) throws InvalidOption, NotAvailable {
+    String known =
+        Stream.of(ColumnGroup.values())
+            .map(ColumnGroup::label)
+            .filter(other -> !COLUMNS_TO_COME.contains(other))
+            .collect(Collectors.joining(", "));
+    if (COLUMNS_TO_COME.contains(label)) {
+      throw Refusal.notAvailable(
+          "the column group \"" + label + "\" is not in this version, which has " + known);
+    }
     for (ColumnGroup group : ColumnGroup.values()) {
       if (group.label().equals(label)) {
         return group;
       }
-    }
-    String known =
-        Stream.of(ColumnGroup.values()).map(ColumnGroup::label).collect(Collectors.joining(", "));
-    if (COLUMNS_TO_COME.contains(label)) {
-      throw Refusal.notAvailable(
-          "the column group \"" + label + "\" is not in this version, which has " + known);
     }
     throw Refusal.option(
         OPT_COLUMNS.value,

@@ -1,9 +1,8 @@
 package org.mechservice.sim.symbolic;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A graph of expressions in which equal expressions are one node.
@@ -12,13 +11,13 @@ import java.util.Map;
  * through.
  */
 public final class Expressions {
-  /**
-   * Identity of a node: what it does, to which nodes; a constant by its bits, an input by index.
-   */
-  private record Key(Operation operation, long first, long second) {}
+  private static final int FIRST_CAPACITY = 4096;
 
   private final List<Scalar> nodes = new ArrayList<>();
-  private final Map<Key, Scalar> known = new HashMap<>();
+
+  /** Open table of nodes by what they do, to which nodes; a constant by its bits. Never full. */
+  private @Nullable Scalar[] known = new Scalar[FIRST_CAPACITY];
+
   private final Scalar zero = constant(0);
   private final Scalar one = constant(1);
 
@@ -42,16 +41,12 @@ public final class Expressions {
       throw new ArithmeticException("constant " + value + " is not finite");
     }
     double number = value == 0 ? 0 : value;
-    Key key = new Key(Operation.CONSTANT, Double.doubleToRawLongBits(number), 0);
-    Scalar node = known.get(key);
-    return node != null ? node : add(key, List.of(), number, 0);
+    return leaf(Operation.CONSTANT, Double.doubleToRawLongBits(number), number, 0);
   }
 
   /** Returns the number given as input {@code index}. */
   public Scalar input(int index) {
-    Key key = new Key(Operation.INPUT, index, 0);
-    Scalar node = known.get(key);
-    return node != null ? node : add(key, List.of(), 0, index);
+    return leaf(Operation.INPUT, index, 0, index);
   }
 
   /** Returns the sine of an angle. */
@@ -76,27 +71,76 @@ public final class Expressions {
 
   /** Returns the node of an operation that needs no simplification. */
   Scalar unary(Operation operation, Scalar operand) {
-    Key key = new Key(operation, operand.id(), -1);
-    Scalar node = known.get(key);
-    return node != null ? node : add(key, List.of(operand), 0, 0);
+    int place = place(operation, operand.id(), -1);
+    Scalar node = known[place];
+    return node != null ? node : add(place, operation, List.of(operand), 0, 0);
   }
 
   /** Returns the node of an operation that needs no simplification, operands in this order. */
   Scalar binary(Operation operation, Scalar first, Scalar second) {
-    Key key = new Key(operation, first.id(), second.id());
-    Scalar node = known.get(key);
-    return node != null ? node : add(key, List.of(first, second), 0, 0);
+    int place = place(operation, first.id(), second.id());
+    Scalar node = known[place];
+    return node != null ? node : add(place, operation, List.of(first, second), 0, 0);
+  }
+
+  private Scalar leaf(Operation operation, long identity, double value, int index) {
+    int place = place(operation, identity, -1);
+    Scalar node = known[place];
+    return node != null ? node : add(place, operation, List.of(), value, index);
   }
 
   /** Returns whether an expression has arisen already. */
   boolean knows(Operation operation, Scalar first, Scalar second) {
-    return known.containsKey(new Key(operation, first.id(), second.id()));
+    return known[place(operation, first.id(), second.id())] != null;
   }
 
-  private Scalar add(Key key, List<Scalar> operands, double value, int index) {
-    Scalar node = new Scalar(this, nodes.size(), key.operation(), operands, value, index);
+  /** Returns where a node is in the table, or where it would go. */
+  private int place(Operation operation, long first, long second) {
+    int mask = known.length - 1;
+    int place = hash(operation, first, second) & mask;
+    for (Scalar node = known[place]; node != null; node = known[place]) {
+      if (node.operation() == operation
+          && identity(node, 0) == first
+          && identity(node, 1) == second) {
+        return place;
+      }
+      place = (place + 1) & mask;
+    }
+    return place;
+  }
+
+  /** Returns what tells a node from others that do the same: its operands or what it is. */
+  private static long identity(Scalar node, int operand) {
+    if (operand < node.operands().size()) {
+      return node.operands().get(operand).id();
+    }
+    if (operand > 0) {
+      return -1;
+    }
+    return node.isConstant() ? Double.doubleToRawLongBits(node.value()) : node.index();
+  }
+
+  private static int hash(Operation operation, long first, long second) {
+    long mixed = (first * 31 + second) * 31 + operation.name().hashCode();
+    mixed *= 0x9E3779B97F4A7C15L;
+    return (int) (mixed >>> 32);
+  }
+
+  private Scalar add(
+      int place, Operation operation, List<Scalar> operands, double value, int index) {
+    Scalar node = new Scalar(this, nodes.size(), operation, operands, value, index);
     nodes.add(node);
-    known.put(key, node);
+    known[place] = node;
+    if (2 * nodes.size() > known.length) {
+      grow();
+    }
     return node;
+  }
+
+  private void grow() {
+    known = new Scalar[2 * known.length];
+    for (Scalar node : nodes) {
+      known[place(node.operation(), identity(node, 0), identity(node, 1))] = node;
+    }
   }
 }

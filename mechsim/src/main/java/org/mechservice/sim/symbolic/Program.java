@@ -14,6 +14,9 @@ import java.util.Optional;
  * meaning and says what is put out. What no output needs is not part of the program.
  */
 public final class Program {
+  /** The input that is the time, s. Other inputs count from 0. */
+  public static final int TIME = Integer.MAX_VALUE;
+
   /**
    * A stretch of the program.
    *

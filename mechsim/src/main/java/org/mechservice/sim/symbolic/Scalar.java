@@ -132,6 +132,12 @@ public final class Scalar {
     return times(this);
   }
 
+  /** The number of the node, so that tables of nodes cost little and are the same in every run. */
+  @Override
+  public int hashCode() {
+    return id;
+  }
+
   @Override
   public String toString() {
     return switch (operation) {

@@ -23,6 +23,7 @@ import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.Model;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Root;
@@ -45,6 +46,36 @@ class GeneratedModelTest {
         Stream.of(Scenes.pendulum(), Scenes.timingModel("driver41").mechanism()),
         Stream.of(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12)
             .map(seed -> RandomTrees.tree(seed, 3 + 2 * seed)));
+  }
+
+  @ParameterizedTest
+  @MethodSource("scenes")
+  void theClassFileHasTheBitsOfTheCompiledSource(Mechanism mechanism) {
+    MechmlModel model = Scenes.model(mechanism);
+    GeneratedModel generated = ModelFactory.generate(model, ALL);
+    Model direct = ModelFactory.compile(model, ALL, generated).newInstance();
+    Model compiled = ModelFactory.compileSource(model, ALL, generated).newInstance();
+    assertThat(direct.description()).isEqualTo(compiled.description());
+    assertThat(((BodyPoses) direct).bodies()).isEqualTo(((BodyPoses) compiled).bodies());
+    for (int seed = 1; seed <= 3; seed++) {
+      double[] y = RandomTrees.state(seed, mechanism);
+      assertSameBits(everything(direct, y), everything(compiled, y));
+    }
+  }
+
+  /** Start, derivative, result, energies and poses, one after the other. */
+  private static double[] everything(Model model, double[] y) {
+    int bodies = ((BodyPoses) model).bodies().size();
+    double[] start = new double[y.length];
+    Arrays.fill(start, 7);
+    double[] yDot = new double[y.length];
+    double[] poses = new double[BodyPoses.NUMBERS_PER_BODY * bodies];
+    model.initialState(start);
+    double[] result = {((ExplicitModel) model).derivative(0, y, yDot)};
+    ((BodyPoses) model).poses(0, y, poses);
+    return Stream.of(start, yDot, result, energies(model, y), poses)
+        .flatMapToDouble(Arrays::stream)
+        .toArray();
   }
 
   @ParameterizedTest
@@ -211,12 +242,19 @@ class GeneratedModelTest {
   @Test
   void gimbalLockIsTold() {
     Mechanism gimbal = Scenes.scene("gimbal_q2_1.5707963267948966.json", "gimbal");
-    ExplicitModel model = generated(gimbal);
-    double[] y = new double[6];
-    model.initialState(y);
-    assertThat(model.derivative(0, y, new double[6])).isZero();
-    y[1] = 0.4;
-    assertThat(model.derivative(0, y, new double[6])).isEqualTo(ExplicitModel.REGULAR);
+    MechmlModel file = Scenes.model(gimbal);
+    GeneratedModel generated = ModelFactory.generate(file, ALL);
+    for (CompiledModel compiled :
+        List.of(
+            ModelFactory.compile(file, ALL, generated),
+            ModelFactory.compileSource(file, ALL, generated))) {
+      ExplicitModel model = (ExplicitModel) compiled.newInstance();
+      double[] y = new double[6];
+      model.initialState(y);
+      assertThat(model.derivative(0, y, new double[6])).isZero();
+      y[1] = 0.4;
+      assertThat(model.derivative(0, y, new double[6])).isEqualTo(ExplicitModel.REGULAR);
+    }
   }
 
   @Test

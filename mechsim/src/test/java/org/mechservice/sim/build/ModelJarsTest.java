@@ -11,6 +11,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.Random;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -22,10 +24,12 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.build.jar.LeanClass;
 import org.mechservice.sim.build.jar.ReproducibleJar;
 import org.mechservice.sim.build.jar.Sha256;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.pack.PackedClasses;
 
 class ModelJarsTest {
   private static final String SHA = "0123456789abcdef".repeat(4);
@@ -119,19 +123,87 @@ class ModelJarsTest {
   void theRuntimeJarHoldsTheSolverInLittleRoom() throws IOException {
     PackedJar runtime = ModelFactory.runtimeJar();
     assertThat(runtime.bytes().length).isLessThan(125 * 1024);
-    assertThat(entries(runtime))
+    assertThat(ModelFactory.runtimeJar()).isSameAs(runtime);
+    assertThat(entries(runtime).keySet())
+        .containsExactly(
+            PackedClasses.ENTRY, "META-INF/services/org.mechservice.solver.api.Solver");
+    assertThat(runtimeClasses())
         .containsKey("org/mechservice/solver/simulation/Simulation.class")
         .containsKey("org/mechservice/solver/dynamics/ArticulatedBody.class");
-    assertThat(entries(runtime).keySet())
-        .allMatch(
-            name -> name.startsWith("org/mechservice/solver/") || name.startsWith("META-INF/"));
-    assertThat(ModelFactory.runtimeJar()).isSameAs(runtime);
+    assertThat(runtimeClasses().keySet())
+        .allMatch(name -> name.startsWith("org/mechservice/solver/"))
+        .noneMatch(name -> name.startsWith("org/mechservice/solver/pack/"));
+  }
+
+  private static SortedMap<String, byte[]> runtimeClasses() throws IOException {
+    return PackedClasses.unpack(packedClasses());
+  }
+
+  private static byte[] packedClasses() throws IOException {
+    return Objects.requireNonNull(entries(ModelFactory.runtimeJar()).get(PackedClasses.ENTRY));
+  }
+
+  /** Written anew, a class has its constants in the order of their use: then bytes can be equal. */
+  @Test
+  void packingLeavesTheSolversCodeAsItIs() throws IOException {
+    runtimeClasses()
+        .forEach(
+            (path, unpacked) ->
+                assertThat(LeanClass.of(unpacked))
+                    .as(path)
+                    .isEqualTo(SolverFiles.lean().get(path)));
+  }
+
+  @Test
+  void packedClassesAreTheSameFromWhateverOrderOfTheirConstants() throws IOException {
+    byte[] packed = packedClasses();
+    assertThat(PackedClasses.pack(PackedClasses.unpack(packed))).isEqualTo(packed);
+  }
+
+  /** Every class is verified when it is initialised. */
+  @Test
+  void unpackedClassesAreValid() throws Exception {
+    SortedMap<String, byte[]> byName = new TreeMap<>();
+    runtimeClasses()
+        .forEach(
+            (path, bytes) ->
+                byName.put(path.substring(0, path.length() - 6).replace('/', '.'), bytes));
+    ClassLoader loader =
+        new ClassLoader(ClassLoader.getPlatformClassLoader()) {
+          @Override
+          protected Class<?> findClass(String name) throws ClassNotFoundException {
+            byte[] bytes = byName.get(name);
+            if (bytes == null) {
+              throw new ClassNotFoundException(name);
+            }
+            return defineClass(name, bytes, 0, bytes.length);
+          }
+        };
+    for (String name : byName.keySet()) {
+      assertThat(Class.forName(name, true, loader).getName()).isEqualTo(name);
+    }
+  }
+
+  @Test
+  void damagedPackedClassesAreRefused() throws IOException {
+    byte[] packed = packedClasses();
+    Random random = new Random(5);
+    for (int i = 0; i < 200; i++) {
+      byte[] damaged = packed.clone();
+      damaged[random.nextInt(damaged.length)] ^= (byte) (1 << random.nextInt(8));
+      try {
+        // What still unpacks is for the virtual machine to verify; nothing else may escape.
+        assertThat(PackedClasses.unpack(damaged)).isNotNull();
+      } catch (IOException e) {
+        assertThat(e).hasMessageContaining("packed class");
+      }
+    }
   }
 
   @Test
   void theStandaloneJarHoldsOnlyWhatItReaches() throws IOException {
     PackedJar jar = ModelFactory.standaloneJar(pendulum("DE"), SHA);
-    assertThat(jar.bytes().length).isLessThan(ModelFactory.runtimeJar().bytes().length * 9 / 10);
+    assertThat(entries(jar)).hasSizeLessThan(runtimeClasses().size() * 9 / 10);
     assertThat(entries(jar).keySet())
         .contains(MODEL, "org/mechservice/solver/standalone/Standalone.class")
         .contains("org/mechservice/solver/integration/De.class")

@@ -16,7 +16,15 @@ public enum ColumnGroup {
    */
   BODIES,
   /** Kinetic and potential energy and the work of non-conservative forces. */
-  ENERGY;
+  ENERGY,
+  /** Largest residuals of the constraints, and each one's multipliers ({@link ResultColumns}). */
+  CONSTRAINTS,
+  /** Force and moment in every joint ({@link ResultColumns}). */
+  REACTIONS,
+  /** Values of the applied forces ({@link ResultColumns}). */
+  FORCES,
+  /** What the user asked for by expression ({@link ResultColumns}). */
+  OUTPUTS;
 
   /** Returns the group's name on the command line. */
   public String label() {

@@ -11,9 +11,10 @@ public interface ExplicitModel extends Model {
    * @param t time, s
    * @param y state [q; v], rad, m, rad/s, m/s; not modified
    * @param yDot derivative of the state, same layout; overwritten
-   * @return {@link #REGULAR}, or the index in {@link ModelDescription#joints()} of the joint beyond
-   *     which there is no inertia (its block of the joint-space inertia is singular); {@code yDot}
-   *     is then meaningless
+   * @return {@link #REGULAR}; or the index in {@link ModelDescription#joints()} of the joint beyond
+   *     which there is no inertia (its block of the joint-space inertia is singular); or {@link
+   *     Defects#DEFECT} if the model implements {@link Defects} and can say more. Unless regular,
+   *     {@code yDot} is meaningless
    */
   int derivative(double t, double[] y, double[] yDot);
 }

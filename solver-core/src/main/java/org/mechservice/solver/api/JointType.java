@@ -52,4 +52,9 @@ public enum JointType {
   public String velocityUnit(int index) {
     return split(velocityUnits)[index];
   }
+
+  /** Returns whether the first four positions are Euler parameters. */
+  public boolean hasEulerParameters() {
+    return this == S || this == F;
+  }
 }

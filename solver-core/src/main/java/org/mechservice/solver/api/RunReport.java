@@ -1,6 +1,7 @@
 package org.mechservice.solver.api;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 
@@ -23,6 +24,9 @@ import java.util.OptionalDouble;
  *     J; what the drift is judged by
  * @param stiffnessSuspected whether the integrator took a long run of steps that only its
  *     stability, not its accuracy, kept small
+ * @param jacobians Jacobians formed; 0, like the next, for integrators that solve no equations
+ * @param factorisations matrices factored
+ * @param notes what the model had to say about the run
  * @param solverVersion version of the solver that ran
  */
 public record RunReport(
@@ -39,7 +43,50 @@ public record RunReport(
     OptionalDouble energyDrift,
     OptionalDouble energyScale,
     boolean stiffnessSuspected,
+    long jacobians,
+    long factorisations,
+    List<RunNotes.Note> notes,
     String solverVersion) {
+
+  public RunReport {
+    notes = List.copyOf(notes);
+  }
+
+  /** A run that solved no equations and of which nothing is noted. */
+  public RunReport(
+      Outcome outcome,
+      String model,
+      String formulation,
+      RunSettings settings,
+      long steps,
+      long rejectedSteps,
+      long evaluations,
+      long rows,
+      double timeReached,
+      double wallTime,
+      OptionalDouble energyDrift,
+      OptionalDouble energyScale,
+      boolean stiffnessSuspected,
+      String solverVersion) {
+    this(
+        outcome,
+        model,
+        formulation,
+        settings,
+        steps,
+        rejectedSteps,
+        evaluations,
+        rows,
+        timeReached,
+        wallTime,
+        energyDrift,
+        energyScale,
+        stiffnessSuspected,
+        0,
+        0,
+        List.of(),
+        solverVersion);
+  }
 
   /**
    * Returns the report as ordered key and value pairs, values being {@link String}, {@link Long} or
@@ -62,6 +109,10 @@ public record RunReport(
     map.put("steps", steps);
     map.put("rejectedSteps", rejectedSteps);
     map.put("evaluations", evaluations);
+    if (factorisations > 0) {
+      map.put("jacobians", jacobians);
+      map.put("factorisations", factorisations);
+    }
     map.put("rows", rows);
     map.put("simulatedTime", timeReached - settings.tStart());
     map.put("wallTime", wallTime);
@@ -72,6 +123,9 @@ public record RunReport(
     energyScale.ifPresent(scale -> map.put("energyScale", scale));
     if (stiffnessSuspected) {
       map.put("stiffness", "suspected");
+    }
+    if (!notes.isEmpty()) {
+      map.put("notes", String.join(" ", notes.stream().map(RunNotes.Note::message).toList()));
     }
     map.put("solverVersion", solverVersion);
     return map;

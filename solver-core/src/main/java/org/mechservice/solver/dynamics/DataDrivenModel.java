@@ -1,78 +1,52 @@
 package org.mechservice.solver.dynamics;
 
-import java.util.ArrayList;
-import java.util.List;
-import org.mechservice.solver.api.BodyPoses;
-import org.mechservice.solver.api.Energies;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.JointVariables;
-import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.RunSettings;
-import org.mechservice.solver.mechanism.Body;
-import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
- * A mechanism as a model without generated code, by articulated bodies (DTR): the reference that
- * generated classes are tested against. Open chains of R and P joints.
+ * DTR without generated code: an open tree by articulated bodies. The reference that generated
+ * classes are tested against.
  */
-public final class DataDrivenModel implements ExplicitModel, Energies, BodyPoses {
-  private final Mechanism mechanism;
-  private final ModelDescription description;
+public final class DataDrivenModel extends OpenTreeModel {
   private final ArticulatedBody dynamics;
   private final ArticulatedBody.Workspace workspace;
-  private final WorldMotion world;
-  private final double[] tau;
 
   /**
-   * @param mechanism an open chain of R and P joints
+   * @param mechanism an open tree without user forces
    * @param defaults settings the model carries
+   * @throws IllegalArgumentException if the mechanism closes loops, or a force or a motion cannot
+   *     be used
    */
   public DataDrivenModel(Mechanism mechanism, RunSettings defaults) {
-    this.mechanism = mechanism;
-    List<JointVariables> joints = new ArrayList<>();
-    for (Joint joint : mechanism.joints()) {
-      joints.add(new JointVariables(joint.name(), joint.type()));
-    }
-    description = new ModelDescription(mechanism.name(), "DTR", joints, defaults);
-    dynamics = new ArticulatedBody(mechanism);
-    workspace = dynamics.newWorkspace();
-    world = new WorldMotion(mechanism);
-    tau = new double[mechanism.velocityCount()];
+    this(mechanism, defaults, UserForceSource.NONE);
+  }
+
+  /**
+   * @param mechanism an open tree
+   * @param defaults settings the model carries
+   * @param userForces makes the user's forces
+   * @throws IllegalArgumentException if the mechanism closes loops, or a force or a motion cannot
+   *     be used
+   */
+  public DataDrivenModel(Mechanism mechanism, RunSettings defaults, UserForceSource userForces) {
+    super(mechanism, "DTR", defaults, userForces);
+    dynamics = new ArticulatedBody(tree);
+    workspace = dynamics.newWorkspace(motion);
   }
 
   @Override
-  public ModelDescription description() {
-    return description;
+  int accelerate(double[] a, int aAt) {
+    return dynamics.accelerations(workspace, loads.wrench(), loads.tau(), a, aAt);
   }
 
   @Override
-  public void initialState(double[] y) {
-    mechanism.initialState(y);
+  PivotCheck check() {
+    return workspace.check();
   }
 
   @Override
-  public int derivative(double t, double[] y, double[] yDot) {
-    int n = mechanism.velocityCount();
-    System.arraycopy(y, n, yDot, 0, n);
-    return dynamics.accelerations(workspace, y, tau, yDot, n);
-  }
-
-  @Override
-  public void energy(double t, double[] y, double[] energy) {
-    world.sweep(y);
-    energy[0] = world.kineticEnergy();
-    energy[1] = world.potentialEnergy();
-  }
-
-  @Override
-  public List<String> bodies() {
-    return mechanism.bodies().stream().map(Body::name).toList();
-  }
-
-  @Override
-  public void poses(double t, double[] y, double[] poses) {
-    world.sweep(y);
-    world.poses(poses);
+  void drivingForces(double[] force) {
+    System.arraycopy(workspace.drivingForces(), 0, force, 0, force.length);
   }
 }

@@ -66,6 +66,13 @@ final class AdamsCoefficients {
     lastOrder = 0;
   }
 
+  /** Forgets the steps for those to come, but not what the last one is interpolated with. */
+  void beginAgain() {
+    equalSteps = 0;
+    lastSize = 0;
+    lastOrder = 0;
+  }
+
   /** Returns n_s, the number of steps of equal size, the one being tried included. */
   int equalSteps() {
     return equalSteps;
@@ -149,5 +156,18 @@ final class AdamsCoefficients {
       }
       g[i] = w[1];
     }
+  }
+
+  /** Carries the state between two steps over. */
+  void transfer(StateTransfer state) {
+    state.numbers(beta);
+    state.numbers(sigma);
+    state.numbers(g);
+    state.numbers(psi);
+    state.numbers(alpha);
+    state.numbers(v);
+    equalSteps = state.integer(equalSteps);
+    lastSize = state.number(lastSize);
+    lastOrder = state.integer(lastOrder);
   }
 }

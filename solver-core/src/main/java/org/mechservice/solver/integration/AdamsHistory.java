@@ -13,6 +13,7 @@ import java.util.Arrays;
  * predict   φ*_i = β_i φ_i;  p = y + h Σ_{i≤k} g_i φ*_i;  φ^p_i = Σ_{j=i..k} φ*_j
  * evaluate  d = f(t + h, p) − φ^p_1
  * correct   y ← p + h g_{k+1} d                      one order higher: local extrapolation
+ * carry     round-off of y, unless y was moved meanwhile
  * evaluate  φ_{k+1} = f(t + h, y) − φ^p_1;  φ_i = φ^p_i + φ_{k+1}, i ≤ k
  * </pre>
  *
@@ -54,24 +55,38 @@ final class AdamsHistory {
   private final boolean compensated;
 
   /**
-   * @param y0 state at the start; not modified
-   * @param derivative0 f at the start; not modified
+   * @param dimension n
    * @param compensated whether to carry the round-off along
    */
-  AdamsHistory(double[] y0, double[] derivative0, boolean compensated) {
-    int n = y0.length;
+  AdamsHistory(int dimension, boolean compensated) {
     this.compensated = compensated;
-    predicted = new double[n];
-    derivative = derivative0.clone();
-    discrepancy = new double[n];
-    differences = new double[LENGTH][n];
-    extrapolated = new double[LENGTH][n];
-    state = y0.clone();
-    stateCarry = new double[n];
-    corrected = new double[n];
-    correctedCarry = new double[n];
-    predictedCarry = new double[n];
-    System.arraycopy(derivative0, 0, differences[1], 0, n);
+    predicted = new double[dimension];
+    derivative = new double[dimension];
+    discrepancy = new double[dimension];
+    differences = new double[LENGTH][dimension];
+    extrapolated = new double[LENGTH][dimension];
+    state = new double[dimension];
+    stateCarry = new double[dimension];
+    corrected = new double[dimension];
+    correctedCarry = new double[dimension];
+    predictedCarry = new double[dimension];
+  }
+
+  /** Returns whether the round-off is carried along. */
+  boolean compensated() {
+    return compensated;
+  }
+
+  /** Forgets the history and places the state; the derivative is to be written next. */
+  void begin(double[] y) {
+    System.arraycopy(y, 0, state, 0, state.length);
+    Arrays.fill(stateCarry, 0);
+  }
+
+  /** Takes the derivative for that of the state just placed: φ_1 = y'. */
+  void beginDerivative() {
+    System.arraycopy(derivative, 0, differences[1], 0, derivative.length);
+    Arrays.fill(differences[2], 0);
   }
 
   /** Returns the state of the last accepted step; not to be modified. */
@@ -141,20 +156,21 @@ final class AdamsHistory {
 
   /** Forms the corrected state; {@code weight} is h g_{k+1}. */
   void correct(double weight) {
-    if (compensated) {
-      correctCompensated(weight);
-      return;
-    }
+    // Without compensation the carry stays 0.
     for (int l = 0; l < corrected.length; l++) {
-      corrected[l] = predicted[l] + weight * discrepancy[l];
+      corrected[l] = predicted[l] + (weight * discrepancy[l] - predictedCarry[l]);
     }
   }
 
-  private void correctCompensated(double weight) {
+  /** Keeps the round-off of the corrected state, of those components that were not moved since. */
+  void carry(double weight) {
+    if (!compensated) {
+      return;
+    }
     for (int l = 0; l < corrected.length; l++) {
       double increment = weight * discrepancy[l] - predictedCarry[l];
-      corrected[l] = predicted[l] + increment;
-      correctedCarry[l] = (corrected[l] - predicted[l]) - increment;
+      boolean moved = corrected[l] != predicted[l] + increment;
+      correctedCarry[l] = moved ? 0 : (corrected[l] - predicted[l]) - increment;
     }
   }
 
@@ -174,6 +190,18 @@ final class AdamsHistory {
     correctedCarry = freedCarry;
   }
 
+  /** Multiplies some components of the accepted state and of all its differences by a factor. */
+  void scale(int start, int size, double factor) {
+    for (int l = start; l < start + size; l++) {
+      state[l] *= factor;
+      stateCarry[l] *= factor;
+      derivative[l] *= factor;
+      for (int i = 1; i < LENGTH; i++) {
+        differences[i][l] *= factor;
+      }
+    }
+  }
+
   private static void add(double[] x1, double[] x2, double[] sum) {
     for (int l = 0; l < sum.length; l++) {
       sum[l] = x1[l] + x2[l];
@@ -184,5 +212,15 @@ final class AdamsHistory {
     for (int l = 0; l < difference.length; l++) {
       difference[l] = x1[l] - x2[l];
     }
+  }
+
+  /** Carries the state between two steps over. */
+  void transfer(StateTransfer state) {
+    state.numbers(this.state);
+    state.numbers(stateCarry);
+    state.numbers(derivative);
+    state.numbers(discrepancy);
+    state.numbers(differences);
+    state.numbers(extrapolated);
   }
 }

@@ -48,6 +48,7 @@ final class AdamsOrderControl {
   private double error;
   private double errorHere;
   private double errorBelow;
+  private double discrepancy;
 
   /** Begins a problem with order 1. */
   void begin(int highestOrder) {
@@ -59,6 +60,18 @@ final class AdamsOrderControl {
     error = 0;
     errorHere = 0;
     errorBelow = 0;
+    discrepancy = 0;
+  }
+
+  /** Goes back to order 1 for the step being tried. */
+  void fallToOrderOne() {
+    order = 1;
+    starting = false;
+  }
+
+  /** Returns the norm of the discrepancy estimated last. */
+  double discrepancy() {
+    return discrepancy;
   }
 
   /** Returns the order k to use. */
@@ -79,7 +92,8 @@ final class AdamsOrderControl {
   /** Estimates the errors of a step of size |h| from the discrepancy. */
   void estimate(double size, AdamsCoefficients c, AdamsHistory history, ErrorNorm norm) {
     int k = order;
-    double d = size * norm.of(history.discrepancy);
+    discrepancy = norm.of(history.discrepancy);
+    double d = size * discrepancy;
     error = d * (c.g[k] - c.g[k + 1]);
     errorHere = d * c.sigma[k + 1] * GAMMA_STAR[k];
     orderIfRejected = k;
@@ -172,5 +186,17 @@ final class AdamsOrderControl {
     // (AIM / errorHere)^(1/(k+1)); StrictMath.pow allocates its tables at every call on JDK 17.
     double ratio = StrictMath.exp(StrictMath.log(AIM / errorHere) / (order + 1));
     return Math.max(MOST_SHRINKING, Math.min(LEAST_SHRINKING, ratio));
+  }
+
+  /** Carries the state between two steps over. */
+  void transfer(StateTransfer state) {
+    order = state.integer(order);
+    orderIfRejected = state.integer(orderIfRejected);
+    starting = state.flag(starting);
+    failures = state.integer(failures);
+    error = state.number(error);
+    errorHere = state.number(errorHere);
+    errorBelow = state.number(errorBelow);
+    discrepancy = state.number(discrepancy);
   }
 }

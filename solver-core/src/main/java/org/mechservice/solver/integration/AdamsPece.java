@@ -2,6 +2,7 @@ package org.mechservice.solver.integration;
 
 import java.util.Optional;
 import org.mechservice.solver.integration.IntegrationFailure.Cause;
+import org.mechservice.solver.integration.IntegratorSettings.Mode;
 
 /**
  * Adams methods of variable order and step in PECE form: predict, evaluate, correct, evaluate. The
@@ -16,17 +17,25 @@ abstract class AdamsPece implements Integrator {
 
   private static final double UNIT_ROUNDOFF = Math.ulp(1.0);
 
+  /** Settings with the tolerances of the error test, and these relative to those asked for. */
   private final IntegratorSettings settings;
+
+  private final double toleranceFactor;
   private final ErrorNorm norm;
   private final StepBounds bounds;
   private final AdamsCoefficients coefficients = new AdamsCoefficients();
   private final AdamsOrderControl control = new AdamsOrderControl();
   private final AdamsInterpolant interpolant = new AdamsInterpolant();
   private final StiffnessMonitor stiffness = new StiffnessMonitor();
+  private final JumpSearch jumps = new JumpSearch();
   private final Progress progress = new Progress();
 
   private RightHandSide equations = RightHandSide.none();
-  private AdamsHistory history = new AdamsHistory(new double[0], new double[0], false);
+  private Manifold manifold = new Manifold(equations.system());
+  private AdamsHistory history = new AdamsHistory(0, false);
+
+  /** End of the problem. */
+  private double tEnd;
 
   /** Size and end of the step being tried. */
   private double h;
@@ -45,7 +54,8 @@ abstract class AdamsPece implements Integrator {
    */
   AdamsPece(IntegratorSettings settings, ErrorNorm norm, StepBounds bounds) {
     settings.requireUsable();
-    this.settings = settings;
+    this.settings = settings.working();
+    toleranceFactor = settings.toleranceFactor();
     this.norm = norm;
     this.bounds = bounds;
   }
@@ -69,43 +79,79 @@ abstract class AdamsPece implements Integrator {
     IntegratorSettings.requireUsable(t0, tEnd, y0, system.dimension());
     double[] tolerances = settings.absoluteTolerances(y0.length);
     equations = new RightHandSide(system, settings.stop());
-    clear(t0);
-    norm.begin(settings.relativeTolerance(), tolerances);
+    begin(t0, tEnd);
+    manifold = new Manifold(system);
+    norm.begin(settings.relativeTolerance(), tolerances, manifold);
     norm.weigh(y0);
-    bounds.begin(t0, tEnd, settings.maxStep());
-    double[] derivative = new double[y0.length];
-    equations.evaluateAlways(t0, y0.clone(), derivative);
-    history = new AdamsHistory(y0, derivative, compensates(roundOff(y0)));
-    if (!finite(derivative)) {
-      return fail(Cause.NOT_FINITE, notFiniteComponent);
-    }
-    h = firstStep(derivative, tEnd - t0);
-    return progress.goOn(t0 == tEnd);
+    history = new AdamsHistory(y0.length, compensates(roundOff(y0)));
+    stiffness.clear();
+    return beginAt(t0, y0, settings.initialStep());
   }
 
-  private void clear(double t0) {
+  private void begin(double t0, double tEnd) {
+    equations.breakpoints().begin(equations.system(), t0, tEnd);
+    bounds.begin(t0, tEnd, settings.maxStep());
+    progress.begin(t0, settings.relativeTolerance());
+    this.tEnd = tEnd;
+  }
+
+  @Override
+  public final StepResult restart(double t, double[] y, double longestFirstStep) {
+    progress.requireInLastStep(t);
+    IntegratorSettings.requireUsable(y, history.state().length);
+    if (equations.breakpoints().reachedAt(t)) {
+      equations.breakpoints().pass();
+    }
+    StepResult result = beginAnew(t, y);
+    h = Math.copySign(Math.min(Math.abs(h), longestFirstStep), h);
+    return result;
+  }
+
+  private StepResult beginAnew(double t, double[] y) {
+    stiffness.beginAgain();
+    progress.beginAgain(t);
+    return beginAt(t, y, 0);
+  }
+
+  /** Begins at order 1, with a step of the given size or, if that is 0, of the method's choice. */
+  private StepResult beginAt(double t, double[] y, double initialStep) {
     coefficients.clear();
     control.begin(settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER));
-    stiffness.clear();
-    progress.begin(t0);
-    triedTime = t0;
+    jumps.clear();
+    bounds.stopAt(equations.breakpoints().next());
+    triedTime = t;
     h = 0;
     begun = false;
     prepared = false;
+    history.begin(y);
+    boolean complete = manifold.complete(t, history.state());
+    norm.weigh(history.state());
+    equations.evaluateAlways(t, history.state(), history.derivative);
+    history.beginDerivative();
+    if (!complete) {
+      return fail(Cause.NOT_COMPLETED, -1);
+    }
+    if (!finite(history.derivative)) {
+      return fail(Cause.NOT_FINITE, notFiniteComponent);
+    }
+    h = Math.copySign(initialStep > 0 ? initialStep : firstStepFrom(t), tEnd - t);
+    return progress.goOn(bounds.reachedAt(t));
   }
 
-  private double firstStep(double[] derivative, double interval) {
-    double size =
-        settings.initialStep() > 0
-            ? settings.initialStep()
-            : Math.min(
-                FIRST_SHARE_OF_INTERVAL * Math.abs(interval), firstStep(norm.of(derivative)));
-    return Math.copySign(size, interval);
+  private double firstStepFrom(double t) {
+    return Math.min(
+        FIRST_SHARE_OF_INTERVAL * Math.abs(tEnd - t), firstStep(norm.of(history.derivative)));
   }
 
   @Override
   public final StepResult step() {
     progress.requireRunning();
+    if (equations.breakpoints().reachedAt(progress.time())) {
+      StepResult result = passBreakpoint();
+      if (result != StepResult.ADVANCED) {
+        return result;
+      }
+    }
     beginStep();
     if (roundOff(history.state()) > 0.5) {
       return fail(Cause.TOLERANCE_TOO_TIGHT, norm.largest(history.state()));
@@ -128,6 +174,15 @@ abstract class AdamsPece implements Integrator {
     return fail(Cause.TOO_MANY_STEPS, norm.largest(history.discrepancy));
   }
 
+  /** Begins anew on the other side of a jump. */
+  private StepResult passBreakpoint() {
+    if (equations.stopped()) {
+      return StepResult.STOPPED;
+    }
+    equations.breakpoints().pass();
+    return beginAnew(progress.time(), history.state());
+  }
+
   /** Sets weights and bounds of a step; one that was stopped is taken up where it stood. */
   private void beginStep() {
     if (!begun) {
@@ -146,25 +201,40 @@ abstract class AdamsPece implements Integrator {
     }
   }
 
-  /** Predict, evaluate, estimate, correct, evaluate. */
+  /** Predict, complete, evaluate, estimate, correct, complete and project, evaluate. */
   private Attempt tryStep() {
     int k = control.order();
     history.predict(h, k, coefficients.beta, coefficients.g);
+    if (!manifold.complete(triedTime, history.predicted)) {
+      return Attempt.NOT_COMPLETED;
+    }
     if (!evaluate(history.predicted)) {
       return Attempt.STOPPED;
     }
     history.compareDerivative();
     control.estimate(Math.abs(h), coefficients, history, norm);
-    if (!(control.error() <= 1)) {
+    if (!(control.error() <= 1) || jumps.inside(h, control.discrepancy())) {
       return finite(history.derivative) ? Attempt.TOO_INACCURATE : Attempt.NOT_FINITE;
     }
-    history.correct(h * coefficients.g[k + 1]);
+    if (!correct(h * coefficients.g[k + 1])) {
+      return Attempt.NOT_COMPLETED;
+    }
     if (!evaluate(history.corrected())) {
       return Attempt.STOPPED;
     }
     return finite(history.corrected()) && finite(history.derivative)
         ? Attempt.PASSED
         : Attempt.NOT_FINITE;
+  }
+
+  /** Forms the corrected state, moved onto the manifold: f there enters the history. */
+  private boolean correct(double weight) {
+    double[] corrected = history.corrected();
+    history.correct(weight);
+    boolean found =
+        manifold.complete(triedTime, corrected) && manifold.project(triedTime, corrected);
+    history.carry(weight);
+    return found;
   }
 
   private void accept() {
@@ -174,22 +244,71 @@ abstract class AdamsPece implements Integrator {
     progress.accepted(h, triedTime, k, control.error());
     stiffness.record(k, control.error());
     h *= control.accept(Math.abs(h), coefficients.equalSteps(), history, norm);
+    scaleUnitGroups();
+    manifold.accepted(triedTime, history.state());
+    if (jumps.accepted(triedTime, Math.signum(h))) {
+      forgetHistory();
+    } else if (jumps.active()) {
+      h = towardsJump(h);
+    }
     begun = false;
     prepared = false;
   }
 
+  /** Begins at order 1 behind a jump, where f is known. */
+  private void forgetHistory() {
+    stiffness.beginAgain();
+    coefficients.beginAgain();
+    control.begin(settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER));
+    h = Math.copySign(firstStepFrom(triedTime), h);
+  }
+
+  /** Returns the step that halves the stretch with a jump, or crosses it, no longer than given. */
+  private double towardsJump(double longest) {
+    double step = jumps.step(progress.time());
+    if (jumps.crossing()) {
+      control.fallToOrderOne();
+    }
+    return Math.abs(step) < Math.abs(longest) ? step : longest;
+  }
+
+  private void scaleUnitGroups() {
+    for (int group = 0; group < manifold.unitGroupCount(); group++) {
+      double factor = manifold.unitFactor(group, history.state());
+      if (factor != 1) {
+        history.scale(manifold.unitGroupStart(group), manifold.unitGroupSize(group), factor);
+      }
+    }
+  }
+
   /** Reduces the step; returns a cause if that is not possible. */
   private Optional<Cause> reject(Attempt attempt) {
-    boolean notFinite = attempt == Attempt.NOT_FINITE;
-    progress.rejected(h, control.order(), notFinite ? Double.NaN : control.error(), attempt);
+    boolean inaccurate = attempt == Attempt.TOO_INACCURATE;
+    progress.rejected(h, control.order(), inaccurate ? control.error() : Double.NaN, attempt);
     double smallest = bounds.smallest(progress.time());
     if (progress.notFiniteTooOften() || Math.abs(h) <= smallest) {
-      return Optional.of(notFinite ? Cause.NOT_FINITE : Cause.STEP_TOO_SMALL);
+      return Optional.of(cause(attempt));
     }
-    double factor = notFinite ? control.rejectNotFinite() : control.reject();
-    h = Math.copySign(Math.max(factor * Math.abs(h), smallest), h);
+    double size = Math.abs(inaccurate ? retry() : control.rejectNotFinite() * h);
+    h = Math.copySign(Math.max(size, smallest), h);
     prepared = false;
     return Optional.empty();
+  }
+
+  /** Returns the step to try after one that failed the error test. */
+  private double retry() {
+    if (settings.mode() != Mode.FAITHFUL && Double.isFinite(control.error())) {
+      jumps.rejected(triedTime, control.error(), control.discrepancy());
+    }
+    return jumps.active() ? towardsJump(h) : control.reject() * h;
+  }
+
+  private static Cause cause(Attempt attempt) {
+    return switch (attempt) {
+      case NOT_FINITE -> Cause.NOT_FINITE;
+      case NOT_COMPLETED -> Cause.NOT_COMPLETED;
+      default -> Cause.STEP_TOO_SMALL;
+    };
   }
 
   /** Evaluates f at the end of the step being tried; returns false if told to stop instead. */
@@ -209,7 +328,11 @@ abstract class AdamsPece implements Integrator {
   }
 
   private int limitingComponent(Attempt attempt) {
-    return attempt == Attempt.NOT_FINITE ? notFiniteComponent : norm.largest(history.discrepancy);
+    return switch (attempt) {
+      case NOT_FINITE -> notFiniteComponent;
+      case NOT_COMPLETED -> -1;
+      default -> norm.largest(history.discrepancy);
+    };
   }
 
   private StepResult fail(Cause cause, int component) {
@@ -243,6 +366,51 @@ abstract class AdamsPece implements Integrator {
   }
 
   @Override
+  public final byte[] save() {
+    progress.requireBetweenSteps(begun);
+    return StateTransfer.save(this::transfer);
+  }
+
+  @Override
+  public final StepResult resume(OdeSystem system, byte[] saved) {
+    equations = new RightHandSide(system, settings.stop());
+    StateTransfer.restore(saved, this::transfer);
+    return progress.result();
+  }
+
+  /** Carries the integration between two steps over. */
+  private void transfer(StateTransfer state) {
+    state.require("method", getClass().getSimpleName());
+    settings.transfer(state);
+    int n = equations.system().dimension();
+    state.require("number of unknowns", n);
+    double t0 = state.number(progress.start());
+    double end = state.number(tEnd);
+    boolean compensated = state.flag(history.compensated());
+    if (state.restoring()) {
+      begin(t0, end);
+      history = new AdamsHistory(n, compensated);
+    }
+    equations.transfer(state);
+    if (state.restoring()) {
+      manifold = new Manifold(equations.system());
+      norm.begin(settings.relativeTolerance(), settings.absoluteTolerances(n), manifold);
+      control.begin(settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER));
+      bounds.stopAt(equations.breakpoints().next());
+      begun = false;
+      prepared = false;
+    }
+    progress.transfer(state);
+    history.transfer(state);
+    coefficients.transfer(state);
+    control.transfer(state);
+    jumps.transfer(state);
+    stiffness.transfer(state);
+    h = state.number(h);
+    triedTime = state.number(triedTime);
+  }
+
+  @Override
   public final IntegrationStatistics statistics() {
     return new IntegrationStatistics(
         progress.steps(),
@@ -251,7 +419,8 @@ abstract class AdamsPece implements Integrator {
         0,
         0,
         0,
-        stiffness.suspectsStiffness());
+        stiffness.suspectsStiffness(),
+        toleranceFactor);
   }
 
   @Override

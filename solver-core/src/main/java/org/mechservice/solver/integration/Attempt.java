@@ -10,6 +10,8 @@ public enum Attempt {
   NOT_CONVERGING,
   /** The matrix of that iteration was singular. */
   SINGULAR_MATRIX,
+  /** Components that follow from others could not be found, or there was no way to the manifold. */
+  NOT_COMPLETED,
   /** Something was not finite. */
   NOT_FINITE,
   /** The stop signal was given; the try is taken up again. */

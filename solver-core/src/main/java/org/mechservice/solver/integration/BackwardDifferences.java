@@ -47,22 +47,34 @@ final class BackwardDifferences {
   private double[][] spare;
 
   /**
-   * Begins with ∇y = h y' for h = 1.
-   *
-   * @param y0 state at the start; not modified
-   * @param derivative0 f at the start; not modified
+   * @param dimension n
    */
-  BackwardDifferences(double[] y0, double[] derivative0) {
-    int n = y0.length;
-    predicted = new double[n];
-    psi = new double[n];
-    correction = new double[n];
-    state = y0.clone();
-    corrected = new double[n];
-    accepted = new double[LENGTH][n];
+  BackwardDifferences(int dimension) {
+    predicted = new double[dimension];
+    psi = new double[dimension];
+    correction = new double[dimension];
+    state = new double[dimension];
+    corrected = new double[dimension];
+    accepted = new double[LENGTH][dimension];
     tried = accepted;
-    spare = new double[LENGTH][n];
-    System.arraycopy(derivative0, 0, accepted[1], 0, n);
+    spare = new double[LENGTH][dimension];
+  }
+
+  /** Forgets the history and places the state; {@link #slope} is to be written next. */
+  void begin(double[] y) {
+    if (tried != accepted) {
+      spare = tried;
+      tried = accepted;
+    }
+    System.arraycopy(y, 0, state, 0, state.length);
+    for (int m = 1; m < LENGTH; m++) {
+      Arrays.fill(accepted[m], 0);
+    }
+  }
+
+  /** Returns ∇y of the state just placed, which for h = 1 is its derivative; to be written. */
+  double[] slope() {
+    return accepted[1];
   }
 
   /** Returns the state of the last accepted step; not to be modified. */
@@ -147,6 +159,25 @@ final class BackwardDifferences {
     }
   }
 
+  /** Takes over a corrected state that was changed from outside: d becomes y_{n+1} − y*. */
+  void takeOverCorrected() {
+    for (int l = 0; l < correction.length; l++) {
+      if (corrected[l] != predicted[l] + correction[l]) {
+        correction[l] = corrected[l] - predicted[l];
+      }
+    }
+  }
+
+  /** Multiplies some components of the accepted state and of all its differences by a factor. */
+  void scale(int start, int size, double factor) {
+    for (int l = start; l < start + size; l++) {
+      state[l] *= factor;
+      for (int m = 1; m < LENGTH; m++) {
+        accepted[m][l] *= factor;
+      }
+    }
+  }
+
   /** Accepts the corrected state and forms its differences up to order k + 2. */
   void accept(int k) {
     double[] next = tried[k + 1];
@@ -169,5 +200,17 @@ final class BackwardDifferences {
     double[] freed = state;
     state = corrected;
     corrected = freed;
+  }
+
+  /** Carries the state between two steps over. */
+  void transfer(StateTransfer state) {
+    state.numbers(this.state);
+    state.numbers(accepted);
+    state.numbers(correction);
+    state.numbers(predicted);
+    state.numbers(psi);
+    if (state.restoring()) {
+      tried = accepted;
+    }
   }
 }

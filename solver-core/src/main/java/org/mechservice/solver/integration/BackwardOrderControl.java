@@ -71,6 +71,12 @@ final class BackwardOrderControl {
     error = formulas.errorConstant(order) * norm.of(differences.correction);
   }
 
+  /** Goes on with order 1: what lies further back is of no use. */
+  void restart() {
+    order = 1;
+    equalSteps = 0;
+  }
+
   /** Chooses the order after a failed error test and returns the factor for the step. */
   double reject(BackwardDifferences differences, ErrorNorm norm) {
     if (failedBefore) {
@@ -137,5 +143,13 @@ final class BackwardOrderControl {
   private static double passing(double error, int j) {
     // StrictMath.pow allocates its tables at every call on JDK 17.
     return StrictMath.exp(-StrictMath.log(error) / (j + 1));
+  }
+
+  /** Carries the state between two steps over. */
+  void transfer(StateTransfer state) {
+    order = state.integer(order);
+    equalSteps = state.integer(equalSteps);
+    failedBefore = state.flag(failedBefore);
+    error = state.number(error);
   }
 }

@@ -4,23 +4,10 @@ package org.mechservice.solver.integration;
  * Norm of DE: the root of the sum of squares, the error allowed is rtol |y_i| + atol_i. Shampine
  * and Gordon 1975.
  */
-final class EuclideanNorm implements ErrorNorm {
-  private double relativeTolerance;
-  private double[] absoluteTolerance = {};
-  private double[] weight = {};
-
+final class EuclideanNorm extends WeightedNorm {
   @Override
-  public void begin(double relativeTolerance, double[] absoluteTolerance) {
-    this.relativeTolerance = relativeTolerance;
-    this.absoluteTolerance = absoluteTolerance;
-    weight = new double[absoluteTolerance.length];
-  }
-
-  @Override
-  public void weigh(double[] y) {
-    for (int l = 0; l < weight.length; l++) {
-      weight[l] = 1 / (relativeTolerance * Math.abs(y[l]) + absoluteTolerance[l]);
-    }
+  double allowed(double relativeTolerance, double size, double absoluteTolerance) {
+    return relativeTolerance * size + absoluteTolerance;
   }
 
   @Override
@@ -41,10 +28,5 @@ final class EuclideanNorm implements ErrorNorm {
       sum += part * part;
     }
     return Math.sqrt(sum);
-  }
-
-  @Override
-  public double weight(int component) {
-    return weight[component];
   }
 }

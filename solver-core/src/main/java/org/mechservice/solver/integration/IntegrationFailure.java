@@ -6,7 +6,9 @@ import java.util.List;
  * Why an integration could not go on.
  *
  * @param cause what kind of failure
- * @param time where it stands
+ * @param time where it stands; if the step became too small, where steps were last longer than the
+ *     relative tolerance times the time elapsed: the solution moves so fast beyond that place that
+ *     the one computed is not where the exact one is
  * @param stepSize step tried last, signed; 0 at the start
  * @param order order tried last; 0 at the start
  * @param worstComponent index of the component that limited the step, was not finite, or left no
@@ -40,6 +42,22 @@ public record IntegrationFailure(
     NO_CONVERGENCE,
     /** The matrix of that iteration is singular to working precision, however small the step. */
     SINGULAR_MATRIX,
+    /**
+     * The components that follow from others cannot be found, or there is no way to the manifold of
+     * the solution, however small the step.
+     */
+    NOT_COMPLETED,
+    /** Events follow each other ever closer, or no farther apart than round-off. */
+    EVENTS_ACCUMULATE,
+    /**
+     * An event function is not finite, or the state at which to evaluate it cannot be completed.
+     */
+    EVENT_NOT_FINITE,
+    /**
+     * No consistent initial values were found for a system in residual form; the component is the
+     * row of the residual that is worst.
+     */
+    INCONSISTENT_START,
     /** The number of steps allowed is used up. */
     TOO_MANY_STEPS
   }

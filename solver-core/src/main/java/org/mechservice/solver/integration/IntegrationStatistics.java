@@ -13,6 +13,7 @@ package org.mechservice.solver.integration;
  * @param solutions systems of linear equations solved
  * @param stiffnessSuspected whether the steps look as if stability, not accuracy, limited them: an
  *     implicit method might take far fewer
+ * @param toleranceFactor what the tolerances asked for were multiplied by in every error test
  */
 public record IntegrationStatistics(
     long steps,
@@ -21,4 +22,5 @@ public record IntegrationStatistics(
     long jacobians,
     long factorisations,
     long solutions,
-    boolean stiffnessSuspected) {}
+    boolean stiffnessSuspected,
+    double toleranceFactor) {}

@@ -30,6 +30,30 @@ public interface Integrator {
   StepResult start(OdeSystem system, double t0, double[] y0, double tEnd);
 
   /**
+   * Goes on from another state, or with equations that have changed, at a place inside or at the
+   * end of the last step: the history is forgotten, the order is 1, the step that of a start. The
+   * counters go on. Evaluates f once.
+   *
+   * @param t between {@link #previousTime()} and {@link #time()}, both included
+   * @param y state there; not modified
+   * @return {@link StepResult#ADVANCED}, {@link StepResult#REACHED_END} if that is the end, {@link
+   *     StepResult#FAILED} if f is not finite there, or {@link StepResult#STOPPED} if told to stop
+   *     before consistent values of a problem in residual form were found: then to be called again
+   * @throws IllegalArgumentException if {@code t} lies outside the last step, or if the state is
+   *     not finite or of the wrong length
+   */
+  default StepResult restart(double t, double[] y) {
+    return restart(t, y, Double.POSITIVE_INFINITY);
+  }
+
+  /**
+   * Goes on as {@link #restart(double, double[])} does, with a bound for the first step.
+   *
+   * @param longestFirstStep positive
+   */
+  StepResult restart(double t, double[] y, double longestFirstStep);
+
+  /**
    * Takes one accepted step, trying smaller ones and other orders as the error test asks.
    *
    * @return {@link StepResult#ADVANCED} while the end is not reached, {@link
@@ -67,6 +91,26 @@ public interface Integrator {
    * @throws IllegalArgumentException if {@code t} lies outside the last step
    */
   void interpolate(double t, double[] y, double[] yDot);
+
+  /**
+   * Returns the integration between two steps, its whole history, as bytes; {@link #resume} goes on
+   * from them with the same bits. A problem with a state of its own is to be a {@link SavedSystem}.
+   *
+   * @throws IllegalStateException if there is nothing to go on from: before the start, after a
+   *     failure, or within a step that was stopped
+   */
+  byte[] save();
+
+  /**
+   * Goes on with an integration saved by an integrator of the same kind and settings; whatever was
+   * begun before is forgotten. The last step can be interpolated as before.
+   *
+   * @param system the same problem
+   * @return {@link StepResult#ADVANCED}, or {@link StepResult#REACHED_END} if the end was reached
+   * @throws IllegalArgumentException if the bytes are damaged, of another format, method, settings,
+   *     or number of unknowns; the message says which
+   */
+  StepResult resume(OdeSystem system, byte[] saved);
 
   /** Returns what the integrator has done since {@link #start}. */
   IntegrationStatistics statistics();

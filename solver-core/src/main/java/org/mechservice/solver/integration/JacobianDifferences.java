@@ -4,11 +4,11 @@ import java.util.Arrays;
 import org.mechservice.solver.linear.MatrixLayout;
 
 /**
- * ∂f/∂y by one-sided differences, one evaluation per column, or per group of columns of a band that
- * share no row.
+ * The derivatives ∂f/∂x of a vector function by one-sided differences, one evaluation per column,
+ * or per group of columns of a band that share no row. Columns of passive components are left zero.
  *
- * <p>Column j is differenced over δ_j = share_j max(|y_j|, threshold_j), in the direction in which
- * y_j is about to move. The share starts at the root of the round-off and is adapted from one
+ * <p>Column j is differenced over δ_j = share_j max(|x_j|, threshold_j), in the direction in which
+ * x_j is about to move. The share starts at the root of the round-off and is adapted from one
  * Jacobian to the next: where the largest change of f is so small a part of f that round-off eats
  * it, the share grows, at once and with a second difference if nothing else is left of it; where
  * the change is large, the share shrinks for the sake of curvature. Salane, SAND86-1319, 1986. A
@@ -30,6 +30,7 @@ final class JacobianDifferences {
   private static final double ADAPTATION = 10;
 
   private final MatrixLayout layout;
+  private final Manifold manifold;
   private final double[] threshold;
 
   /** Share of each column, the one for the next Jacobian, and the increment δ, length n. */
@@ -41,11 +42,19 @@ final class JacobianDifferences {
   /** Whether the change in a column was lost in round-off, length n. */
   private final boolean[] lost;
 
+  /** Where to move and how large the terms are that f is the sum of, length n. */
+  private double[] direction = {};
+
+  private double[] magnitude = {};
+
+  /** Whether the shares are adapted: not as long as nothing is known of the terms' size. */
+  private boolean adapting;
+
   /** f at the point, the point moved, and f there, length n. */
   private final double[] base;
 
   private final double[] moved;
-  private final double[] movedDerivative;
+  private final double[] movedValue;
 
   private boolean baseKnown;
 
@@ -55,39 +64,81 @@ final class JacobianDifferences {
   private int notFiniteComponent;
 
   /**
-   * @param threshold size below which a component is negligible; not modified
+   * For a function whose values are as large as the terms they are the sum of.
+   *
+   * @param threshold size below which a component is negligible; kept, not modified
    */
-  JacobianDifferences(MatrixLayout layout, double[] threshold) {
+  JacobianDifferences(MatrixLayout layout, double[] threshold, Manifold manifold) {
+    this(layout, threshold, manifold, FIRST_SHARE);
+    magnitude = new double[layout.dimension()];
+    adapting = true;
+  }
+
+  /**
+   * For a function whose values are small sums of large terms.
+   *
+   * @param threshold size below which a component is negligible; kept, not modified
+   * @param firstShare share of a component to begin with
+   */
+  JacobianDifferences(
+      MatrixLayout layout, double[] threshold, Manifold manifold, double firstShare) {
     int n = layout.dimension();
     this.layout = layout;
+    this.manifold = manifold;
     this.threshold = threshold;
     share = new double[n];
-    Arrays.fill(share, FIRST_SHARE);
+    Arrays.fill(share, firstShare);
     nextShare = share.clone();
     increment = new double[n];
     lost = new boolean[n];
     base = new double[n];
     moved = new double[n];
-    movedDerivative = new double[n];
+    movedValue = new double[n];
   }
 
   private static double power(double exponent) {
     return StrictMath.pow(ROUNDOFF, exponent);
   }
 
-  /** Tells f at the point at which the next Jacobian will be formed. */
-  void knowDerivative(double[] derivative) {
-    System.arraycopy(derivative, 0, base, 0, base.length);
+  /** Tells f at the point at which the next Jacobian will be formed; not modified. */
+  void knowValue(double[] value) {
+    System.arraycopy(value, 0, base, 0, base.length);
     baseKnown = true;
+    group = 0;
+  }
+
+  /** Forgets a Jacobian that was stopped half way. */
+  void abandon() {
+    baseKnown = false;
+    group = 0;
+  }
+
+  /** Returns f at the point at which the Jacobian was formed; not to be modified. */
+  double[] value() {
+    return base;
+  }
+
+  /**
+   * Tells how large the terms are that f is the sum of, for the Jacobians to come.
+   *
+   * @param magnitude kept, not modified
+   */
+  void knowMagnitude(double[] magnitude) {
+    this.magnitude = magnitude;
+    adapting = true;
   }
 
   /**
    * Forms the Jacobian; after {@link Attempt#STOPPED} the next call goes on where this one stopped.
    *
-   * @param fy overwritten
+   * @param x the point; not modified
+   * @param direction which way each component is about to move, by its sign; may be {@link #value}
+   * @param jacobian overwritten
    */
-  Attempt evaluate(RightHandSide equations, double t, double[] y, double[] fy) {
-    Attempt attempt = continueEvaluation(equations, t, y, fy);
+  Attempt evaluate(
+      DifferencedFunction function, double[] x, double[] direction, double[] jacobian) {
+    this.direction = direction;
+    Attempt attempt = continueEvaluation(function, x, jacobian);
     if (attempt != Attempt.STOPPED) {
       baseKnown = false;
       group = 0;
@@ -96,9 +147,9 @@ final class JacobianDifferences {
     return attempt;
   }
 
-  private Attempt continueEvaluation(RightHandSide equations, double t, double[] y, double[] fy) {
+  private Attempt continueEvaluation(DifferencedFunction function, double[] x, double[] jacobian) {
     if (!baseKnown) {
-      if (!equations.evaluate(t, y, base)) {
+      if (!function.evaluate(x, base)) {
         return Attempt.STOPPED;
       }
       if (!finite(base)) {
@@ -106,10 +157,11 @@ final class JacobianDifferences {
       }
       baseKnown = true;
     }
-    System.arraycopy(y, 0, moved, 0, moved.length);
+    System.arraycopy(x, 0, moved, 0, moved.length);
     int groups = Math.min(layout.columnDistance(), layout.dimension());
     for (; group < groups; group++) {
-      Attempt attempt = differenceGroup(equations, t, y, fy);
+      Attempt attempt =
+          differenced(group) ? differenceGroup(function, x, jacobian) : clearGroup(jacobian);
       if (attempt != Attempt.PASSED) {
         return attempt;
       }
@@ -117,52 +169,82 @@ final class JacobianDifferences {
     return Attempt.PASSED;
   }
 
-  private Attempt differenceGroup(RightHandSide equations, double t, double[] y, double[] fy) {
-    moveGroup(y, 1);
-    if (!equations.evaluate(t, moved, movedDerivative)) {
+  /** Returns whether the group has a column to be differenced. */
+  private boolean differenced(int group) {
+    for (int j = group; j < share.length; j += layout.columnDistance()) {
+      if (manifold.independent(j)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private Attempt clearGroup(double[] jacobian) {
+    for (int j = group; j < share.length; j += layout.columnDistance()) {
+      clearColumn(j, jacobian);
+    }
+    return Attempt.PASSED;
+  }
+
+  private void clearColumn(int j, double[] jacobian) {
+    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+      jacobian[layout.index(i, j)] = 0;
+    }
+  }
+
+  private Attempt differenceGroup(DifferencedFunction function, double[] x, double[] jacobian) {
+    moveGroup(x, 1);
+    if (!function.evaluate(moved, movedValue)) {
       return Attempt.STOPPED;
     }
-    if (!finite(movedDerivative)) {
-      moveGroup(y, -1);
-      if (!equations.evaluate(t, moved, movedDerivative)) {
+    if (!finite(movedValue)) {
+      moveGroup(x, -1);
+      if (!function.evaluate(moved, movedValue)) {
         return Attempt.STOPPED;
       }
-      if (!finite(movedDerivative)) {
+      if (!finite(movedValue)) {
         return Attempt.NOT_FINITE;
       }
     }
     for (int j = group; j < share.length; j += layout.columnDistance()) {
-      moved[j] = y[j];
-      double change = writeColumn(j, fy);
-      lost[j] = judge(j, share[j], change);
+      moved[j] = x[j];
+      if (manifold.independent(j)) {
+        double change = writeColumn(j, jacobian);
+        lost[j] = judge(j, share[j], change);
+      } else {
+        clearColumn(j, jacobian);
+        lost[j] = false;
+      }
     }
-    return repeatLost(equations, t, y, fy);
+    return repeatLost(function, x, jacobian);
   }
 
   /** Moves the columns of the group; after a stop the same way again. */
-  private void moveGroup(double[] y, int sign) {
+  private void moveGroup(double[] x, int sign) {
     for (int j = group; j < share.length; j += layout.columnDistance()) {
-      move(j, y, sign, share[j]);
+      if (manifold.independent(j)) {
+        move(j, x, sign, share[j]);
+      }
     }
   }
 
-  private void move(int j, double[] y, int sign, double withShare) {
-    double direction = base[j] >= 0 ? sign : -sign;
-    double size = withShare * Math.max(Math.abs(y[j]), threshold[j]);
-    moved[j] = y[j] + direction * size;
-    increment[j] = moved[j] - y[j];
+  private void move(int j, double[] x, int sign, double withShare) {
+    double way = direction[j] >= 0 ? sign : -sign;
+    double size = withShare * Math.max(Math.abs(x[j]), threshold[j]);
+    moved[j] = x[j] + way * size;
+    increment[j] = moved[j] - x[j];
     if (increment[j] == 0) {
-      moved[j] = y[j] + direction * Math.max(Math.ulp(y[j]), threshold[j]);
-      increment[j] = moved[j] - y[j];
+      moved[j] = x[j] + way * Math.max(Math.ulp(x[j]), threshold[j]);
+      increment[j] = moved[j] - x[j];
     }
   }
 
   /** Writes the difference quotients of column j; returns the largest change of f. */
-  private double writeColumn(int j, double[] fy) {
+  private double writeColumn(int j, double[] jacobian) {
     double largest = 0;
     for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
-      double change = movedDerivative[i] - base[i];
-      fy[layout.index(i, j)] = change / increment[j];
+      double change = movedValue[i] - base[i];
+      jacobian[layout.index(i, j)] = change / increment[j];
       largest = Math.max(largest, Math.abs(change));
     }
     return largest;
@@ -170,12 +252,15 @@ final class JacobianDifferences {
 
   /** Adapts the share of column j; returns whether its change was lost in round-off. */
   private boolean judge(int j, double used, double change) {
+    nextShare[j] = used;
+    if (!adapting) {
+      return false;
+    }
     int row = rowOf(change, j);
     double here = Math.abs(base[row]);
-    double there = Math.abs(movedDerivative[row]);
-    double size = Math.max(here, there);
-    boolean comparable = change == 0 || (here != 0 && there != 0);
-    nextShare[j] = used;
+    double there = Math.abs(movedValue[row]);
+    double size = Math.max(magnitude[row], Math.max(here, there));
+    boolean comparable = change == 0 || magnitude[row] != 0 || (here != 0 && there != 0);
     if (comparable && change <= POOR * size) {
       nextShare[j] = Math.min(LARGEST_SHARE, ADAPTATION * used);
     } else if (comparable && change > LARGE * size) {
@@ -186,35 +271,35 @@ final class JacobianDifferences {
 
   private int rowOf(double change, int j) {
     int row = layout.firstRow(j);
-    while (row < layout.lastRow(j) && Math.abs(movedDerivative[row] - base[row]) != change) {
+    while (row < layout.lastRow(j) && Math.abs(movedValue[row] - base[row]) != change) {
       row++;
     }
     return row;
   }
 
-  private Attempt repeatLost(RightHandSide equations, double t, double[] y, double[] fy) {
+  private Attempt repeatLost(DifferencedFunction function, double[] x, double[] jacobian) {
     for (int j = group; j < share.length; j += layout.columnDistance()) {
       double larger = Math.min(Math.sqrt(share[j]), LARGEST_SHARE);
       if (!lost[j] || larger == share[j]) {
         continue;
       }
-      double slope = steepest(j, fy);
-      move(j, y, 1, larger);
-      if (!equations.evaluate(t, moved, movedDerivative)) {
+      double slope = steepest(j, jacobian);
+      move(j, x, 1, larger);
+      if (!function.evaluate(moved, movedValue)) {
         return Attempt.STOPPED;
       }
-      moved[j] = y[j];
-      if (finite(movedDerivative) && larger * steepestMoved(j) >= slope) {
-        judge(j, larger, writeColumn(j, fy));
+      moved[j] = x[j];
+      if (finite(movedValue) && larger * steepestMoved(j) >= slope) {
+        judge(j, larger, writeColumn(j, jacobian));
       }
     }
     return Attempt.PASSED;
   }
 
-  private double steepest(int j, double[] fy) {
+  private double steepest(int j, double[] jacobian) {
     double slope = 0;
     for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
-      slope = Math.max(slope, Math.abs(fy[layout.index(i, j)]));
+      slope = Math.max(slope, Math.abs(jacobian[layout.index(i, j)]));
     }
     return slope;
   }
@@ -222,7 +307,7 @@ final class JacobianDifferences {
   private double steepestMoved(int j) {
     double change = 0;
     for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
-      change = Math.max(change, Math.abs(movedDerivative[i] - base[i]));
+      change = Math.max(change, Math.abs(movedValue[i] - base[i]));
     }
     return change / Math.abs(increment[j]);
   }
@@ -235,5 +320,13 @@ final class JacobianDifferences {
   /** Returns the first component of f that was not finite. */
   int notFiniteComponent() {
     return notFiniteComponent;
+  }
+
+  /** Carries over how far to move, and the value at the next point if that is known. */
+  void transfer(StateTransfer state) {
+    state.numbers(share);
+    state.numbers(nextShare);
+    state.numbers(base);
+    baseKnown = state.flag(baseKnown);
   }
 }

@@ -4,100 +4,38 @@ import java.util.Arrays;
 import org.mechservice.solver.linear.MatrixLayout;
 
 /**
- * ∂f/∂y where it was evaluated last. It is kept from step to step, however old, until an iteration
- * fails and the Jacobian is not that of the present point.
+ * A matrix of derivatives in use, and a second one where the next is formed: what turns out not to
+ * be finite, or is stopped half way, does not replace the one in use.
  */
 final class KeptJacobian {
   private final MatrixLayout layout;
-  private final JacobianDifferences differences;
-
-  /** The Jacobian in use and the one being formed, elements by layout. */
   private double[] values;
-
   private double[] forming;
 
-  private boolean wanted = true;
-  private boolean current;
-  private int notFiniteComponent;
-  private long evaluations;
-
-  /**
-   * @param threshold size below which a component is negligible; not modified
-   * @param derivative0 f at the start; not modified
-   */
-  KeptJacobian(MatrixLayout layout, double[] threshold, double[] derivative0) {
+  KeptJacobian(MatrixLayout layout) {
     this.layout = layout;
-    differences = new JacobianDifferences(layout, threshold);
-    differences.knowDerivative(derivative0);
     values = new double[layout.length()];
     forming = new double[layout.length()];
   }
 
-  /** Returns ∂f/∂y, elements by layout; not to be modified. */
+  /** Returns the matrix in use, elements by layout; not to be modified. */
   double[] values() {
     return values;
   }
 
-  /** Returns whether a new one was asked for and is not yet there. */
-  boolean wanted() {
-    return wanted;
+  /** Returns where to form the next, elements by layout. */
+  double[] forming() {
+    return forming;
   }
 
-  /** Returns whether it was evaluated, or could not be, where the step being tried starts. */
-  boolean current() {
-    return current;
-  }
-
-  /** Asks for a new one. */
-  void want() {
-    wanted = true;
-  }
-
-  /** Takes note that a step was accepted. */
-  void moveOn() {
-    current = false;
-  }
-
-  /**
-   * Evaluates it at the start of the step. One that is not finite does not replace the one in use.
-   */
-  Attempt evaluate(RightHandSide equations, double t, double[] y) {
-    Attempt attempt =
-        equations.system() instanceof JacobianSystem known
-            ? evaluateKnown(equations, known, t, y)
-            : evaluateByDifferences(equations, t, y);
-    if (attempt == Attempt.STOPPED) {
-      return attempt;
-    }
-    wanted = false;
-    current = true;
-    evaluations++;
-    if (attempt == Attempt.PASSED) {
-      double[] freed = values;
-      values = forming;
-      forming = freed;
-    }
-    return attempt;
-  }
-
-  private Attempt evaluateKnown(
-      RightHandSide equations, JacobianSystem system, double t, double[] y) {
-    if (equations.stopped()) {
-      return Attempt.STOPPED;
-    }
+  /** Returns where to form the next after setting it to zero. */
+  double[] formingFromZero() {
     Arrays.fill(forming, 0);
-    system.jacobian(t, y, forming);
-    notFiniteComponent = rowNotFinite();
-    return notFiniteComponent < 0 ? Attempt.PASSED : Attempt.NOT_FINITE;
+    return forming;
   }
 
-  private Attempt evaluateByDifferences(RightHandSide equations, double t, double[] y) {
-    Attempt attempt = differences.evaluate(equations, t, y, forming);
-    notFiniteComponent = differences.notFiniteComponent();
-    return attempt;
-  }
-
-  private int rowNotFinite() {
+  /** Returns the first row with an element that is not finite in the matrix formed; −1 if none. */
+  int rowNotFinite() {
     for (int j = 0; j < layout.dimension(); j++) {
       for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
         if (!Double.isFinite(forming[layout.index(i, j)])) {
@@ -108,21 +46,43 @@ final class KeptJacobian {
     return -1;
   }
 
-  /** Returns the component of f whose derivatives were not finite. */
-  int notFiniteComponent() {
-    return notFiniteComponent;
+  /** Takes the matrix that was formed into use. */
+  void replace() {
+    double[] freed = values;
+    values = forming;
+    forming = freed;
   }
 
-  long evaluations() {
-    return evaluations;
-  }
-
-  /** Adds J x to a vector. */
+  /** Adds the product of the matrix in use and x to a vector. */
   void addProduct(double[] x, double[] sum) {
     for (int j = 0; j < x.length; j++) {
       for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
         sum[i] += values[layout.index(i, j)] * x[j];
       }
     }
+  }
+
+  /** Adds the absolute values of the terms of that product. */
+  void addMagnitudes(double[] x, double[] sum) {
+    for (int j = 0; j < x.length; j++) {
+      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+        sum[i] += Math.abs(values[layout.index(i, j)] * x[j]);
+      }
+    }
+  }
+
+  /** Returns whether a column of the matrix in use is zero. */
+  boolean isZero(int column) {
+    for (int i = layout.firstRow(column); i <= layout.lastRow(column); i++) {
+      if (values[layout.index(i, column)] != 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Carries the matrix in use over. */
+  void transfer(StateTransfer state) {
+    state.numbers(values);
   }
 }

@@ -30,6 +30,14 @@ public interface LinearisedSystem extends ResidualSystem {
    */
   void solve(double[] r);
 
+  /**
+   * Returns an estimate of the reciprocal condition of the matrix factored last, free of the units
+   * of the equations, for the diagnosis of a failure; 1 if nothing is known of it.
+   */
+  default double reciprocalCondition() {
+    return 1;
+  }
+
   /** Returns the component at whose column the last {@link #factor} failed. */
   int singularComponent();
 }

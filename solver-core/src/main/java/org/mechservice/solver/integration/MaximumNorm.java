@@ -4,36 +4,10 @@ package org.mechservice.solver.integration;
  * Norm of ode113 and ode15s: the largest component counts, the error allowed is max(rtol |y_i|,
  * atol_i). Shampine and Reichelt 1997.
  */
-final class MaximumNorm implements ErrorNorm {
-  private double relativeTolerance;
-  private double[] absoluteTolerance = {};
-  private double[] weight = {};
-
+final class MaximumNorm extends WeightedNorm {
   @Override
-  public void begin(double relativeTolerance, double[] absoluteTolerance) {
-    this.relativeTolerance = relativeTolerance;
-    this.absoluteTolerance = absoluteTolerance;
-    weight = new double[absoluteTolerance.length];
-  }
-
-  @Override
-  public void weigh(double[] y) {
-    for (int l = 0; l < weight.length; l++) {
-      weight[l] = 1 / Math.max(relativeTolerance * Math.abs(y[l]), absoluteTolerance[l]);
-    }
-  }
-
-  /**
-   * Sets the error allowed in each component by the larger of two states.
-   *
-   * @param y1 not modified
-   * @param y2 not modified
-   */
-  void weigh(double[] y1, double[] y2) {
-    for (int l = 0; l < weight.length; l++) {
-      double size = Math.max(Math.abs(y1[l]), Math.abs(y2[l]));
-      weight[l] = 1 / Math.max(relativeTolerance * size, absoluteTolerance[l]);
-    }
+  double allowed(double relativeTolerance, double size, double absoluteTolerance) {
+    return Math.max(relativeTolerance * size, absoluteTolerance);
   }
 
   @Override
@@ -52,10 +26,5 @@ final class MaximumNorm implements ErrorNorm {
       norm = Math.max(norm, Math.abs(x1[l] + x2[l]) * weight[l]);
     }
     return norm;
-  }
-
-  @Override
-  public double weight(int component) {
-    return weight[component];
   }
 }

@@ -1,11 +1,9 @@
 package org.mechservice.solver.integration;
 
 /**
- * Simplified Newton iteration for the correction d of a step.
- *
- * <pre>
- * (I − hγ J) δ = hγ f(t_{n+1}, y* + d) − (ψ + d);  d ← d + δ;    hγ = h / ((1 − κ_k) γ_k)
- * </pre>
+ * Simplified Newton iteration for the correction d of a step: the equations say what is left of
+ * them at y* + d and, with the factors of their matrix, which change δ would mend it; d ← d + δ.
+ * Passive components follow the others after each iteration.
  *
  * <p>With the rate ρ at which ‖δ‖ falls, the error left after an iteration is about ‖δ‖ ρ / (1 −
  * ρ). It is accepted below half the tolerance; after the first iteration, where only a rate of
@@ -28,7 +26,6 @@ final class NewtonIteration {
   /** A change this small relative to y is round-off. */
   private static final double ROUNDOFF = 100 * Math.ulp(1.0);
 
-  private final double[] derivative;
   private final double[] change;
 
   private double rate;
@@ -39,7 +36,6 @@ final class NewtonIteration {
   private double negligible;
 
   NewtonIteration(int dimension) {
-    derivative = new double[dimension];
     change = new double[dimension];
   }
 
@@ -53,6 +49,11 @@ final class NewtonIteration {
     return begun;
   }
 
+  /** Forgets an iteration that was stopped. */
+  void abandon() {
+    begun = false;
+  }
+
   /** Begins at the prediction. */
   void begin(BackwardDifferences differences, ErrorNorm norm) {
     begun = true;
@@ -62,23 +63,27 @@ final class NewtonIteration {
 
   /** Iterates to the end, or until stopped; the next call then goes on. */
   Attempt iterate(
-      RightHandSide equations,
+      StepEquations equations,
       double t,
       double hGamma,
-      IterationMatrix matrix,
       BackwardDifferences differences,
       ErrorNorm norm) {
+    if (iteration == 0 && !complete(equations, t, differences)) {
+      return end(Attempt.NOT_COMPLETED);
+    }
     while (true) {
-      if (!equations.evaluate(t, differences.corrected(), derivative)) {
+      if (!equations.evaluate(t, hGamma, differences, change)) {
         return Attempt.STOPPED;
       }
       iteration++;
-      formResidual(hGamma, differences);
-      matrix.solve(change);
+      equations.solveLinear(hGamma, change);
       differences.correct(change);
       double size = norm.of(change);
       if (!Double.isFinite(size) || !Double.isFinite(negligible)) {
         return end(Attempt.NOT_FINITE);
+      }
+      if (!complete(equations, t, differences)) {
+        return end(Attempt.NOT_COMPLETED);
       }
       if (converged(size)) {
         return end(Attempt.PASSED);
@@ -90,13 +95,16 @@ final class NewtonIteration {
     }
   }
 
-  /** δ of the iteration before its equations are solved: hγ f − (ψ + d). */
-  private void formResidual(double hGamma, BackwardDifferences differences) {
-    double[] psi = differences.psi;
-    double[] correction = differences.correction;
-    for (int l = 0; l < change.length; l++) {
-      change[l] = hGamma * derivative[l] - (psi[l] + correction[l]);
+  /** Makes the passive components fit the others; returns false if that is not possible. */
+  private static boolean complete(
+      StepEquations equations, double t, BackwardDifferences differences) {
+    Manifold manifold = equations.manifold();
+    if (!manifold.completes()) {
+      return true;
     }
+    boolean fits = manifold.complete(t, differences.corrected());
+    differences.takeOverCorrected();
+    return fits;
   }
 
   private Attempt end(Attempt attempt) {
@@ -146,9 +154,15 @@ final class NewtonIteration {
     return change;
   }
 
-  /** Returns the first component of f, or else of δ, that was not finite. */
-  int notFiniteComponent() {
-    int component = RightHandSide.firstNotFinite(derivative);
+  /** Returns the first component of the evaluation, or else of δ, that was not finite. */
+  int notFiniteComponent(StepEquations equations) {
+    int component = equations.notFiniteInEvaluation();
     return component < 0 ? RightHandSide.firstNotFinite(change) : component;
+  }
+
+  /** Carries the rate of convergence known over. */
+  void transfer(StateTransfer state) {
+    rate = state.number(rate);
+    rateKnown = state.flag(rateKnown);
   }
 }

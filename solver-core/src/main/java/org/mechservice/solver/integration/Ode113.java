@@ -29,7 +29,7 @@ public final class Ode113 extends AdamsPece {
    */
   public Ode113(IntegratorSettings settings) {
     super(settings, new MaximumNorm(), new StepsToEnd());
-    relativeTolerance = settings.relativeTolerance();
+    relativeTolerance = settings.working().relativeTolerance();
   }
 
   /** A quarter of the step for which |h y'| is √rtol times the weight max(|y_i|, atol_i / rtol). */

@@ -19,12 +19,30 @@ final class Progress {
   private double stepSize;
   private int order;
 
+  /** Start, and end of the last step that was longer than places on the t axis are uncertain. */
+  private double start;
+
+  private double resolution;
+  private double resolvedTime;
+
   private int notFiniteInARow;
   private long steps;
   private long rejectedSteps;
 
   /** Begins a problem that is not yet ready to be advanced. */
   void begin(double t0) {
+    begin(t0, 0);
+  }
+
+  /**
+   * Begins a problem that is not yet ready to be advanced.
+   *
+   * @param relativeTolerance to which a place on the t axis is known, relative to the time elapsed
+   */
+  void begin(double t0, double relativeTolerance) {
+    start = t0;
+    resolution = relativeTolerance;
+    resolvedTime = t0;
     recentSteps.clear();
     failure = Optional.empty();
     running = false;
@@ -35,6 +53,18 @@ final class Progress {
     notFiniteInARow = 0;
     steps = 0;
     rejectedSteps = 0;
+  }
+
+  /** Goes back to a place inside the last step, from where there is no history; counters go on. */
+  void beginAgain(double t) {
+    failure = Optional.empty();
+    running = false;
+    time = t;
+    previousTime = t;
+    resolvedTime = t;
+    stepSize = 0;
+    order = 0;
+    notFiniteInARow = 0;
   }
 
   /** Makes the problem ready unless its end is reached; returns the result of the step so far. */
@@ -48,6 +78,9 @@ final class Progress {
     recentSteps.record(time, h, order, error, Attempt.PASSED);
     previousTime = time;
     time = end;
+    if (Math.abs(h) >= resolution * Math.abs(end - start)) {
+      resolvedTime = end;
+    }
     stepSize = h;
     this.order = order;
     notFiniteInARow = 0;
@@ -70,11 +103,33 @@ final class Progress {
   StepResult fail(Cause cause, double h, int order, int component, ErrorNorm norm) {
     running = false;
     double allowed = component < 0 ? 0 : 1 / norm.weight(component);
+    double where = cause == Cause.STEP_TOO_SMALL ? resolvedTime : time;
     failure =
         Optional.of(
             new IntegrationFailure(
-                cause, time, h, h == 0 ? 0 : order, component, allowed, recentSteps.list()));
+                cause, where, h, h == 0 ? 0 : order, component, allowed, recentSteps.list()));
     return StepResult.FAILED;
+  }
+
+  /** Returns where the problem began. */
+  double start() {
+    return start;
+  }
+
+  /** Returns the result of the last step, of an integration that has not failed. */
+  StepResult result() {
+    return running ? StepResult.ADVANCED : StepResult.REACHED_END;
+  }
+
+  /**
+   * Requires a place from which an integration can be saved.
+   *
+   * @param withinStep whether a step was begun and stopped
+   */
+  void requireBetweenSteps(boolean withinStep) {
+    if (withinStep || failure.isPresent() || (!running && steps == 0)) {
+      throw new IllegalStateException("only an integration between two steps can be saved");
+    }
   }
 
   void requireRunning() {
@@ -124,5 +179,20 @@ final class Progress {
 
   IntegrationFailure failure() {
     return failure.orElseThrow(() -> new IllegalStateException("the integration has not failed"));
+  }
+
+  /** Carries the state between two steps over. */
+  void transfer(StateTransfer state) {
+    recentSteps.transfer(state);
+    running = state.flag(running);
+    start = state.number(start);
+    time = state.number(time);
+    previousTime = state.number(previousTime);
+    resolvedTime = state.number(resolvedTime);
+    stepSize = state.number(stepSize);
+    order = state.integer(order);
+    notFiniteInARow = state.integer(notFiniteInARow);
+    steps = state.integer(steps);
+    rejectedSteps = state.integer(rejectedSteps);
   }
 }

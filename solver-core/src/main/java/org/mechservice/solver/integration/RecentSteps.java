@@ -1,6 +1,7 @@
 package org.mechservice.solver.integration;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /** The last steps tried, kept for the report of a failure. */
@@ -13,6 +14,10 @@ final class RecentSteps {
   private final double[] error = new double[KEPT];
   private final Attempt[] attempt = new Attempt[KEPT];
   private long recorded;
+
+  RecentSteps() {
+    Arrays.fill(attempt, Attempt.PASSED);
+  }
 
   void clear() {
     recorded = 0;
@@ -39,5 +44,17 @@ final class RecentSteps {
               time[slot], stepSize[slot], order[slot], error[slot], attempt[slot]));
     }
     return List.copyOf(steps);
+  }
+
+  /** Carries the steps kept over. */
+  void transfer(StateTransfer state) {
+    recorded = state.integer(recorded);
+    state.numbers(time);
+    state.numbers(stepSize);
+    state.numbers(error);
+    for (int slot = 0; slot < KEPT; slot++) {
+      order[slot] = state.integer(order[slot]);
+      attempt[slot] = Attempt.valueOf(state.text(attempt[slot].name()));
+    }
   }
 }

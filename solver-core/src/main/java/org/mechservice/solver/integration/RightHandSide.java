@@ -2,12 +2,16 @@ package org.mechservice.solver.integration;
 
 import java.util.function.BooleanSupplier;
 
-/** The problem as its integrator sees it: counted, and not evaluated after the stop signal. */
+/**
+ * The problem as its integrator sees it: counted, not evaluated after the stop signal, and not
+ * across its own jumps.
+ */
 final class RightHandSide {
   private static final int ALL_FINITE = -1;
 
   private final OdeSystem system;
   private final BooleanSupplier stop;
+  private final Breakpoints breakpoints = new Breakpoints();
   private long evaluations;
 
   RightHandSide(OdeSystem system, BooleanSupplier stop) {
@@ -17,6 +21,11 @@ final class RightHandSide {
 
   OdeSystem system() {
     return system;
+  }
+
+  /** Returns the places at which f jumps; to be begun with the problem. */
+  Breakpoints breakpoints() {
+    return breakpoints;
   }
 
   /** Returns whether the stop signal is given. */
@@ -35,8 +44,17 @@ final class RightHandSide {
 
   /** Evaluates f. */
   void evaluateAlways(double t, double[] y, double[] yDot) {
-    system.derivative(t, y, yDot);
+    system.derivative(breakpoints.inside(t), y, yDot);
     evaluations++;
+  }
+
+  /** Carries the counter, the places passed and the problem's own state over. */
+  void transfer(StateTransfer state) {
+    evaluations = state.integer(evaluations);
+    breakpoints.transfer(state);
+    if (system instanceof SavedSystem saved) {
+      saved.transfer(state);
+    }
   }
 
   long evaluations() {

@@ -14,6 +14,13 @@ interface StepBounds {
    */
   void begin(double t0, double tEnd, double maxStep);
 
+  /**
+   * Sets a place that no step passes, but one ends at exactly.
+   *
+   * @param place infinite: none
+   */
+  void stopAt(double place);
+
   /** Returns the smallest step size that the arithmetic can hold at {@code t}, positive. */
   double smallest(double t);
 

@@ -1,131 +1,279 @@
 package org.mechservice.solver.integration;
 
 import org.mechservice.solver.integration.IntegrationFailure.Cause;
-import org.mechservice.solver.linear.LinearSolver;
 
 /**
- * The equations that an implicit step has to solve, and the means to do it: Jacobian, matrix and
- * Newton iteration. Whatever was stopped is taken up where it stood.
+ * The equations that an implicit step has to solve, and the means to do it: derivatives, factored
+ * matrix and Newton iteration. Whatever was stopped is taken up where it stood.
+ *
+ * <p>The derivatives are kept from step to step, however old, until an iteration fails and they are
+ * not those of the present point. The form of the equations, explicit or residual, decides what
+ * they are.
  */
-final class StepEquations {
-  private final RightHandSide rightHandSide;
-  private final KeptJacobian jacobian;
-  private final IterationMatrix matrix;
+abstract class StepEquations {
+  private final Manifold manifold;
   private final NewtonIteration newton;
-  private int notFiniteComponent;
+
+  /** Whether new derivatives are asked for, and whether those kept are of the present point. */
+  private boolean wanted = true;
+
+  private boolean current;
+
+  /** Whether the factors are those of the present h, k and derivatives. */
+  private boolean factored;
+
+  private double factoredHGamma;
+
+  private int notFiniteComponent = -1;
+  private long linearisations;
+  private long factorisations;
+  private long solutions;
+
+  StepEquations(Manifold manifold) {
+    this.manifold = manifold;
+    newton = new NewtonIteration(manifold.dimension());
+  }
+
+  /** Returns the places at which the equations jump. */
+  abstract Breakpoints breakpoints();
+
+  /** Returns whether the stop signal is given. */
+  abstract boolean stopped();
+
+  /** Forgets whatever was stopped: the problem begins, or goes on from another state. */
+  abstract void abandon();
 
   /**
-   * @param smallSizes size below which a component is negligible; not modified
-   * @param derivative0 f at the start; not modified
+   * Finds what is not given of state and derivative where a problem begins or goes on anew.
+   *
+   * @param y state; completed
+   * @param slope its derivative; overwritten
    */
-  StepEquations(
-      RightHandSide rightHandSide, LinearSolver solver, double[] smallSizes, double[] derivative0) {
-    this.rightHandSide = rightHandSide;
-    jacobian = new KeptJacobian(solver.layout(), smallSizes, derivative0);
-    matrix = new IterationMatrix(solver);
-    newton = new NewtonIteration(derivative0.length);
+  abstract Attempt findStart(double t, double[] y, double[] slope);
+
+  /** Returns what to call a failure of {@link #findStart}. */
+  abstract Cause causeAtStart(Attempt attempt);
+
+  /** Returns the component to name in it; −1 if there is none. */
+  abstract int componentAtStart(Attempt attempt);
+
+  /** Evaluates the derivatives at the start of the step. */
+  abstract Attempt formDerivatives(double t, double[] y);
+
+  /** Factors the matrix of the iteration; returns whether it is regular. */
+  abstract boolean formFactors(double hGamma);
+
+  /** Returns the column, and so the component, at which the last factorisation failed. */
+  abstract int singularComponent();
+
+  /** Returns an estimate of the reciprocal condition of the matrix; 1 if nothing is known of it. */
+  abstract double reciprocalCondition();
+
+  /**
+   * Evaluates what is left of the equations at the corrected state, as the right-hand side of the
+   * iteration; 0 for passive components.
+   *
+   * @return false if told to stop instead
+   */
+  abstract boolean evaluate(
+      double t, double hGamma, BackwardDifferences differences, double[] residual);
+
+  /** Solves for the change of the correction, in place; it is 0 in passive components. */
+  abstract void substitute(double hGamma, double[] residual);
+
+  /** Returns the component that made the derivatives not finite; −1 if none can be named. */
+  abstract int notFiniteInDerivatives();
+
+  /** Returns the component that made the last evaluation not finite; −1 if none did. */
+  abstract int notFiniteInEvaluation();
+
+  /**
+   * Estimates y'' at the start of the problem.
+   *
+   * @param slope y' there; not modified
+   * @param h a step that changes y little, signed
+   * @param curvature overwritten
+   * @return false if told to stop instead
+   */
+  abstract boolean curvature(double t0, double[] y0, double[] slope, double h, double[] curvature);
+
+  /** Returns how often the right-hand side or residual was evaluated. */
+  abstract long evaluations();
+
+  /** Returns whether the solution may jump although the right-hand side is bounded. */
+  abstract boolean solutionMayJump();
+
+  /** Carries over what is known of the derivatives, and the problem's own state. */
+  abstract void transferDerivatives(StateTransfer state);
+
+  /** Takes note of the solution of an accepted step. */
+  abstract void solved(double hGamma, BackwardDifferences differences);
+
+  final Manifold manifold() {
+    return manifold;
   }
 
-  RightHandSide rightHandSide() {
-    return rightHandSide;
+  /** Makes ready to find the start and then to step from there. */
+  final void beginAnew() {
+    wanted = true;
+    current = false;
+    outdate();
+    newton.abandon();
+    abandon();
   }
 
-  KeptJacobian jacobian() {
-    return jacobian;
-  }
-
-  /** Evaluates the Jacobian where the step starts if a new one is wanted. */
-  Attempt linearise(double t, double[] y) {
-    if (!jacobian.wanted()) {
+  /** Evaluates the derivatives where the step starts if new ones are wanted. */
+  final Attempt linearise(double t, double[] y) {
+    if (!wanted) {
       return Attempt.PASSED;
     }
-    Attempt attempt = jacobian.evaluate(rightHandSide, t, y);
+    Attempt attempt = formDerivatives(t, y);
+    if (attempt == Attempt.STOPPED) {
+      return attempt;
+    }
+    wanted = false;
+    current = true;
+    linearisations++;
     if (attempt == Attempt.PASSED) {
-      matrix.outdate();
+      outdate();
     } else {
-      notFiniteComponent = jacobian.notFiniteComponent();
+      notFiniteComponent = notFiniteInDerivatives();
     }
     return attempt;
   }
 
   /** Forgets the factors: h or k has changed. */
-  void outdate() {
-    matrix.outdate();
+  final void outdate() {
+    factored = false;
   }
 
   /** Factors the matrix unless that is done. */
-  Attempt factor(double hGamma) {
-    if (matrix.factored()) {
+  final Attempt factor(double hGamma) {
+    if (factored) {
       return Attempt.PASSED;
     }
     newton.forgetRate();
-    return matrix.factor(hGamma, jacobian.values());
+    factored = factorAnew(hGamma);
+    return factored ? Attempt.PASSED : Attempt.SINGULAR_MATRIX;
+  }
+
+  /** Factors the matrix, for another use than the next iteration; returns whether it is regular. */
+  final boolean factorAnew(double hGamma) {
+    factored = false;
+    factoredHGamma = hGamma;
+    factorisations++;
+    return formFactors(hGamma);
+  }
+
+  /** Solves one system of linear equations in place. */
+  final void solveLinear(double hGamma, double[] residual) {
+    substitute(hGamma, residual);
+    solutions++;
   }
 
   /** Returns whether an iteration is under way that was stopped. */
-  boolean begun() {
+  final boolean begun() {
     return newton.begun();
   }
 
   /** Begins to iterate at the prediction. */
-  void begin(BackwardDifferences differences, ErrorNorm norm) {
+  final void begin(BackwardDifferences differences, ErrorNorm norm) {
     newton.begin(differences, norm);
   }
 
-  /** Iterates for the correction of a step that ends at {@code t}. */
-  Attempt solve(double t, double hGamma, BackwardDifferences differences, ErrorNorm norm) {
-    Attempt attempt = newton.iterate(rightHandSide, t, hGamma, matrix, differences, norm);
+  /**
+   * Iterates for the correction of a step that ends at {@code t}, then moves the state onto the
+   * manifold of the system.
+   */
+  final Attempt solve(double t, double hGamma, BackwardDifferences differences, ErrorNorm norm) {
+    Attempt attempt = newton.iterate(this, t, hGamma, differences, norm);
     if (attempt == Attempt.NOT_FINITE) {
-      notFiniteComponent = newton.notFiniteComponent();
+      notFiniteComponent = newton.notFiniteComponent(this);
     }
-    return attempt == Attempt.PASSED ? requireFinite(differences.corrected()) : attempt;
-  }
-
-  private Attempt requireFinite(double[] y) {
-    notFiniteComponent = RightHandSide.firstNotFinite(y);
+    if (attempt != Attempt.PASSED) {
+      return attempt;
+    }
+    if (!manifold.project(t, differences.corrected())) {
+      return Attempt.NOT_COMPLETED;
+    }
+    differences.takeOverCorrected();
+    notFiniteComponent = RightHandSide.firstNotFinite(differences.corrected());
     return notFiniteComponent < 0 ? Attempt.PASSED : Attempt.NOT_FINITE;
   }
 
   /** Takes note that a step was accepted. */
-  void moveOn() {
-    jacobian.moveOn();
+  final void moveOn(double hGamma, BackwardDifferences differences) {
+    current = false;
+    solved(hGamma, differences);
   }
 
-  /** Asks for a new Jacobian unless it is that of the present point; returns whether it did. */
-  boolean renewJacobian() {
-    if (jacobian.current()) {
+  /** Asks for new derivatives, whatever is known. */
+  final void demandNew() {
+    wanted = true;
+    outdate();
+  }
+
+  /** Asks for new derivatives unless they are of the present point; returns whether it did. */
+  final boolean renew() {
+    if (current) {
       return false;
     }
-    jacobian.want();
+    wanted = true;
     return true;
   }
 
   /** Returns what to call a failure of the equations that no step size mends. */
-  Cause cause(Attempt attempt) {
+  final Cause cause(Attempt attempt) {
     if (attempt == Attempt.NOT_FINITE) {
       return Cause.NOT_FINITE;
     }
-    boolean singular = attempt == Attempt.SINGULAR_MATRIX || matrix.singularToWorkingPrecision();
+    if (attempt == Attempt.NOT_COMPLETED) {
+      return Cause.NOT_COMPLETED;
+    }
+    boolean singular = attempt == Attempt.SINGULAR_MATRIX || reciprocalCondition() < Math.ulp(1.0);
     return singular ? Cause.SINGULAR_MATRIX : Cause.NO_CONVERGENCE;
   }
 
   /** Returns the component that made the equations fail. */
-  int limitingComponent(Attempt attempt, ErrorNorm norm) {
+  final int limitingComponent(Attempt attempt, ErrorNorm norm) {
     return switch (attempt) {
       case NOT_FINITE -> notFiniteComponent;
-      case SINGULAR_MATRIX -> matrix.singularColumn();
+      case SINGULAR_MATRIX -> singularComponent();
+      case NOT_COMPLETED -> -1;
       default -> norm.largest(newton.change());
     };
   }
 
-  IntegrationStatistics statistics(Progress progress) {
+  final IntegrationStatistics statistics(Progress progress, double toleranceFactor) {
     return new IntegrationStatistics(
         progress.steps(),
         progress.rejectedSteps(),
-        rightHandSide.evaluations(),
-        jacobian.evaluations(),
-        matrix.factorisations(),
-        matrix.solutions(),
-        false);
+        evaluations(),
+        linearisations,
+        factorisations,
+        solutions,
+        false,
+        toleranceFactor);
+  }
+
+  /** Stands in until a problem is given. */
+  static StepEquations none() {
+    return new ExplicitEquations(RightHandSide.none(), new double[0]);
+  }
+
+  /** Carries the state between two steps over; the factors are formed anew. */
+  final void transfer(StateTransfer state) {
+    wanted = state.flag(wanted);
+    current = state.flag(current);
+    factored = state.flag(factored);
+    factoredHGamma = state.number(factoredHGamma);
+    linearisations = state.integer(linearisations);
+    factorisations = state.integer(factorisations);
+    solutions = state.integer(solutions);
+    newton.transfer(state);
+    transferDerivatives(state);
+    if (state.restoring() && factored) {
+      formFactors(factoredHGamma);
+    }
   }
 }

@@ -15,16 +15,25 @@ final class StepsToEnd implements StepBounds {
   private static final double SMALLEST_ROUNDOFFS = 16;
 
   private double tEnd;
+  private double stop;
+  private double direction;
   private double largest;
 
   @Override
   public void begin(double t0, double tEnd, double maxStep) {
     this.tEnd = tEnd;
+    stop = tEnd;
+    direction = Math.signum(tEnd - t0);
     double interval = Math.abs(tEnd - t0);
     largest =
         Double.isInfinite(maxStep)
             ? LARGEST_SHARE_OF_INTERVAL * interval
             : Math.min(interval, maxStep);
+  }
+
+  @Override
+  public void stopAt(double place) {
+    stop = direction * (place - tEnd) < 0 ? place : tEnd;
   }
 
   @Override
@@ -36,13 +45,13 @@ final class StepsToEnd implements StepBounds {
   public double bounded(double t, double h) {
     double size = Math.min(largest, Math.abs(h));
     size = Math.max(size, smallest(t));
-    double remaining = tEnd - t;
+    double remaining = stop - t;
     return STRETCH * size >= Math.abs(remaining) ? remaining : Math.copySign(size, h);
   }
 
   @Override
   public double endOf(double t, double h) {
-    return h == tEnd - t ? tEnd : t + h;
+    return h == stop - t ? stop : t + h;
   }
 
   @Override

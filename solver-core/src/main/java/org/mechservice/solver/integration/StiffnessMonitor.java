@@ -27,6 +27,11 @@ final class StiffnessMonitor {
     verdict = false;
   }
 
+  /** Takes note that the history was forgotten: order and step start low anew. */
+  void beginAgain() {
+    beginCount();
+  }
+
   /**
    * Takes note of an accepted step.
    *
@@ -54,5 +59,14 @@ final class StiffnessMonitor {
   /** Returns whether any verdict since the start was stiff. */
   boolean suspectsStiffness() {
     return verdict;
+  }
+
+  /** Carries the state between two steps over. */
+  void transfer(StateTransfer state) {
+    steps = state.integer(steps);
+    lowOrderSteps = state.integer(lowOrderSteps);
+    largestError = state.number(largestError);
+    suspected = state.flag(suspected);
+    verdict = state.flag(verdict);
   }
 }

@@ -14,4 +14,12 @@ public interface WeightGroups {
 
   /** Returns the number of components of a group. */
   int groupSize(int group);
+
+  /**
+   * Returns the size beyond which a component does not loosen its own test, positive: a wheel that
+   * has turned a thousand times is to be known to the same angle as one that has turned once.
+   */
+  default double largestSize(int component) {
+    return Double.POSITIVE_INFINITY;
+  }
 }

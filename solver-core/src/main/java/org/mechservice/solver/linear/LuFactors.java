@@ -54,6 +54,17 @@ abstract class LuFactors implements LinearSolver {
     substitute(b);
   }
 
+  /**
+   * Solves Aᵀ x = b.
+   *
+   * @param b right-hand side, length {@code layout().dimension()}; overwritten with x
+   * @throws IllegalStateException if no matrix was factored or the last one is singular
+   */
+  public final void solveTransposed(double[] b) {
+    requireRegular();
+    substituteTransposed(b);
+  }
+
   @Override
   public final double reciprocalCondition() {
     if (!regular) {

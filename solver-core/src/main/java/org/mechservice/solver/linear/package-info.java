@@ -11,6 +11,14 @@
  * one</td><td>2 n l (l + u)</td><td>2 n (2l + u)</td></tr>
  * </table>
  *
+ * <p>{@link org.mechservice.solver.linear.Cholesky} factors dense symmetric positive definite
+ * matrices; {@link org.mechservice.solver.linear.PivotedElimination} chooses rows and columns of a
+ * rectangular one that determine the others; {@link org.mechservice.solver.linear.SingularValues}
+ * tells how many there are, and solves when there are fewer than equations or unknowns.
+ *
+ * <p>{@link org.mechservice.solver.linear.EquilibratedSolver} brings the rows to like size before
+ * either of them factors, so that the units of the equations do not decide about the pivots.
+ *
  * <p>A solver says where in a flat array it wants each element, by its {@link
  * org.mechservice.solver.linear.MatrixLayout}; whoever fills the matrix need not know more of it.
  * Both work by Gaussian elimination with row interchanges (Golub and Van Loan, <i>Matrix

@@ -1,5 +1,6 @@
 package org.mechservice.solver.mechanism;
 
+import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -19,5 +20,32 @@ public record Attachment(
   /** Returns the same attachment seen from the child. */
   public Attachment reversed() {
     return new Attachment(child, childPoint, parent, parentPoint, zeroRotation.transposed());
+  }
+
+  /**
+   * Returns what an axis fixed in both bodies becomes when parent and child change places and the
+   * motion keeps its sense: the opposite vector, in child axes.
+   *
+   * @param axis unit vector in parent axes
+   */
+  Vector3 reversedAxis(Vector3 axis) {
+    return zeroRotation.transposed().apply(axis).negated();
+  }
+
+  /**
+   * Refuses a rotation at zero where the coordinates themselves give the rotation.
+   *
+   * @throws IllegalArgumentException naming the joint
+   */
+  void requireParallelAtZero(String joint, JointType type) {
+    if (!zeroRotation.equals(Rotation.IDENTITY)) {
+      throw new IllegalArgumentException(
+          "joint "
+              + joint
+              + " of type "
+              + type
+              + " has parallel axes at zero; give its rotation by"
+              + " its Euler parameters");
+    }
   }
 }

@@ -3,7 +3,8 @@ package org.mechservice.solver.mechanism;
 import org.mechservice.solver.api.JointType;
 
 /** A joint of the tree: it moves its child body relative to its parent body. */
-public sealed interface Joint permits Revolute, Prismatic {
+public sealed interface Joint
+    permits Revolute, Prismatic, Cylindrical, Universal, Spherical, Planar, Screw, Free, Weld {
   /** Returns the name in the model file. */
   String name();
 

@@ -2,33 +2,44 @@ package org.mechservice.solver.mechanism;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * A tree of rigid bodies hanging on a root at rest.
+ * Rigid bodies hanging on a root at rest, with what closes loops between them and acts on them.
  *
  * <p>Bodies and joints stand in the order of the model file. Each body is the child of exactly one
- * joint. The state y = [q; v] takes the joints in that order; {@link #outward()} gives them from
- * the root to the leaves.
+ * joint of the tree. The state y = [q; v] takes these joints in that order, leaving out the driven
+ * ones; {@link #outward()} gives them from the root to the leaves.
  */
 public final class Mechanism {
   /** Index of the root where a body is meant. */
   public static final int ROOT = -1;
+
+  private static final int NOT_DRIVEN = -1;
 
   private final String name;
   private final Root root;
   private final Vector3 gravity;
   private final List<Body> bodies;
   private final List<Joint> joints;
+  private final List<PrescribedMotion> motions;
+  private final List<StartRole> startRoles;
+  private final List<LoopClosure> closures;
+  private final List<ForceElement> forces;
+  private final List<Parameter> parameters;
   private final int[] outward;
   private final int[] jointOfBody;
+  private final int[] motionOfJoint;
   private final int[] positionOffset;
   private final int[] velocityOffset;
 
   /**
-   * Joins bodies to a tree.
+   * Joins bodies to a tree without driven joints, loops and forces but gravity.
    *
    * @param name the model's name
    * @param root the body at rest
@@ -39,20 +50,109 @@ public final class Mechanism {
    *     joint or of two, or the joints do not lead from the root to every body
    */
   public Mechanism(String name, Root root, Vector3 gravity, List<Body> bodies, List<Joint> joints) {
+    this(
+        name,
+        root,
+        gravity,
+        bodies,
+        joints,
+        List.of(),
+        Collections.nCopies(joints.size(), StartRole.PREFERRED),
+        List.of(),
+        List.of(),
+        List.of());
+  }
+
+  /**
+   * Joins bodies to a tree, closes its loops and applies forces.
+   *
+   * @param name the model's name
+   * @param root the body at rest
+   * @param gravity acceleration of free fall in world axes, m/s²
+   * @param bodies the moving bodies in file order
+   * @param joints one joint of the tree per body in file order, each leading from the parent
+   *     outwards
+   * @param motions what drives joints of the tree, at most one per joint
+   * @param startRoles how far assembly may move each joint of the tree
+   * @param closures cut joints and other constraints
+   * @param forces everything applied besides gravity
+   * @param parameters numbers that expressions refer to
+   * @throws IllegalArgumentException if a body index is out of range, a body is the child of no
+   *     joint or of two, or the joints do not lead from the root to every body; if a motion does
+   *     not fit its joint, or there is not one start role per joint
+   */
+  public Mechanism(
+      String name,
+      Root root,
+      Vector3 gravity,
+      List<Body> bodies,
+      List<Joint> joints,
+      List<PrescribedMotion> motions,
+      List<StartRole> startRoles,
+      List<LoopClosure> closures,
+      List<ForceElement> forces,
+      List<Parameter> parameters) {
     this.name = name;
     this.root = root;
     this.gravity = gravity;
     this.bodies = List.copyOf(bodies);
     this.joints = List.copyOf(joints);
+    this.motions = List.copyOf(motions);
+    this.startRoles = List.copyOf(startRoles);
+    this.closures = List.copyOf(closures);
+    this.forces = List.copyOf(forces);
+    this.parameters = List.copyOf(parameters);
     this.jointOfBody = jointOfBody(this.bodies, this.joints);
     this.outward = outward(this.bodies, this.joints, jointOfBody);
+    this.motionOfJoint = motionOfJoint(this.joints, this.motions);
     this.positionOffset = new int[joints.size() + 1];
     this.velocityOffset = new int[joints.size() + 1];
+    requireRoles();
     for (int i = 0; i < joints.size(); i++) {
       JointType type = this.joints.get(i).type();
-      positionOffset[i + 1] = positionOffset[i] + type.positionCount();
-      velocityOffset[i + 1] = velocityOffset[i] + type.velocityCount();
+      boolean free = motionOfJoint[i] == NOT_DRIVEN;
+      positionOffset[i + 1] = positionOffset[i] + (free ? type.positionCount() : 0);
+      velocityOffset[i + 1] = velocityOffset[i] + (free ? type.velocityCount() : 0);
     }
+  }
+
+  private void requireRoles() {
+    if (startRoles.size() != joints.size()) {
+      throw new IllegalArgumentException(
+          "there are " + startRoles.size() + " start roles for " + joints.size() + " joints");
+    }
+  }
+
+  private static int[] motionOfJoint(List<Joint> joints, List<PrescribedMotion> motions) {
+    int[] motionOf = new int[joints.size()];
+    Arrays.fill(motionOf, NOT_DRIVEN);
+    for (int m = 0; m < motions.size(); m++) {
+      PrescribedMotion motion = motions.get(m);
+      if (motion.joint() < 0 || motion.joint() >= joints.size()) {
+        throw new IllegalArgumentException("a motion names joint " + motion.joint());
+      }
+      Joint joint = joints.get(motion.joint());
+      int coordinates = joint.type().positionCount();
+      if (coordinates != joint.type().velocityCount()) {
+        throw new IllegalArgumentException(
+            "joint " + joint.name() + " of type " + joint.type() + " cannot be driven");
+      }
+      if (motion.coordinates().size() != coordinates) {
+        throw new IllegalArgumentException(
+            "joint "
+                + joint.name()
+                + " has "
+                + coordinates
+                + " coordinates but "
+                + motion.coordinates().size()
+                + " motions");
+      }
+      if (motionOf[motion.joint()] != NOT_DRIVEN) {
+        throw new IllegalArgumentException("joint " + joint.name() + " is driven twice");
+      }
+      motionOf[motion.joint()] = m;
+    }
+    return motionOf;
   }
 
   private static int[] jointOfBody(List<Body> bodies, List<Joint> joints) {
@@ -137,14 +237,44 @@ public final class Mechanism {
     return jointOfBody[body];
   }
 
-  /** Returns where the positions of joint {@code joint} begin in q. */
-  public int positionOffset(int joint) {
-    return positionOffset[joint];
+  /** Returns what drives joints of the tree. */
+  public List<PrescribedMotion> motions() {
+    return motions;
   }
 
-  /** Returns where the velocities of joint {@code joint} begin in v. */
+  /** Returns how far assembly may move each joint of the tree. */
+  public List<StartRole> startRoles() {
+    return startRoles;
+  }
+
+  /** Returns the cut joints and other constraints, in file order. */
+  public List<LoopClosure> closures() {
+    return closures;
+  }
+
+  /** Returns the applied forces besides gravity, in file order. */
+  public List<ForceElement> forces() {
+    return forces;
+  }
+
+  /** Returns the numbers that expressions refer to. */
+  public List<Parameter> parameters() {
+    return parameters;
+  }
+
+  /** Returns whether a joint's coordinates follow a prescribed motion and are no states. */
+  public boolean isDriven(int joint) {
+    return motionOfJoint[joint] != NOT_DRIVEN;
+  }
+
+  /** Returns where the positions of joint {@code joint} begin in q; -1 for a driven joint. */
+  public int positionOffset(int joint) {
+    return isDriven(joint) ? -1 : positionOffset[joint];
+  }
+
+  /** Returns where the velocities of joint {@code joint} begin in v; -1 for a driven joint. */
   public int velocityOffset(int joint) {
-    return velocityOffset[joint];
+    return isDriven(joint) ? -1 : velocityOffset[joint];
   }
 
   /** Returns the number of positions, nq. */
@@ -158,14 +288,16 @@ public final class Mechanism {
   }
 
   /**
-   * Writes the state at the start.
+   * Writes the state at the start as the file gives it, before loops are assembled.
    *
    * @param y state [q; v], length nq + nv; overwritten
    */
   public void initialState(double[] y) {
     for (int j = 0; j < joints.size(); j++) {
-      joints.get(j).initialPositions(y, positionOffset[j]);
-      joints.get(j).initialVelocities(y, positionCount() + velocityOffset[j]);
+      if (!isDriven(j)) {
+        joints.get(j).initialPositions(y, positionOffset[j]);
+        joints.get(j).initialVelocities(y, positionCount() + velocityOffset[j]);
+      }
     }
   }
 }

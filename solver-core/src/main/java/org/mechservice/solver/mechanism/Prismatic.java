@@ -32,11 +32,10 @@ public record Prismatic(
   /** {@inheritDoc} The axis turns round, which leaves the coordinate its sense. */
   @Override
   public Prismatic reversed() {
-    Vector3 axisInChild = attachment.zeroRotation().transposed().apply(axis);
     return new Prismatic(
         name,
         attachment.reversed(),
-        axisInChild.negated(),
+        attachment.reversedAxis(axis),
         initialPosition,
         initialVelocity,
         origin);

@@ -32,11 +32,10 @@ public record Revolute(
   /** {@inheritDoc} The axis turns round, which leaves the coordinate its sense. */
   @Override
   public Revolute reversed() {
-    Vector3 axisInChild = attachment.zeroRotation().transposed().apply(axis);
     return new Revolute(
         name,
         attachment.reversed(),
-        axisInChild.negated(),
+        attachment.reversedAxis(axis),
         initialPosition,
         initialVelocity,
         origin);

@@ -1,5 +1,6 @@
 package org.mechservice.solver.simulation;
 
+import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.ModelDescription;
@@ -25,7 +26,8 @@ final class FailureText {
                   failure,
                   state(model, failure.worstComponent()),
                   "Check masses, inertias and forces for values that are zero, huge or opposite.")
-              : singularInertia(failure, model, singularJoint);
+              : singularInertia(
+                  failure.time(), failure.stepSize(), failure.order(), model, singularJoint);
       case STEP_TOO_SMALL ->
           failure(
               "N-003",
@@ -56,6 +58,36 @@ final class FailureText {
               failure,
               state(model, failure.worstComponent()),
               "Check the values that act on this joint for huge ones.");
+      case INCONSISTENT_START ->
+          failure(
+              "N-011",
+              "No accelerations and multipliers were found that obey the equations at the start.",
+              failure,
+              state(model, failure.worstComponent()),
+              "Check the initial state, masses and inertias, and constraints that contradict.");
+      case NOT_COMPLETED ->
+          failure(
+              "N-020",
+              "The loops cannot be closed at any step size: no position fits the independent"
+                  + " coordinates.",
+              failure,
+              "",
+              "The mechanism locks or branches there; check its dimensions, or end the run before.");
+      case EVENTS_ACCUMULATE ->
+          failure(
+              "N-021",
+              "Events follow each other ever closer.",
+              failure,
+              "",
+              "End the run before, or let the state that changes come to rest: a bounce below a"
+                  + " certain speed, a switch without play.");
+      case EVENT_NOT_FINITE ->
+          failure(
+              "N-022",
+              "A quantity whose change of sign is an event is not finite.",
+              failure,
+              "",
+              "Check the expressions of the model's events.");
       case TOO_MANY_STEPS ->
           failure(
               "N-005",
@@ -64,6 +96,29 @@ final class FailureText {
               state(model, failure.worstComponent()),
               "Loosen the tolerances or shorten the interval.");
     };
+  }
+
+  /** Explains an output time at which dependent coordinates were not found. */
+  static Failure loopsOpen(double t) {
+    return new Failure(
+        "N-020",
+        "The loops cannot be closed at this output time.",
+        t,
+        0,
+        0,
+        "",
+        "Tighten the tolerances; the mechanism may branch there.");
+  }
+
+  /** Repeats what the model itself had to say. */
+  static Failure of(Defects.Defect defect, double t, double stepSize, int order) {
+    return new Failure(
+        defect.code(), defect.cause(), t, stepSize, order, defect.part(), defect.advice());
+  }
+
+  /** Explains a start without accelerations. */
+  static Failure singularStart(double t, ModelDescription model, int joint) {
+    return singularInertia(t, 0, 0, model, joint);
   }
 
   /** Explains a row that holds a number that is not finite, although the state was accepted. */
@@ -79,11 +134,13 @@ final class FailureText {
   }
 
   private static Failure singularInertia(
-      IntegrationFailure failure, ModelDescription model, int joint) {
-    return failure(
+      double t, double stepSize, int order, ModelDescription model, int joint) {
+    return new Failure(
         "N-002",
         "The inertia is singular: nothing beyond this joint resists its motion.",
-        failure,
+        t,
+        stepSize,
+        order,
         "joint \"" + model.joints().get(joint).name() + "\"",
         "Give a body beyond it mass or inertia, or remove the joint; two turning axes that coincide"
             + " do this too.");

@@ -1,37 +1,109 @@
 package org.mechservice.solver.simulation;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.integration.OdeSystem;
+import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.api.JointVariables;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.integration.Integrator;
+import org.mechservice.solver.integration.StepResult;
+import org.mechservice.solver.integration.UnitGroups;
 
-/** A model as the integrator sees it; remembers where its inertia was singular. */
-final class ModelEquations implements OdeSystem {
+/**
+ * What every form of a model's equations tells an integrator: which states are Euler parameters;
+ * and what the last evaluation that failed had to say.
+ */
+public abstract class ModelEquations implements UnitGroups {
+  private static final int EULER_PARAMETERS = 4;
+
   private final ExplicitModel model;
   private final int dimension;
-  private int singularJoint = ExplicitModel.REGULAR;
+  private final int[] groupStarts;
+  private int result = ExplicitModel.REGULAR;
 
-  ModelEquations(ExplicitModel model) {
+  ModelEquations(ExplicitModel model, int dimension) {
     this.model = model;
-    this.dimension = model.description().stateCount();
+    this.dimension = dimension;
+    this.groupStarts = groupStarts(model.description());
   }
 
-  @Override
-  public int dimension() {
+  private static int[] groupStarts(ModelDescription description) {
+    List<Integer> starts = new ArrayList<>();
+    int position = 0;
+    for (JointVariables joint : description.joints()) {
+      if (joint.type() == JointType.S || joint.type() == JointType.F) {
+        starts.add(position);
+      }
+      position += joint.type().positionCount();
+    }
+    return starts.stream().mapToInt(Integer::intValue).toArray();
+  }
+
+  /** Returns the number of unknowns: states, and multipliers if the form has them. */
+  public final int dimension() {
     return dimension;
   }
 
-  @Override
-  public void derivative(double t, double[] y, double[] yDot) {
-    singularJoint = model.derivative(t, y, yDot);
-    if (singularJoint != ExplicitModel.REGULAR) {
-      Arrays.fill(yDot, Double.NaN);
+  /**
+   * Begins to integrate.
+   *
+   * @param y0 unknowns at the start, the states being given; multipliers are overwritten
+   */
+  abstract StepResult start(Integrator integrator, double t0, double[] y0, double tEnd);
+
+  /**
+   * Makes an interpolated state exact, where the model's loops determine it.
+   *
+   * @param y unknowns; overwritten
+   * @return false if the loops cannot be closed there
+   */
+  boolean closeLoops(double t, double[] y) {
+    return true;
+  }
+
+  /** Returns the model. */
+  final ExplicitModel model() {
+    return model;
+  }
+
+  /** Keeps what an evaluation returned; values of one that failed are made not finite. */
+  final void note(int evaluated, double[] values) {
+    result = evaluated;
+    if (evaluated != ExplicitModel.REGULAR) {
+      Arrays.fill(values, Double.NaN);
     }
   }
 
   /**
    * Returns the joint at which the last evaluation was singular, or {@link ExplicitModel#REGULAR}.
    */
-  int singularJoint() {
-    return singularJoint;
+  final int singularJoint() {
+    return result >= 0 ? result : ExplicitModel.REGULAR;
+  }
+
+  /** Returns why the last evaluation failed, if the model can tell. */
+  final Optional<Defects.Defect> defect() {
+    return result == Defects.DEFECT && model instanceof Defects able
+        ? Optional.of(able.lastDefect())
+        : Optional.empty();
+  }
+
+  @Override
+  public final int groupCount() {
+    return groupStarts.length;
+  }
+
+  @Override
+  public final int groupStart(int group) {
+    return groupStarts[group];
+  }
+
+  @Override
+  public final int groupSize(int group) {
+    return EULER_PARAMETERS;
   }
 }

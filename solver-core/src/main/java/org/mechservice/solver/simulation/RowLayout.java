@@ -1,12 +1,16 @@
 package org.mechservice.solver.simulation;
 
 import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.Variable;
 
 /** Which columns a row has, and where each group begins. */
@@ -18,6 +22,11 @@ final class RowLayout {
     "m", "m", "m", "1", "1", "1", "1", "m/s", "m/s", "m/s", "rad/s", "rad/s", "rad/s"
   };
 
+  /** Groups whose columns the model itself names and fills. */
+  static final Set<ColumnGroup> BY_THE_MODEL =
+      EnumSet.of(
+          ColumnGroup.CONSTRAINTS, ColumnGroup.REACTIONS, ColumnGroup.FORCES, ColumnGroup.OUTPUTS);
+
   /** Offset of a group that is not put out. */
   static final int ABSENT = -1;
 
@@ -25,6 +34,7 @@ final class RowLayout {
   private int accelerations = ABSENT;
   private int bodies = ABSENT;
   private int energy = ABSENT;
+  private final Map<ColumnGroup, Integer> offsets = new EnumMap<>(ColumnGroup.class);
 
   /**
    * @throws IllegalArgumentException if the model was built without a group that is asked for
@@ -46,6 +56,23 @@ final class RowLayout {
       columns.add(new Variable("energy.kinetic", "J"));
       columns.add(new Variable("energy.potential", "J"));
       columns.add(new Variable("energy.work", "J"));
+    }
+    for (ColumnGroup group : BY_THE_MODEL) {
+      if (groups.contains(group)) {
+        addByModel(model, group, groups.size() == ColumnGroup.values().length);
+      }
+    }
+  }
+
+  /**
+   * @param ifThere whether the group may be missing, as when all groups are asked for
+   */
+  private void addByModel(ExplicitModel model, ColumnGroup group, boolean ifThere) {
+    if (model instanceof ResultColumns further) {
+      offsets.put(group, columns.size());
+      columns.addAll(further.columns(group));
+    } else if (!ifThere) {
+      throw builtWithout(model, group);
     }
   }
 
@@ -90,5 +117,10 @@ final class RowLayout {
 
   int energy() {
     return energy;
+  }
+
+  /** Returns where a group of {@link #BY_THE_MODEL} begins. */
+  int offset(ColumnGroup group) {
+    return offsets.getOrDefault(group, ABSENT);
   }
 }

@@ -2,8 +2,10 @@ package org.mechservice.solver.simulation;
 
 import java.io.IOException;
 import org.mechservice.solver.api.BodyPoses;
+import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunRequest;
 
@@ -67,6 +69,13 @@ final class RowWriter {
       if (layout.energy() != RowLayout.ABSENT) {
         row[layout.energy()] = energyMonitor.kinetic();
         row[layout.energy() + 1] = energyMonitor.potential();
+      }
+    }
+    if (model instanceof ResultColumns further) {
+      for (ColumnGroup group : RowLayout.BY_THE_MODEL) {
+        if (layout.offset(group) != RowLayout.ABSENT) {
+          further.values(group, t, y, row, layout.offset(group));
+        }
       }
     }
     for (int i = 0; i < row.length; i++) {

@@ -1,7 +1,10 @@
 package org.mechservice.solver.simulation;
 
 import java.io.IOException;
+import org.mechservice.solver.api.DependentStates;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ProjectedStates;
+import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
@@ -10,23 +13,43 @@ import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.integration.De;
 import org.mechservice.solver.integration.IntegratorFactory;
 import org.mechservice.solver.integration.Ode113;
+import org.mechservice.solver.integration.Ode15s;
+import org.mechservice.solver.integration.Ode15sR;
 
-/** The solver of the runtime JAR: holds every integrator and takes the one a run names. */
+/**
+ * The solver of the runtime JAR: holds every integrator and takes the one a run names, with the
+ * form of the equations that fits it and the model.
+ */
 public final class RuntimeSolver implements Solver {
+  private static final String RESIDUAL = "ode15sR";
+
   @Override
   public RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
       throws IOException {
-    return new Simulation(integrator(request.settings().integrator()))
-        .run(model, request, sink, control);
+    String name = request.settings().integrator();
+    return new Simulation(integrator(name), formOf(model, name)).run(model, request, sink, control);
+  }
+
+  /** Returns the form in which an integrator takes a model's equations. */
+  public static EquationForm formOf(Model model, String integrator) {
+    if (integrator.equals(RESIDUAL) && model instanceof ResidualModel) {
+      return new ResidualForm();
+    }
+    boolean loops = model instanceof DependentStates || model instanceof ProjectedStates;
+    return loops ? new ExplicitLoopForm() : new ExplicitForm();
   }
 
   private static IntegratorFactory integrator(String name) {
     return switch (name) {
       case "ode113" -> Ode113::new;
       case "DE" -> De::new;
+      case "ode15s" -> Ode15s::new;
+      case RESIDUAL -> Ode15sR::new;
       default ->
           throw new IllegalArgumentException(
-              "S-063 integrator \"" + name + "\" is unknown; this version has ode113 and DE");
+              "S-063 integrator \""
+                  + name
+                  + "\" is unknown; there are ode113, DE, ode15s and ode15sR");
     };
   }
 }

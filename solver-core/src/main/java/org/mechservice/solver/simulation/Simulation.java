@@ -9,11 +9,13 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.integration.IntegrationFailure;
 import org.mechservice.solver.integration.IntegrationStatistics;
 import org.mechservice.solver.integration.Integrator;
 import org.mechservice.solver.integration.IntegratorFactory;
@@ -24,13 +26,19 @@ import org.mechservice.solver.integration.StepResult;
  * Runs models with one integrator: steps, rows at the output times, energy watched, control obeyed.
  */
 public final class Simulation implements Solver {
+  /** In place of a column: the loops cannot be closed at an output time. */
+  private static final int LOOPS_OPEN = -2;
+
   private final IntegratorFactory integrators;
+  private final EquationForm form;
 
   /**
    * @param integrators makes the integrator of each run
+   * @param form how the equations are handed to it
    */
-  public Simulation(IntegratorFactory integrators) {
+  public Simulation(IntegratorFactory integrators, EquationForm form) {
     this.integrators = integrators;
+    this.form = form;
   }
 
   /**
@@ -46,11 +54,7 @@ public final class Simulation implements Solver {
   @Override
   public RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
       throws IOException {
-    if (!(model instanceof ExplicitModel explicit)) {
-      throw new IllegalArgumentException(
-          "S-061 model \"" + model.description().name() + "\" has no explicit form y' = f(t, y)");
-    }
-    return new Run(explicit, request, sink, control).toEnd();
+    return new Run(form.of(model), request, sink, control).toEnd();
   }
 
   /** One run in progress. */
@@ -69,14 +73,14 @@ public final class Simulation implements Solver {
     private long nextRow;
     private long steps;
 
-    Run(ExplicitModel model, RunRequest request, ResultSink sink, RunControl control)
+    Run(ModelEquations equations, RunRequest request, ResultSink sink, RunControl control)
         throws IOException {
-      this.model = model;
+      this.equations = equations;
+      this.model = equations.model();
       this.settings = request.settings();
       this.control = control;
       requireUsable(settings);
       integrator = createIntegrator();
-      equations = new ModelEquations(model);
       outputTimes = new OutputTimes(settings);
       rows = new RowWriter(model, request, sink);
       y = new double[equations.dimension()];
@@ -106,13 +110,13 @@ public final class Simulation implements Solver {
 
     private Outcome integrate() throws IOException {
       model.initialState(y);
-      StepResult result = integrator.start(equations, settings.tStart(), y, settings.tEnd());
+      StepResult result = equations.start(integrator, settings.tStart(), y, settings.tEnd());
       if (result == StepResult.FAILED) {
-        return integratorFailed();
+        return startFailed();
       }
       int badColumn = rows.write(outputTimes.time(nextRow), y);
       if (badColumn != RowWriter.ALL_FINITE) {
-        return notFinite(outputTimes.time(nextRow), badColumn);
+        return rowFailed(outputTimes.time(nextRow), badColumn);
       }
       nextRow++;
       if (!control.proceed(settings.tStart(), 0, 0, 0)) {
@@ -129,7 +133,7 @@ public final class Simulation implements Solver {
         steps++;
         badColumn = writeRowsOfStep();
         if (badColumn != RowWriter.ALL_FINITE) {
-          return notFinite(outputTimes.time(nextRow), badColumn);
+          return rowFailed(outputTimes.time(nextRow), badColumn);
         }
         if (!goOn() && result == StepResult.ADVANCED) {
           return new Outcome.Stopped();
@@ -146,6 +150,9 @@ public final class Simulation implements Solver {
           break;
         }
         integrator.interpolate(t, y, yDot);
+        if (!equations.closeLoops(t, y)) {
+          return LOOPS_OPEN;
+        }
         int badColumn = rows.write(t, y);
         if (badColumn != RowWriter.ALL_FINITE) {
           return badColumn;
@@ -158,13 +165,34 @@ public final class Simulation implements Solver {
       return control.proceed(timeReached, integrator.stepSize(), integrator.order(), steps);
     }
 
-    private Outcome integratorFailed() {
-      return new Outcome.Failed(
-          FailureText.of(integrator.failure(), model.description(), equations.singularJoint()));
+    /** The model itself may have refused, before the integrator could begin. */
+    private Outcome startFailed() {
+      double t = settings.tStart();
+      if (equations.defect().isPresent()) {
+        return new Outcome.Failed(FailureText.of(equations.defect().get(), t, 0, 0));
+      }
+      return equations.singularJoint() == ExplicitModel.REGULAR
+          ? integratorFailed()
+          : new Outcome.Failed(
+              FailureText.singularStart(t, model.description(), equations.singularJoint()));
     }
 
-    private Outcome notFinite(double t, int column) {
-      return new Outcome.Failed(FailureText.notFiniteColumn(t, rows.columnName(column)));
+    private Outcome integratorFailed() {
+      IntegrationFailure failure = integrator.failure();
+      if (equations.defect().isPresent()) {
+        return new Outcome.Failed(
+            FailureText.of(
+                equations.defect().get(), failure.time(), failure.stepSize(), failure.order()));
+      }
+      return new Outcome.Failed(
+          FailureText.of(failure, model.description(), equations.singularJoint()));
+    }
+
+    private Outcome rowFailed(double t, int column) {
+      return new Outcome.Failed(
+          column == LOOPS_OPEN
+              ? FailureText.loopsOpen(t)
+              : FailureText.notFiniteColumn(t, rows.columnName(column)));
     }
 
     private RunReport report(Outcome outcome) {
@@ -184,6 +212,9 @@ public final class Simulation implements Solver {
           energy.drift(),
           energy.scale(),
           done.stiffnessSuspected(),
+          done.jacobians(),
+          done.factorisations(),
+          model instanceof RunNotes noted ? noted.notes() : List.of(),
           SolverVersion.CURRENT);
     }
   }

@@ -1,6 +1,9 @@
 package org.mechservice.solver.spatial;
 
-/** Euler parameters e = [cos(φ/2); u sin(φ/2)] of a rotation by φ about the unit vector u. */
+/**
+ * Euler parameters e = [cos(φ/2); u sin(φ/2)] of a rotation by φ about the unit vector u, and their
+ * calculus (NUMERICS §1a). ∘ is the product of quaternions.
+ */
 public final class EulerParameters {
   private EulerParameters() {}
 
@@ -47,6 +50,83 @@ public final class EulerParameters {
           r[ir + 5] + r[ir + 7],
           1 - xx - yy + zz);
     }
+  }
+
+  /**
+   * Writes the rotation of Euler parameters of any length but zero, R(e/|e|).
+   *
+   * @param e e0, e1, e2, e3 from {@code ie}; not modified
+   * @param r rotation matrix row by row, 9 numbers from {@code ir}; overwritten
+   */
+  public static void rotation(double[] e, int ie, double[] r, int ir) {
+    double w = e[ie];
+    double x = e[ie + 1];
+    double y = e[ie + 2];
+    double z = e[ie + 3];
+    double s = 2 / (w * w + x * x + y * y + z * z);
+    r[ir] = 1 - s * (y * y + z * z);
+    r[ir + 1] = s * (x * y - w * z);
+    r[ir + 2] = s * (x * z + w * y);
+    r[ir + 3] = s * (x * y + w * z);
+    r[ir + 4] = 1 - s * (x * x + z * z);
+    r[ir + 5] = s * (y * z - w * x);
+    r[ir + 6] = s * (x * z - w * y);
+    r[ir + 7] = s * (y * z + w * x);
+    r[ir + 8] = 1 - s * (x * x + y * y);
+  }
+
+  /** Returns |e|. */
+  public static double norm(double[] e, int ie) {
+    double w = e[ie];
+    double x = e[ie + 1];
+    double y = e[ie + 2];
+    double z = e[ie + 3];
+    return Math.sqrt(w * w + x * x + y * y + z * z);
+  }
+
+  /**
+   * Writes e' = ½ (0, ω) ∘ e.
+   *
+   * @param e from {@code ie}; not modified
+   * @param omega angular velocity in the axes e turns to, rad/s, from {@code io}; not modified
+   * @param rate four numbers from {@code ir}, 1/s; overwritten
+   */
+  public static void rate(double[] e, int ie, double[] omega, int io, double[] rate, int ir) {
+    double x = 0.5 * omega[io];
+    double y = 0.5 * omega[io + 1];
+    double z = 0.5 * omega[io + 2];
+    double e0 = e[ie];
+    double e1 = e[ie + 1];
+    double e2 = e[ie + 2];
+    double e3 = e[ie + 3];
+    rate[ir] = -x * e1 - y * e2 - z * e3;
+    rate[ir + 1] = x * e0 + y * e3 - z * e2;
+    rate[ir + 2] = y * e0 + z * e1 - x * e3;
+    rate[ir + 3] = z * e0 + x * e2 - y * e1;
+  }
+
+  /**
+   * Turns Euler parameters by a rotation vector: e ← exp(½ δ) ∘ e, exactly; their length stays.
+   *
+   * @param e from {@code ie}; overwritten
+   * @param delta rotation vector in the axes e turns to, rad, from {@code id}; not modified
+   * @param factor what δ is multiplied by
+   */
+  public static void turn(double[] e, int ie, double[] delta, int id, double factor) {
+    double x = 0.5 * factor * delta[id];
+    double y = 0.5 * factor * delta[id + 1];
+    double z = 0.5 * factor * delta[id + 2];
+    double angle = Math.sqrt(x * x + y * y + z * z);
+    double cos = StrictMath.cos(angle);
+    double s = angle == 0 ? 1 : StrictMath.sin(angle) / angle;
+    double e0 = e[ie];
+    double e1 = e[ie + 1];
+    double e2 = e[ie + 2];
+    double e3 = e[ie + 3];
+    e[ie] = cos * e0 - s * (x * e1 + y * e2 + z * e3);
+    e[ie + 1] = cos * e1 + s * (x * e0 + y * e3 - z * e2);
+    e[ie + 2] = cos * e2 + s * (y * e0 + z * e1 - x * e3);
+    e[ie + 3] = cos * e3 + s * (z * e0 + x * e2 - y * e1);
   }
 
   private static void set(double[] e, int ie, double e0, double e1, double e2, double e3) {

@@ -18,6 +18,7 @@ import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.integration.IntegratorFactory;
+import org.mechservice.solver.simulation.EquationForm;
 import org.mechservice.solver.simulation.Simulation;
 
 /** What {@code java -jar model.jar} does: one run of one model. */
@@ -31,9 +32,9 @@ public final class Standalone {
   private final PrintStream out;
   private final PrintStream err;
 
-  Standalone(Model model, IntegratorFactory integrators, PrintStream out, PrintStream err) {
+  Standalone(Model model, Simulation simulation, PrintStream out, PrintStream err) {
     this.model = model;
-    this.simulation = new Simulation(integrators);
+    this.simulation = simulation;
     this.out = out;
     this.err = err;
   }
@@ -43,12 +44,15 @@ public final class Standalone {
    *
    * @param model the model
    * @param integrators makes the integrator the JAR was built with
+   * @param form how the equations are handed to it
    * @param args command line; {@code --help} lists the options
    * @return exit status: 0 done, 1 the simulation failed (rows up to the failure are kept), 2 bad
    *     usage
    */
-  public static int run(Model model, IntegratorFactory integrators, String[] args) {
-    return new Standalone(model, integrators, System.out, System.err).run(args);
+  public static int run(
+      Model model, IntegratorFactory integrators, EquationForm form, String[] args) {
+    Simulation simulation = new Simulation(integrators, form);
+    return new Standalone(model, simulation, System.out, System.err).run(args);
   }
 
   int run(String[] args) {

@@ -17,6 +17,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Joint;
@@ -218,9 +220,12 @@ class ArticulatedBodyTest {
   }
 
   private static double[] accelerations(Mechanism mechanism, double[] y, double[] tau) {
-    ArticulatedBody dynamics = new ArticulatedBody(mechanism);
+    TreeMotion motion = new TreeMotion(new TreeGeometry(mechanism));
+    motion.sweepRelative(0, y);
+    ArticulatedBody dynamics = new ArticulatedBody(motion.tree());
     double[] a = new double[tau.length];
-    assertThat(dynamics.accelerations(dynamics.newWorkspace(), y, tau, a, 0))
+    double[] noWrenches = {};
+    assertThat(dynamics.accelerations(dynamics.newWorkspace(motion), noWrenches, tau, a, 0))
         .isEqualTo(ExplicitModel.REGULAR);
     return a;
   }
@@ -253,14 +258,17 @@ class ArticulatedBodyTest {
   private static double kineticEnergy(Mechanism mechanism, double[] y, double[] v) {
     double[] state = y.clone();
     System.arraycopy(v, 0, state, v.length, v.length);
-    WorldMotion world = new WorldMotion(mechanism);
-    world.sweep(state);
-    return world.kineticEnergy();
+    return world(mechanism, state).kineticEnergy();
+  }
+
+  private static WorldMotion world(Mechanism mechanism, double[] y) {
+    TreeMotion motion = new TreeMotion(new TreeGeometry(mechanism));
+    motion.sweep(0, y);
+    return new WorldMotion(motion);
   }
 
   private static double totalEnergy(Mechanism mechanism, double[] y) {
-    WorldMotion world = new WorldMotion(mechanism);
-    world.sweep(y);
+    WorldMotion world = world(mechanism, y);
     return world.kineticEnergy() + world.potentialEnergy();
   }
 

@@ -60,7 +60,9 @@ class BackwardDifferencesTest {
 
   @Test
   void rescalingLeavesTheLastStepAsItWas() {
-    BackwardDifferences differences = new BackwardDifferences(new double[] {1}, new double[] {0.5});
+    BackwardDifferences differences = new BackwardDifferences(1);
+    differences.begin(new double[] {1});
+    differences.slope()[0] = 0.5;
     differences.predict(1, BackwardFormulas.NDF);
     differences.accept(1);
     double before = differences.accepted(1)[0];

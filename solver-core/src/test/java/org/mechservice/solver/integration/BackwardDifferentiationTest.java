@@ -4,7 +4,7 @@ package org.mechservice.solver.integration;
 class BackwardDifferentiationTest extends IntegratorContract {
   @Override
   Integrator create(IntegratorSettings settings) {
-    return new Ode15s(settings, BackwardFormulas.BDF);
+    return new Ode15s(settings, BackwardFormulas.BDF, BackwardMode.STANDARD);
   }
 
   /** Two to three digits: an error per step of low order, made many times. */

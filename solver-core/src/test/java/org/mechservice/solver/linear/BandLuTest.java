@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** A band as wide as the matrix does what every solver does; a narrow one the same as a dense. */
-class BandLuTest extends LinearSolverContract {
+class BandLuTest extends LuFactorsContract {
   @Override
   LinearSolver create(int n) {
     int all = Math.max(0, n - 1);

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 
 import org.junit.jupiter.api.Test;
 
-class DenseLuTest extends LinearSolverContract {
+class DenseLuTest extends LuFactorsContract {
   @Override
   LinearSolver create(int n) {
     return new DenseLu(n);

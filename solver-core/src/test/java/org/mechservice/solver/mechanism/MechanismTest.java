@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
@@ -52,6 +53,42 @@ class MechanismTest {
     assertThatThrownBy(() -> mechanism(1, joint("j0", 7, 0)))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("j0");
+  }
+
+  @Test
+  void drivenJointHasNoStates() {
+    Mechanism mechanism = driven(new PrescribedMotion(0, List.of(Expression.ZERO)));
+    assertThat(mechanism.positionOffset(0)).isEqualTo(-1);
+    assertThat(mechanism.velocityOffset(1)).isZero();
+    assertThat(mechanism.positionCount()).isEqualTo(1);
+  }
+
+  @Test
+  void refusesAMotionWithAnotherNumberOfCoordinates() {
+    assertThatThrownBy(() -> driven(new PrescribedMotion(0, List.of())))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("joint j0 has 1 coordinates but 0 motions");
+  }
+
+  @Test
+  void refusesTwoMotionsOfOneJoint() {
+    PrescribedMotion motion = new PrescribedMotion(1, List.of(Expression.ZERO));
+    assertThatThrownBy(() -> driven(motion, motion)).hasMessage("joint j1 is driven twice");
+  }
+
+  private static Mechanism driven(PrescribedMotion... motions) {
+    Mechanism free = mechanism(2, joint("j0", Mechanism.ROOT, 0), joint("j1", 0, 1));
+    return new Mechanism(
+        free.name(),
+        free.root(),
+        free.gravity(),
+        free.bodies(),
+        free.joints(),
+        List.of(motions),
+        free.startRoles(),
+        List.of(),
+        List.of(),
+        List.of());
   }
 
   private static Mechanism mechanism(int bodyCount, Joint... joints) {

@@ -3,15 +3,21 @@ package org.mechservice.solver.mechanism;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.mechanism.closure.DistanceClosure;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Seeded open chains of R and P joints with branches, oblique axes, displaced points and turned
- * zero positions.
+ * Seeded open chains with branches, oblique axes, displaced points and turned zero positions: of R
+ * and P joints, or of all nine types, half of them taken against the file's sense.
  */
 public final class RandomTrees {
+  private static final List<JointType> TYPES = List.of(JointType.values());
+
   private RandomTrees() {}
 
   /** Returns the tree of a seed. */
@@ -25,6 +31,47 @@ public final class RandomTrees {
     }
     Root root = new Root("ground", vector(random), rotation(random));
     return new Mechanism("random" + seed, root, vector(random).times(10), bodies, joints);
+  }
+
+  /** Returns a tree of joints of all types. */
+  public static Mechanism ofAllJoints(long seed, int bodyCount) {
+    Random random = new Random(seed);
+    List<Body> bodies = new ArrayList<>();
+    List<Joint> joints = new ArrayList<>();
+    for (int i = 0; i < bodyCount; i++) {
+      bodies.add(body(random, i));
+      int parent = i == 0 ? Mechanism.ROOT : random.nextInt(-1, i);
+      JointType type = TYPES.get(random.nextInt(TYPES.size()));
+      joints.add(RandomJoints.joint(random, type, parent, i));
+    }
+    Root root = new Root("ground", vector(random), rotation(random));
+    return new Mechanism("mixed" + seed, root, vector(random).times(10), bodies, joints);
+  }
+
+  /**
+   * Returns a tree of joints of all types, and rods with mass between random points of random
+   * bodies, the root among them. Distances play no part: nobody closes the loops.
+   */
+  public static Mechanism withRods(long seed, int bodyCount, int rodCount) {
+    Mechanism tree = ofAllJoints(seed, bodyCount);
+    Random random = new Random(seed);
+    List<LoopClosure> rods = new ArrayList<>();
+    for (int i = 0; i < rodCount; i++) {
+      BodyPoint a = new BodyPoint(random.nextInt(bodyCount), vector(random).times(0.5));
+      BodyPoint b = new BodyPoint(random.nextInt(bodyCount + 1) - 1, vector(random).times(0.5));
+      rods.add(new DistanceClosure("rod" + i, a, b, 1, 1 + random.nextDouble(), Origin.NONE));
+    }
+    return new Mechanism(
+        tree.name(),
+        tree.root(),
+        tree.gravity(),
+        tree.bodies(),
+        tree.joints(),
+        List.of(),
+        tree.startRoles(),
+        rods,
+        List.of(),
+        List.of());
   }
 
   /**
@@ -68,7 +115,7 @@ public final class RandomTrees {
         : new Revolute("j" + index, attachment, axis, q, v, Origin.NONE);
   }
 
-  private static Vector3 axis(Random random) {
+  static Vector3 axis(Random random) {
     return switch (random.nextInt(5)) {
       case 0 -> new Vector3(1, 0, 0);
       case 1 -> new Vector3(0, -1, 0);
@@ -77,13 +124,13 @@ public final class RandomTrees {
     };
   }
 
-  private static Rotation rotation(Random random) {
+  static Rotation rotation(Random random) {
     return random.nextInt(3) == 0
         ? Rotation.IDENTITY
         : Rotation.about(vector(random).normalized(), 6 * random.nextDouble() - 3);
   }
 
-  private static Vector3 vector(Random random) {
+  static Vector3 vector(Random random) {
     return new Vector3(
         2 * random.nextDouble() - 1, 2 * random.nextDouble() - 1, 2 * random.nextDouble() - 1);
   }

@@ -16,6 +16,8 @@ import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.integration.De;
 import org.mechservice.solver.mechanism.FiveBarPendulum;
+import org.mechservice.solver.simulation.ExplicitForm;
+import org.mechservice.solver.simulation.Simulation;
 
 class StandaloneTest {
   @TempDir private Path folder;
@@ -70,7 +72,9 @@ class StandaloneTest {
     DataDrivenModel model =
         new DataDrivenModel(
             FiveBarPendulum.mechanism(), new RunSettings(0, 1, 0.1, "DE", 1e-5, 1e-5));
-    return new Standalone(model, De::new, print(out), print(err)).run(args);
+    return new Standalone(
+            model, new Simulation(De::new, new ExplicitForm()), print(out), print(err))
+        .run(args);
   }
 
   private static PrintStream print(ByteArrayOutputStream bytes) {

@@ -98,6 +98,22 @@ final class Axes {
     return snapped(r);
   }
 
+  /**
+   * Returns whether two rotations have the same elements. (Building a record's own {@code equals}
+   * costs a fresh virtual machine more than all of this package's work on a small model.)
+   */
+  static boolean isSame(Rotation a, Rotation b) {
+    return a.xx() == b.xx()
+        && a.xy() == b.xy()
+        && a.xz() == b.xz()
+        && a.yx() == b.yx()
+        && a.yy() == b.yy()
+        && a.yz() == b.yz()
+        && a.zx() == b.zx()
+        && a.zy() == b.zy()
+        && a.zz() == b.zz();
+  }
+
   /** Returns the matrix of a rotation, row by row. */
   static double[][] elements(Rotation r) {
     return new double[][] {

@@ -35,9 +35,12 @@ record AxesChange(Rotation permuted, List<Turn> turns) {
   static AxesChange of(Rotation childToParent) {
     Rotation rotation = Axes.snapped(childToParent);
     for (Rotation permutation : Axes.permutations()) {
-      if (permutation.equals(rotation)) {
+      if (Axes.isSame(permutation, rotation)) {
         return new AxesChange(permutation, List.of());
       }
+    }
+    if (!hasCoordinateAxis(rotation)) {
+      return new AxesChange(Rotation.IDENTITY, eulerTurns(rotation));
     }
     for (Rotation permutation : Axes.permutations()) {
       double[][] turned = Axes.elements(rotation.times(permutation.transposed()));
@@ -50,6 +53,18 @@ record AxesChange(Rotation permuted, List<Turn> turns) {
       }
     }
     return new AxesChange(Rotation.IDENTITY, eulerTurns(rotation));
+  }
+
+  /** Returns whether a rotation takes a coordinate axis to a coordinate axis. */
+  private static boolean hasCoordinateAxis(Rotation rotation) {
+    for (double[] row : Axes.elements(rotation)) {
+      for (double element : row) {
+        if (Math.abs(element) == 1) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   /** Returns whether a rotation turns about a coordinate axis. */

@@ -1,18 +1,18 @@
 package org.mechservice.sim.build.emit;
 
-import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
-import java.util.TreeSet;
+import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 
-/** Estimates bytes of code. */
-final class CodeSize {
-  private static final int SLOT = 5;
-  private static final int CONSTANT = 3;
+/** Counts bytes of code. */
+final class CodeSize implements StackCode.Machine {
+  /** Array, index and access. */
+  private static final int ELEMENT = 5;
+
+  private static final int NUMBER = 3;
   private static final int CHECK = 10;
+  private static final int COPY = 12;
+  private static final int CALL = 3;
 
   /** What a local variable takes before it is known which. */
   private static final int LOCAL = 3;
@@ -26,15 +26,14 @@ final class CodeSize {
   /** Slots of the instance, the parameters and the workspace. */
   private static final int FIRST_SLOT = 7;
 
-  private final Map<Scalar, Place> places;
-  private final List<String> accesses = new ArrayList<>();
+  private final LocalSlots locals;
   private int bytes;
 
-  private CodeSize(Map<Scalar, Place> places) {
-    this.places = places;
+  private CodeSize(LocalSlots locals) {
+    this.locals = locals;
   }
 
-  /** Returns the estimate of each section of a program, were all in one method. */
+  /** Returns an estimate of each section of a program, were all in one method. */
   static int[] ofSections(Program program, Usage usage) {
     int[] bytes = new int[program.sections().size()];
     for (int s = 0; s < bytes.length; s++) {
@@ -42,7 +41,7 @@ final class CodeSize {
         bytes[s] += LOCAL + sizeIn(usage, node);
       }
       Program.Section section = program.sections().get(s);
-      bytes[s] += section.outputs().size() * (SLOT + LOCAL);
+      bytes[s] += section.outputs().size() * (ELEMENT + LOCAL);
       bytes[s] += section.guards().size() * (2 * LOCAL + CHECK);
     }
     return bytes;
@@ -57,84 +56,69 @@ final class CodeSize {
     return bytes;
   }
 
-  /** Returns the estimate of a planned method, its variables sharing slots as they come and go. */
+  /** Returns the size of a planned method, its variables sharing slots as they come and go. */
   static int of(MethodPlan method) {
-    CodeSize size = new CodeSize(method.places());
-    method.statements().forEach(size::add);
-    return size.bytes + size.bytesOfLocals();
+    CodeSize size = new CodeSize(new LocalSlots(method, FIRST_SLOT));
+    StackCode.tell(method, size);
+    return size.bytes;
   }
 
-  private void add(Statement statement) {
-    if (statement instanceof Statement.Load load) {
-      add(load.from());
-      accesses.add(load.local());
-    } else if (statement instanceof Statement.Define define) {
-      addOperation(define.value());
-      accesses.add(define.local());
-    } else if (statement instanceof Statement.Store store) {
-      bytes += SLOT;
-      add(store.value());
-    } else if (statement instanceof Statement.PutOut output) {
-      bytes += SLOT;
-      add(output.value());
-    } else if (statement instanceof Statement.Check check) {
-      bytes += CHECK;
-      add(check.pivot());
-      add(check.bound());
-    } else if (statement instanceof Statement.CopyInputs) {
-      bytes += CHECK;
-    }
+  private void local(Scalar value) {
+    bytes += locals.access(value) <= LAST_SHORT_SLOT ? SHORT_LOCAL : WIDE_LOCAL;
   }
 
-  private void add(Scalar node) {
-    Place place = places.get(node);
-    if (place != null) {
-      add(place);
-    } else if (node.isConstant()) {
-      bytes += CONSTANT;
-    } else {
-      addOperation(node);
-    }
+  @Override
+  public void pushLocal(Scalar value) {
+    local(value);
   }
 
-  private void addOperation(Scalar node) {
-    bytes += 1;
-    node.operands().forEach(this::add);
+  @Override
+  public void popLocal(Scalar value) {
+    local(value);
   }
 
-  private void add(Place place) {
-    if (place instanceof Place.Local local) {
-      accesses.add(local.name());
-    } else {
-      bytes += SLOT;
-    }
+  @Override
+  public void pushInput(int index) {
+    bytes += ELEMENT;
   }
 
-  private int bytesOfLocals() {
-    Map<String, Integer> lastAccess = new HashMap<>();
-    for (int i = 0; i < accesses.size(); i++) {
-      lastAccess.put(accesses.get(i), i);
-    }
-    Map<String, Integer> slotOf = new HashMap<>();
-    TreeSet<Integer> free = new TreeSet<>();
-    int next = FIRST_SLOT;
-    int total = 0;
-    for (int i = 0; i < accesses.size(); i++) {
-      String name = accesses.get(i);
-      Integer slot = slotOf.get(name);
-      if (slot == null) {
-        slot = free.pollFirst();
-      }
-      if (slot == null) {
-        slot = next;
-        next += 2;
-      }
-      slotOf.put(name, slot);
-      total += slot <= LAST_SHORT_SLOT ? SHORT_LOCAL : WIDE_LOCAL;
-      if (lastAccess.getOrDefault(name, -1) == i) {
-        free.add(slot);
-      }
-    }
-    return total;
+  @Override
+  public void pushSlot(int index) {
+    bytes += ELEMENT;
+  }
+
+  @Override
+  public void pushConstant(double value) {
+    bytes += NUMBER;
+  }
+
+  @Override
+  public void operate(Operation operation) {
+    bytes += operation == Operation.SQUARE_ROOT ? CALL : 1;
+  }
+
+  @Override
+  public void beginSlot(int index) {
+    bytes += ELEMENT;
+  }
+
+  @Override
+  public void beginOutput(int index) {
+    bytes += ELEMENT;
+  }
+
+  @Override
+  public void endElement() {
+    // Counted where it began.
+  }
+
+  @Override
+  public void copyInputs(int input, int index, int count) {
+    bytes += COPY;
+  }
+
+  @Override
+  public void check(int result) {
+    bytes += CHECK;
   }
 }

@@ -14,18 +14,21 @@ final class ExpressionPrinter {
   private static final int ATOM = 4;
 
   private final Map<Scalar, Place> places;
-  private final String inputArray;
+  private final Head head;
+  private final LocalNames names;
   private final NumberText numbers;
 
   /**
    * @param places where values are found; the others are written out
-   * @param inputArray name of the array of inputs
+   * @param head the method that has the inputs as parameters
+   * @param names names of local variables
    * @param numbers writes constants
    */
-  ExpressionPrinter(Map<Scalar, Place> places, String inputArray, NumberText numbers) {
-    this.numbers = numbers;
+  ExpressionPrinter(Map<Scalar, Place> places, Head head, LocalNames names, NumberText numbers) {
     this.places = places;
-    this.inputArray = inputArray;
+    this.head = head;
+    this.names = names;
+    this.numbers = numbers;
   }
 
   /** Returns a value: its place, or else the operation that gives it. */
@@ -37,18 +40,25 @@ final class ExpressionPrinter {
   /** Returns a place as an expression. */
   String place(Place place) {
     if (place instanceof Place.Local local) {
-      return local.name();
+      return names.of(local.value());
     } else if (place instanceof Place.Slot slot) {
       return "w[" + slot.index() + "]";
     }
-    return inputArray + "[" + ((Place.Input) place).index() + "]";
+    return input(((Place.Input) place).index());
+  }
+
+  private String input(int index) {
+    Head.Argument argument = head.argumentOf(index);
+    return argument.isArray()
+        ? argument.name() + "[" + (index - argument.first()) + "]"
+        : argument.name();
   }
 
   /** Returns the operation that gives a value, even if it has a place. */
   String operation(Scalar node) {
     return switch (node.operation()) {
       case CONSTANT -> numbers.of(node.value());
-      case INPUT -> inputArray + "[" + node.index() + "]";
+      case INPUT -> input(node.index());
       case NEGATE -> "-" + atLeast(node.first(), SIGN);
       case SQUARE_ROOT -> "Math.sqrt(" + value(node.first()) + ")";
       case SINE, COSINE -> throw new IllegalStateException("an angle function has a place");

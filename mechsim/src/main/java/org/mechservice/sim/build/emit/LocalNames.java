@@ -2,7 +2,6 @@ package org.mechservice.sim.build.emit;
 
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.mechservice.sim.symbolic.Program;
@@ -21,9 +20,12 @@ final class LocalNames {
   private final Map<String, Integer> numberOf = new HashMap<>();
   private final Set<String> given = new HashSet<>(TAKEN);
 
-  LocalNames(Program program, Usage usage) {
-    List<Scalar> givenNodes = usage.given();
-    givenNodes.forEach(node -> give(node, program.nameOf(node).orElse("in_" + node.id())));
+  LocalNames(ProgramPlan plan) {
+    Program program = plan.program();
+    Usage usage = plan.usage();
+    for (Scalar node : usage.given()) {
+      give(node, program.nameOf(node).orElse("in_" + node.id()));
+    }
     for (int section = 0; section < program.sections().size(); section++) {
       String subject = program.sections().get(section).subject();
       for (Scalar node : usage.placedIn(section)) {

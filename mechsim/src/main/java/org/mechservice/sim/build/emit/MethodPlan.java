@@ -14,6 +14,11 @@ record MethodPlan(List<Statement> statements, Map<Scalar, Place> places) {
 
   /** Returns whether the method can end the program. */
   boolean checks() {
-    return statements.stream().anyMatch(Statement.Check.class::isInstance);
+    for (Statement statement : statements) {
+      if (statement instanceof Statement.Check) {
+        return true;
+      }
+    }
+    return false;
   }
 }

@@ -13,97 +13,121 @@ import org.mechservice.sim.symbolic.Scalar;
  *
  * <p>A value computed in one chunk and used in a later one goes through the workspace, even if it
  * is used once. What a chunk takes from there it loads into a local variable, which gives it its
- * name again; so it does with a component of the state that it uses more than once, lest a write to
- * one array force another to be read again.
+ * name again; so it does with an input that it uses more than once, lest a write to one array force
+ * another to be read again.
  */
 final class MethodPlanner {
   /** Fewer inputs than this are put out one by one. */
   private static final int SHORTEST_COPY = 3;
 
+  /** What one chunk uses of a value: how often, and in which section first. */
+  private record Use(Scalar value, int count, int firstSection) {}
+
   private final Program program;
   private final Usage usage;
-  private final List<Integer> chunkOfSection;
-  private final LocalNames names;
+  private final int[] chunkOfSection;
   private final WorkspaceSlots slots;
-  private final List<Scalar> angles;
+  private final List<List<Use>> usesOfChunk = new ArrayList<>();
 
-  MethodPlanner(Program program, Usage usage, List<Integer> chunkOfSection) {
+  /**
+   * @param chunkOfSection method of each section, in order; not modified
+   */
+  MethodPlanner(Program program, Usage usage, int[] chunkOfSection) {
     this.program = program;
     this.usage = usage;
     this.chunkOfSection = chunkOfSection;
-    this.names = new LocalNames(program, usage);
-    this.angles = usage.angles();
     this.slots = new WorkspaceSlots(program, usage, chunkOfSection);
+    int chunks = chunkOfSection.length == 0 ? 0 : chunkOfSection[chunkOfSection.length - 1] + 1;
+    for (int chunk = 0; chunk < chunks; chunk++) {
+      usesOfChunk.add(new ArrayList<>());
+    }
+    collectUses();
+  }
+
+  private void collectUses() {
+    int[] counts = new int[usesOfChunk.size()];
+    int[] firsts = new int[usesOfChunk.size()];
+    for (Scalar node : usage.given()) {
+      collectUses(node, counts, firsts);
+    }
+    for (int section = 0; section < chunkOfSection.length; section++) {
+      for (Scalar node : usage.placedIn(section)) {
+        collectUses(node, counts, firsts);
+      }
+    }
+  }
+
+  /**
+   * @param counts zeros, one per chunk; zeros again afterwards
+   * @param firsts scratch, one per chunk; overwritten
+   */
+  private void collectUses(Scalar node, int[] counts, int[] firsts) {
+    int uses = usage.useCount(node);
+    for (int i = 0; i < uses; i++) {
+      int section = usage.user(node, i);
+      int chunk = chunkOfSection[section];
+      firsts[chunk] = counts[chunk] == 0 ? section : Math.min(firsts[chunk], section);
+      counts[chunk]++;
+    }
+    for (int i = 0; i < uses; i++) {
+      int chunk = chunkOfSection[usage.user(node, i)];
+      if (counts[chunk] > 0) {
+        usesOfChunk.get(chunk).add(new Use(node, counts[chunk], firsts[chunk]));
+        counts[chunk] = 0;
+      }
+    }
   }
 
   ProgramPlan plan() {
     List<MethodPlan> methods = new ArrayList<>();
-    int count = chunkOfSection.isEmpty() ? 0 : chunkOfSection.get(chunkOfSection.size() - 1) + 1;
-    for (int chunk = 0; chunk < count; chunk++) {
-      MethodPlan method = method(chunk);
+    int section = 0;
+    for (int chunk = 0; chunk < usesOfChunk.size(); chunk++) {
+      int end = section;
+      while (end < chunkOfSection.length && chunkOfSection[end] == chunk) {
+        end++;
+      }
+      MethodPlan method = method(chunk, section, end);
       if (!method.statements().isEmpty()) {
         methods.add(method);
       }
+      section = end;
     }
-    return new ProgramPlan(angles, methods, slots.count());
+    return new ProgramPlan(program, usage, methods, slots.count());
   }
 
-  private MethodPlan method(int chunk) {
+  private MethodPlan method(int chunk, int firstSection, int endSection) {
     Map<Scalar, Place> places = new HashMap<>();
     Map<Integer, List<Statement>> loads = new HashMap<>();
-    for (Scalar node : usage.given()) {
-      take(chunk, node, places, loads);
-    }
-    for (int section = 0; section < chunkOfSection.size(); section++) {
-      for (Scalar node : usage.placedIn(section)) {
-        if (chunkOfSection.get(section) < chunk) {
-          take(chunk, node, places, loads);
-        } else if (chunkOfSection.get(section) == chunk && usesIn(chunk, node) > 0) {
-          places.put(node, new Place.Local(names.of(node)));
-        }
+    int firstNode = firstSection == 0 ? 0 : program.sections().get(firstSection).firstNode();
+    for (Use use : usesOfChunk.get(chunk)) {
+      if (Usage.isComputed(use.value()) && use.value().id() >= firstNode) {
+        places.put(use.value(), new Place.Local(use.value()));
+      } else {
+        take(use, places, loads);
       }
     }
     List<Statement> statements = new ArrayList<>();
-    for (int section = 0; section < chunkOfSection.size(); section++) {
-      if (chunkOfSection.get(section) == chunk) {
-        write(section, loads.getOrDefault(section, List.of()), places, statements);
-      }
+    for (int section = firstSection; section < endSection; section++) {
+      write(section, loads.getOrDefault(section, List.of()), places, statements);
     }
     return new MethodPlan(statements, places);
   }
 
-  private int usesIn(int chunk, Scalar node) {
-    int uses = 0;
-    for (int section : usage.sectionsUsing(node)) {
-      uses += chunkOfSection.get(section) == chunk ? 1 : 0;
-    }
-    return uses;
-  }
-
   /** Finds a place in a chunk for a value that comes from outside it. */
-  private void take(
-      int chunk, Scalar node, Map<Scalar, Place> places, Map<Integer, List<Statement>> loads) {
-    int uses = usesIn(chunk, node);
-    if (uses == 0) {
+  private void take(Use use, Map<Scalar, Place> places, Map<Integer, List<Statement>> loads) {
+    Scalar node = use.value();
+    if (node.operation() == Operation.INPUT && use.count() == 1) {
+      places.put(node, new Place.Input(node.index()));
       return;
     }
     Place outside =
         node.operation() == Operation.INPUT
             ? new Place.Input(node.index())
             : new Place.Slot(slots.of(node));
-    if (uses == 1 && outside instanceof Place.Input) {
-      places.put(node, outside);
-      return;
-    }
-    int first =
-        usage.sectionsUsing(node).stream()
-            .filter(section -> chunkOfSection.get(section) == chunk)
-            .mapToInt(Integer::intValue)
-            .min()
-            .orElseThrow();
-    String name = names.of(node);
-    loads.computeIfAbsent(first, key -> new ArrayList<>()).add(new Statement.Load(name, outside));
-    places.put(node, new Place.Local(name));
+    loads
+        .computeIfAbsent(use.firstSection(), key -> new ArrayList<>())
+        .add(new Statement.Load(node, outside));
+    places.put(node, new Place.Local(node));
   }
 
   private void write(
@@ -112,10 +136,10 @@ final class MethodPlanner {
     List<Statement> body = new ArrayList<>(loads);
     for (Scalar node : usage.placedIn(index)) {
       if (places.containsKey(node)) {
-        body.add(new Statement.Define(names.of(node), node));
+        body.add(new Statement.Define(node));
       }
       if (slots.has(node)) {
-        body.add(new Statement.Store(slots.of(node), node, names.of(node)));
+        body.add(new Statement.Store(slots.of(node), node));
       }
     }
     putOut(section.outputs(), body);
@@ -123,7 +147,9 @@ final class MethodPlanner {
       body.add(new Statement.Check(guard.pivot(), guard.bound(), guard.result(), guard.meaning()));
     }
     if (!body.isEmpty()) {
-      statements.add(new Statement.Comment(section.title()));
+      if (!section.title().isEmpty()) {
+        statements.add(new Statement.Comment(section.title()));
+      }
       statements.addAll(body);
     }
   }

@@ -1,15 +1,17 @@
 package org.mechservice.sim.build.emit;
 
+import org.mechservice.sim.symbolic.Scalar;
+
 /**
  * Where a value is found inside a method; a value without a place is written out where it is used.
  */
 sealed interface Place {
-  /** A local variable. */
-  record Local(String name) implements Place {}
+  /** The local variable that holds a value. */
+  record Local(Scalar value) implements Place {}
 
   /** An element of the model's workspace. */
   record Slot(int index) implements Place {}
 
-  /** An element of the state. */
+  /** An input of the program. */
   record Input(int index) implements Place {}
 }

@@ -1,7 +1,5 @@
 package org.mechservice.sim.build.emit;
 
-import java.util.ArrayList;
-import java.util.List;
 import org.mechservice.sim.symbolic.Program;
 
 /**
@@ -13,7 +11,7 @@ final class Planner {
   /** Bytes of code aimed at. */
   private static final int METHOD_BYTES = 6000;
 
-  /** Estimated bytes above which sections are distributed anew. */
+  /** Bytes above which sections are distributed anew. */
   private static final int TOO_LONG = 6600;
 
   private Planner() {}
@@ -24,25 +22,32 @@ final class Planner {
     int[] bytes = CodeSize.ofSections(program, usage);
     for (int limit = METHOD_BYTES; ; limit = limit * 9 / 10) {
       ProgramPlan plan = new MethodPlanner(program, usage, chunks(bytes, limit)).plan();
-      int longest = plan.methods().stream().mapToInt(CodeSize::of).max().orElse(0);
-      if (longest <= TOO_LONG || limit < METHOD_BYTES / 4) {
+      if (limit < METHOD_BYTES / 4 || longest(plan) <= TOO_LONG) {
         return plan;
       }
     }
   }
 
+  private static int longest(ProgramPlan plan) {
+    int longest = 0;
+    for (MethodPlan method : plan.methods()) {
+      longest = Math.max(longest, CodeSize.of(method));
+    }
+    return longest;
+  }
+
   /** Returns the method of each section: consecutive sections up to a limit of bytes. */
-  private static List<Integer> chunks(int[] bytes, int limit) {
-    List<Integer> chunks = new ArrayList<>();
+  private static int[] chunks(int[] bytes, int limit) {
+    int[] chunks = new int[bytes.length];
     int chunk = 0;
     int filled = 0;
-    for (int size : bytes) {
-      if (filled > 0 && filled + size > limit) {
+    for (int section = 0; section < bytes.length; section++) {
+      if (filled > 0 && filled + bytes[section] > limit) {
         chunk++;
         filled = 0;
       }
-      filled += size;
-      chunks.add(chunk);
+      filled += bytes[section];
+      chunks[section] = chunk;
     }
     return chunks;
   }

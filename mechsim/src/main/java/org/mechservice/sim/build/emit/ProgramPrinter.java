@@ -2,46 +2,39 @@ package org.mechservice.sim.build.emit;
 
 import java.util.List;
 import java.util.Map;
-import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Scalar;
 
 /** Writes a planned program as Java methods. */
 final class ProgramPrinter {
   /** Fewer angles in a row than this are written one by one. */
-  private static final int SHORTEST_LOOP = 3;
+  static final int SHORTEST_LOOP = 3;
 
   private final SourceLines source;
-  private final String name;
-  private final String outputArray;
+  private final Head head;
   private final ProgramPlan plan;
-  private final boolean returnsResult;
+  private final LocalNames names;
   private final NumberText numbers = new NumberText();
 
-  /**
-   * @param name name of the method, and the beginning of those of its parts
-   * @param outputArray name of its last parameter
-   */
-  ProgramPrinter(SourceLines source, String name, String outputArray, ProgramPlan plan) {
+  ProgramPrinter(SourceLines source, Head head, ProgramPlan plan) {
     this.source = source;
-    this.name = name;
-    this.outputArray = outputArray;
+    this.head = head;
     this.plan = plan;
-    this.returnsResult = name.equals("derivative");
+    this.names = new LocalNames(plan);
   }
 
-  /** Writes the method of the interface; {@code last} goes before its end. */
-  void method(List<String> last) {
+  /** Writes the method of the interface, with what goes to its beginning and before its end. */
+  void method(List<String> first, List<String> last) {
     source.blank().line("@Override");
     source.open(
-        "public "
-            + (returnsResult ? "int " : "void ")
-            + name
-            + "(double t, double[] y, double[] "
-            + outputArray
+        (head.returnsResult() ? "public int " : "public void ")
+            + head.name()
+            + "("
+            + parameters(head.arguments())
             + ")");
     if (plan.slots() > 0) {
       source.line("double[] w = this.w;");
     }
+    first.forEach(source::line);
     angles();
     if (!plan.angles().isEmpty()) {
       source.blank();
@@ -52,7 +45,7 @@ final class ProgramPrinter {
       calls();
     }
     last.forEach(source::line);
-    if (returnsResult) {
+    if (head.returnsResult()) {
       source.line("return REGULAR;");
     }
     source.close();
@@ -61,11 +54,24 @@ final class ProgramPrinter {
     }
   }
 
+  private String parameters(List<Head.Argument> arguments) {
+    StringBuilder parameters = new StringBuilder();
+    for (Head.Argument argument : arguments) {
+      parameters.append(argument.isArray() ? "double[] " : "double ");
+      parameters.append(argument.name()).append(", ");
+    }
+    return parameters.append("double[] ").append(head.output()).toString();
+  }
+
+  private ExpressionPrinter printer(Map<Scalar, Place> places) {
+    return new ExpressionPrinter(places, head, names, numbers);
+  }
+
   private void angles() {
     List<Scalar> angles = plan.angles();
-    ExpressionPrinter printer = new ExpressionPrinter(Map.of(), "y", numbers);
+    ExpressionPrinter printer = printer(Map.of());
     for (int i = 0; i < angles.size(); ) {
-      int run = runOfInputs(i);
+      int run = plan.runOfInputs(i);
       if (run >= SHORTEST_LOOP) {
         loop(i, run);
         i += run;
@@ -79,8 +85,10 @@ final class ProgramPrinter {
 
   private void loop(int start, int count) {
     int input = plan.angles().get(start).index();
+    Head.Argument array = head.argumentOf(input);
+    String angle = array.name() + "[" + sum("i", input - array.first()) + "]";
     source.open("for (int i = 0; i < " + count + "; i++)");
-    source.line("SinCos.sinCos(y[" + sum("i", input) + "], w, " + sum("2 * i", 2 * start) + ");");
+    source.line("SinCos.sinCos(" + angle + ", w, " + sum("2 * i", 2 * start) + ");");
     source.close();
   }
 
@@ -88,24 +96,11 @@ final class ProgramPrinter {
     return offset == 0 ? variable : variable + " + " + offset;
   }
 
-  private int runOfInputs(int start) {
-    int run = 0;
-    for (int i = start; i < plan.angles().size(); i++) {
-      Scalar angle = plan.angles().get(i);
-      if (angle.operation() != Operation.INPUT
-          || angle.index() != plan.angles().get(start).index() + run) {
-        return run;
-      }
-      run++;
-    }
-    return run;
-  }
-
   /** The main method of a program in parts: one call each, until a part ends the program. */
   private void calls() {
     boolean declared = false;
     for (int i = 0; i < plan.methods().size(); i++) {
-      String call = name + (i + 1) + "(y, " + outputArray + ", w)";
+      String call = head.name() + (i + 1) + "(" + names(plan.arguments(head)) + ")";
       if (plan.methods().get(i).checks()) {
         source.line((declared ? "" : "int ") + "singular = " + call + ";");
         source.open("if (singular != REGULAR)").line("return singular;").close();
@@ -116,6 +111,14 @@ final class ProgramPrinter {
     }
   }
 
+  private String names(List<Head.Argument> arguments) {
+    StringBuilder list = new StringBuilder();
+    for (Head.Argument argument : arguments) {
+      list.append(argument.name()).append(", ");
+    }
+    return list.append(head.output()).append(plan.slots() > 0 ? ", w" : "").toString();
+  }
+
   private void parts() {
     for (int i = 0; i < plan.methods().size(); i++) {
       MethodPlan part = plan.methods().get(i);
@@ -123,11 +126,11 @@ final class ProgramPrinter {
       source.open(
           "private static "
               + (part.checks() ? "int " : "void ")
-              + name
+              + head.name()
               + (i + 1)
-              + "(double[] y, double[] "
-              + outputArray
-              + ", double[] w)");
+              + "("
+              + parameters(plan.arguments(head))
+              + (plan.slots() > 0 ? ", double[] w)" : ")"));
       body(part);
       if (part.checks()) {
         source.line("return REGULAR;");
@@ -137,7 +140,7 @@ final class ProgramPrinter {
   }
 
   private void body(MethodPlan method) {
-    ExpressionPrinter printer = new ExpressionPrinter(method.places(), "y", numbers);
+    ExpressionPrinter printer = printer(method.places());
     boolean first = true;
     for (Statement statement : method.statements()) {
       if (statement instanceof Statement.Comment comment) {
@@ -154,18 +157,24 @@ final class ProgramPrinter {
 
   private void statement(Statement statement, ExpressionPrinter printer) {
     if (statement instanceof Statement.Load load) {
-      source.line("double " + load.local() + " = " + printer.place(load.from()) + ";");
+      source.line("double " + names.of(load.value()) + " = " + printer.place(load.from()) + ";");
     } else if (statement instanceof Statement.Define define) {
-      source.line("double " + define.local() + " = " + printer.operation(define.value()) + ";");
+      source.line(
+          "double " + names.of(define.value()) + " = " + printer.operation(define.value()) + ";");
     } else if (statement instanceof Statement.Store store) {
       store(store, printer);
     } else if (statement instanceof Statement.PutOut output) {
       source.line(
-          outputArray + "[" + output.index() + "] = " + printer.value(output.value()) + ";");
+          head.output() + "[" + output.index() + "] = " + printer.value(output.value()) + ";");
     } else if (statement instanceof Statement.CopyInputs copy) {
       source.line(
-          "System.arraycopy(y, %d, %s, %d, %d);"
-              .formatted(copy.input(), outputArray, copy.index(), copy.count()));
+          "System.arraycopy(%s, %d, %s, %d, %d);"
+              .formatted(
+                  head.argumentOf(copy.input()).name(),
+                  copy.input() - head.argumentOf(copy.input()).first(),
+                  head.output(),
+                  copy.index(),
+                  copy.count()));
     } else if (statement instanceof Statement.Check check) {
       check(check, printer);
     }
@@ -174,8 +183,9 @@ final class ProgramPrinter {
   /** A value that is nowhere else in this method is named in a comment. */
   private void store(Statement.Store store, ExpressionPrinter printer) {
     String value = printer.value(store.value());
-    if (!value.equals(store.name())) {
-      source.comment(store.name());
+    String name = names.of(store.value());
+    if (!value.equals(name)) {
+      source.comment(name);
     }
     source.line("w[" + store.slot() + "] = " + value + ";");
   }

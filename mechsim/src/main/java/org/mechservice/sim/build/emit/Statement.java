@@ -7,14 +7,14 @@ sealed interface Statement {
   /** Says what follows; lines are separated by line feeds. */
   record Comment(String text) implements Statement {}
 
-  /** Takes a value from the state or the workspace into a local variable. */
-  record Load(String local, Place from) implements Statement {}
+  /** Takes a value from an input or the workspace into a local variable. */
+  record Load(Scalar value, Place from) implements Statement {}
 
   /** Computes a value into a local variable. */
-  record Define(String local, Scalar value) implements Statement {}
+  record Define(Scalar value) implements Statement {}
 
-  /** Puts a value that later methods need into the workspace; {@code name} says what it is. */
-  record Store(int slot, Scalar value, String name) implements Statement {}
+  /** Puts a value that later methods need into the workspace. */
+  record Store(int slot, Scalar value) implements Statement {}
 
   /** Puts a value out. */
   record PutOut(int index, Scalar value) implements Statement {}

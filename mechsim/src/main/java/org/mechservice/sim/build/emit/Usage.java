@@ -23,10 +23,14 @@ final class Usage {
   private final Program program;
   private final List<Program.Section> sections;
   private final int[] live;
-  private final List<List<Integer>> usedIn = new ArrayList<>();
+  private final int[] sectionOf;
+
+  /** Uses of node i: elements firstUse[i] to firstUse[i + 1] of {@link #users}, a section each. */
+  private final int[] firstUse;
+
+  private int[] users = {};
   private final boolean[] placed;
   private final List<List<Scalar>> placedIn = new ArrayList<>();
-  private final int[] length;
   private final List<Scalar> given;
   private final List<Scalar> angles;
 
@@ -34,47 +38,72 @@ final class Usage {
     this.program = program;
     this.sections = program.sections();
     this.live = program.uses();
+    this.sectionOf = sectionsOfNodes();
     this.placed = new boolean[live.length];
-    this.length = new int[live.length];
-    for (int id = 0; id < live.length; id++) {
-      usedIn.add(new ArrayList<>());
-    }
+    this.firstUse = new int[live.length + 1];
     collectUses();
     choosePlaced();
     given = collectGiven();
     angles = collectAngles();
-    for (int section = 0; section < sections.size(); section++) {
-      placedIn.add(collectPlaced(section));
-    }
+    collectPlaced();
   }
 
+  /** What arose before the first section opened is computed in it. */
+  private int[] sectionsOfNodes() {
+    int[] sectionOfNode = new int[live.length];
+    int section = 0;
+    for (int id = 0; id < live.length; id++) {
+      while (section + 1 < sections.size() && sections.get(section + 1).firstNode() <= id) {
+        section++;
+      }
+      sectionOfNode[id] = section;
+    }
+    return sectionOfNode;
+  }
+
+  /** Two rounds: the first counts, the second writes down. */
   private void collectUses() {
+    eachUse((node, section) -> firstUse[node + 1]++);
+    for (int id = 0; id < live.length; id++) {
+      firstUse[id + 1] += firstUse[id];
+    }
+    users = new int[firstUse[live.length]];
+    int[] next = firstUse.clone();
+    eachUse((node, section) -> users[next[node]++] = section);
+  }
+
+  /** Told that a node is used in a section. */
+  private interface UseListener {
+    void used(int node, int section);
+  }
+
+  private void eachUse(UseListener listener) {
     for (int s = 0; s < sections.size(); s++) {
-      int section = s;
-      sections.get(s).outputs().forEach(output -> use(output.value(), section));
+      for (Program.Output output : sections.get(s).outputs()) {
+        use(output.value(), s, listener);
+      }
       for (Program.Guard guard : sections.get(s).guards()) {
-        use(guard.pivot(), s);
-        use(guard.bound(), s);
+        use(guard.pivot(), s, listener);
+        use(guard.bound(), s, listener);
       }
     }
     for (int id = live.length - 1; id >= 0; id--) {
       Scalar node = program.expressions().node(id);
       if (live[id] > 0 && isComputed(node)) {
-        int section = sectionOf(node);
-        node.operands().forEach(operand -> use(operand, section));
+        for (Scalar operand : node.operands()) {
+          use(operand, sectionOf[id], listener);
+        }
       }
     }
   }
 
-  private void use(Scalar node, int section) {
-    if (node.operation() == Operation.NEGATE) {
-      use(node.first(), section);
-    } else {
-      usedIn.get(node.id()).add(section);
-    }
+  private static void use(Scalar node, int section, UseListener listener) {
+    Scalar used = node.operation() == Operation.NEGATE ? node.first() : node;
+    listener.used(used.id(), section);
   }
 
   private void choosePlaced() {
+    int[] length = new int[live.length];
     for (int id = 0; id < live.length; id++) {
       Scalar node = program.expressions().node(id);
       int terms = 0;
@@ -82,12 +111,15 @@ final class Usage {
         terms += length[operand.id()];
       }
       if (live[id] > 0 && isComputed(node)) {
-        List<Integer> sectionsOfUse = usedIn.get(id);
-        boolean here = sectionsOfUse.size() == 1 && sectionsOfUse.get(0) == sectionOf(node);
+        boolean here = useCount(id) == 1 && users[firstUse[id]] == sectionOf[id];
         placed[id] = !here || terms > LONGEST_EXPRESSION;
       }
       length[id] = placed[id] || terms == 0 || isAngleFunction(node) ? 1 : terms;
     }
+  }
+
+  private int useCount(int id) {
+    return firstUse[id + 1] - firstUse[id];
   }
 
   /** Returns whether a node is computed in a section: it is not given, nor a change of sign. */
@@ -102,24 +134,14 @@ final class Usage {
     return node.operation() == Operation.SINE || node.operation() == Operation.COSINE;
   }
 
-  /** Returns the section in which a node arose. */
-  int sectionOf(Scalar node) {
-    int low = 0;
-    int high = sections.size() - 1;
-    while (low < high) {
-      int middle = (low + high + 1) >>> 1;
-      if (sections.get(middle).firstNode() <= node.id()) {
-        low = middle;
-      } else {
-        high = middle - 1;
-      }
-    }
-    return low;
+  /** Returns how often a value is used. */
+  int useCount(Scalar node) {
+    return useCount(node.id());
   }
 
-  /** Returns the sections that use a node, one entry for every use. */
-  List<Integer> sectionsUsing(Scalar node) {
-    return usedIn.get(node.id());
+  /** Returns the section of use {@code i} of a node. */
+  int user(Scalar node, int i) {
+    return users[firstUse[node.id()] + i];
   }
 
   /** Returns whether a value gets a place of its own. */
@@ -132,17 +154,15 @@ final class Usage {
     return placedIn.get(section);
   }
 
-  private List<Scalar> collectPlaced(int section) {
-    int first = sections.get(section).firstNode();
-    int last = section + 1 < sections.size() ? sections.get(section + 1).firstNode() : live.length;
-    List<Scalar> nodes = new ArrayList<>();
-    // What arose before the first section opened is computed in it.
-    for (int id = section == 0 ? 0 : first; id < last; id++) {
+  private void collectPlaced() {
+    for (int section = 0; section < sections.size(); section++) {
+      placedIn.add(new ArrayList<>());
+    }
+    for (int id = 0; id < live.length; id++) {
       if (placed[id]) {
-        nodes.add(program.expressions().node(id));
+        placedIn.get(sectionOf[id]).add(program.expressions().node(id));
       }
     }
-    return nodes;
   }
 
   /** Returns inputs, sines and cosines that sections use, in order of their nodes. */
@@ -154,8 +174,8 @@ final class Usage {
     List<Scalar> nodes = new ArrayList<>();
     for (int id = 0; id < live.length; id++) {
       Scalar node = program.expressions().node(id);
-      boolean given = node.operation() == Operation.INPUT || isAngleFunction(node);
-      if (live[id] > 0 && given && !usedIn.get(id).isEmpty()) {
+      boolean isGiven = node.operation() == Operation.INPUT || isAngleFunction(node);
+      if (live[id] > 0 && isGiven && useCount(id) > 0) {
         nodes.add(node);
       }
     }
@@ -168,13 +188,17 @@ final class Usage {
   }
 
   private List<Scalar> collectAngles() {
-    Set<Scalar> angles = new LinkedHashSet<>();
-    given().stream().filter(Usage::isAngleFunction).forEach(node -> angles.add(node.first()));
-    return angles.stream()
-        .sorted(
-            Comparator.comparing((Scalar angle) -> angle.operation() != Operation.INPUT)
-                .thenComparing(Scalar::index)
-                .thenComparing(Scalar::id))
-        .toList();
+    Set<Scalar> found = new LinkedHashSet<>();
+    for (Scalar node : given) {
+      if (isAngleFunction(node)) {
+        found.add(node.first());
+      }
+    }
+    List<Scalar> sorted = new ArrayList<>(found);
+    sorted.sort(
+        Comparator.comparing((Scalar angle) -> angle.operation() != Operation.INPUT)
+            .thenComparing(Scalar::index)
+            .thenComparing(Scalar::id));
+    return sorted;
   }
 }

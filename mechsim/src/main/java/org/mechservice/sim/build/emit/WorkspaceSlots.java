@@ -18,54 +18,62 @@ final class WorkspaceSlots {
   private final TreeSet<Integer> free = new TreeSet<>();
   private final List<List<Integer>> freedAfter = new ArrayList<>();
   private final Usage usage;
-  private final List<Integer> chunkOfSection;
+  private final int[] chunkOfSection;
   private int count;
 
-  WorkspaceSlots(Program program, Usage usage, List<Integer> chunkOfSection) {
+  /**
+   * @param chunkOfSection method of each section; not modified
+   */
+  WorkspaceSlots(Program program, Usage usage, int[] chunkOfSection) {
     this.usage = usage;
     this.chunkOfSection = chunkOfSection;
-    for (int section = 0; section <= chunkOfSection.size(); section++) {
+    for (int section = 0; section <= chunkOfSection.length; section++) {
       freedAfter.add(new ArrayList<>());
     }
     giveAngles();
     int chunk = 0;
     for (int section = 0; section < program.sections().size(); section++) {
-      for (; chunk < chunkOfSection.get(section); chunk++) {
+      for (; chunk < chunkOfSection[section]; chunk++) {
         free.addAll(freedAfter.get(chunk));
       }
       for (Scalar node : usage.placedIn(section)) {
-        if (lastChunkUsing(node) > chunk) {
-          give(node);
+        int last = lastChunkUsing(node);
+        if (last > chunk) {
+          give(node, last);
         }
       }
     }
   }
 
   private void giveAngles() {
-    List<Scalar> angles = usage.angles();
+    Map<Scalar, Integer> number = new HashMap<>();
+    for (Scalar angle : usage.angles()) {
+      number.put(angle, number.size());
+    }
     for (Scalar node : usage.given()) {
       if (Usage.isAngleFunction(node)) {
-        int slot = 2 * angles.indexOf(node.first()) + (node.operation() == Operation.SINE ? 0 : 1);
+        int angle = number.getOrDefault(node.first(), -1);
+        int slot = 2 * angle + (node.operation() == Operation.SINE ? 0 : 1);
         slotOf.put(node, slot);
         freedAfter.get(lastChunkUsing(node)).add(slot);
       }
     }
-    count = 2 * angles.size();
+    count = 2 * usage.angles().size();
   }
 
-  private void give(Scalar node) {
+  private void give(Scalar node, int lastChunk) {
     Integer slot = free.pollFirst();
     if (slot == null) {
       slot = count++;
     }
     slotOf.put(node, slot);
-    freedAfter.get(lastChunkUsing(node)).add(slot);
+    freedAfter.get(lastChunk).add(slot);
   }
 
   private int lastChunkUsing(Scalar node) {
     int last = 0;
-    for (int section : usage.sectionsUsing(node)) {
-      last = Math.max(last, chunkOfSection.get(section));
+    for (int i = 0; i < usage.useCount(node); i++) {
+      last = Math.max(last, chunkOfSection[usage.user(node, i)]);
     }
     return last;
   }

@@ -1,9 +1,10 @@
 /**
- * From a {@link org.mechservice.sim.symbolic.Program} to Java source.
+ * From a {@link org.mechservice.sim.symbolic.Program} to Java source and to a class file.
  *
- * <p>A {@link org.mechservice.sim.build.emit.ProgramPlan} says which methods there are, what each
- * computes in which order, and where every value lives; a printer only writes it down. So another
- * printer of the same plan gives the same operations in the same order.
+ * <p>A {@link org.mechservice.sim.build.emit.ModelPlan} says which methods there are, what each
+ * computes in which order, and where every value lives; two printers write it down, one as text for
+ * people, one as byte code for the virtual machine. Both write the same operations in the same
+ * order, so their results have the same bits.
  */
 @NullMarked
 package org.mechservice.sim.build.emit;

@@ -9,7 +9,8 @@ import org.objectweb.asm.tree.RecordComponentNode;
 
 /**
  * Takes out of class files what only compilers and debuggers read: line numbers, names of local
- * variables and parameters, generic signatures. The code is the same, instruction by instruction.
+ * variables and parameters, generic signatures, annotations. The code is the same, instruction by
+ * instruction.
  */
 public final class LeanClass {
   private LeanClass() {}
@@ -19,19 +20,45 @@ public final class LeanClass {
     ClassNode node = new ClassNode();
     new ClassReader(classFile).accept(node, ClassReader.SKIP_DEBUG);
     node.signature = null;
-    for (FieldNode field : node.fields) {
-      field.signature = null;
-    }
-    for (MethodNode method : node.methods) {
-      method.signature = null;
-    }
+    node.visibleAnnotations = null;
+    node.invisibleAnnotations = null;
+    node.visibleTypeAnnotations = null;
+    node.invisibleTypeAnnotations = null;
+    node.fields.forEach(LeanClass::strip);
+    node.methods.forEach(LeanClass::strip);
     if (node.recordComponents != null) {
-      for (RecordComponentNode component : node.recordComponents) {
-        component.signature = null;
-      }
+      node.recordComponents.forEach(LeanClass::strip);
     }
     ClassWriter writer = new ClassWriter(0);
     node.accept(writer);
     return writer.toByteArray();
+  }
+
+  private static void strip(FieldNode field) {
+    field.signature = null;
+    field.visibleAnnotations = null;
+    field.invisibleAnnotations = null;
+    field.visibleTypeAnnotations = null;
+    field.invisibleTypeAnnotations = null;
+  }
+
+  private static void strip(MethodNode method) {
+    method.signature = null;
+    method.visibleAnnotations = null;
+    method.invisibleAnnotations = null;
+    method.visibleTypeAnnotations = null;
+    method.invisibleTypeAnnotations = null;
+    method.visibleParameterAnnotations = null;
+    method.invisibleParameterAnnotations = null;
+    method.visibleLocalVariableAnnotations = null;
+    method.invisibleLocalVariableAnnotations = null;
+  }
+
+  private static void strip(RecordComponentNode component) {
+    component.signature = null;
+    component.visibleAnnotations = null;
+    component.invisibleAnnotations = null;
+    component.visibleTypeAnnotations = null;
+    component.invisibleTypeAnnotations = null;
   }
 }

@@ -15,6 +15,7 @@ import javax.tools.JavaCompiler;
 import javax.tools.JavaFileObject;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
+import org.mechservice.sim.build.emit.MethodSizes;
 import org.mechservice.sim.scene.ModelBuildException;
 
 /**
@@ -25,9 +26,6 @@ public final class ModelCompiler {
   private static final List<String> OPTIONS =
       List.of(
           "--release", "17", "-g:none", "-proc:none", "-implicit:none", "-nowarn", "-Xlint:none");
-
-  /** A longer method is never compiled by the virtual machine (CODEGEN §9). */
-  private static final int LONGEST_METHOD = 8000;
 
   private ModelCompiler() {}
 
@@ -72,13 +70,7 @@ public final class ModelCompiler {
   private static SortedMap<String, byte[]> checked(SortedMap<String, byte[]> written) {
     SortedMap<String, byte[]> classes = new TreeMap<>();
     written.forEach((name, bytes) -> classes.put(name, CompactLocals.compacted(bytes)));
-    for (byte[] classFile : classes.values()) {
-      int longest = MethodSizes.longest(classFile);
-      if (longest >= LONGEST_METHOD) {
-        throw new IllegalStateException(
-            "a generated method has " + longest + " bytes; the limit is " + LONGEST_METHOD);
-      }
-    }
+    classes.values().forEach(MethodSizes::requireCompilable);
     return Collections.unmodifiableSortedMap(classes);
   }
 

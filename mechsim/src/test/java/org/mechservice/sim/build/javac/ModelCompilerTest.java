@@ -13,6 +13,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.BuildOptions;
 import org.mechservice.sim.build.ModelFactory;
 import org.mechservice.sim.build.Scenes;
+import org.mechservice.sim.build.emit.MethodSizes;
 
 class ModelCompilerTest {
   private static SortedMap<String, byte[]> classFiles(String name) {

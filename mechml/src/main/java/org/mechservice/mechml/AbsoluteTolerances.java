@@ -1,0 +1,28 @@
+package org.mechservice.mechml;
+
+/**
+ * Local errors below which a state does not matter, by class of state.
+ *
+ * @param position of displacements, m
+ * @param angle of angles, rad, and of Euler parameters
+ * @param velocity of rates of displacements, m/s
+ * @param angularVelocity of angular velocities, rad/s
+ */
+public record AbsoluteTolerances(
+    double position, double angle, double velocity, double angularVelocity) {
+
+  /** Returns the same for all states. */
+  public static AbsoluteTolerances uniform(double tolerance) {
+    return new AbsoluteTolerances(tolerance, tolerance, tolerance, tolerance);
+  }
+
+  /** Returns whether all four are equal. */
+  public boolean isUniform() {
+    return position == angle && position == velocity && position == angularVelocity;
+  }
+
+  /** Returns the smallest of the four. */
+  public double smallest() {
+    return Math.min(Math.min(position, angle), Math.min(velocity, angularVelocity));
+  }
+}

@@ -1,0 +1,76 @@
+package org.mechservice.mechml.document;
+
+import java.util.List;
+
+/**
+ * Writes a document as canonical text: one element a line, two blanks of indentation a level, empty
+ * elements as one tag, values in double quotes. Reading that text gives the same document, and a
+ * file that is canonical is written as it was read.
+ *
+ * <p>Line breaks inside of values have become blanks when the file was read, and entities of its
+ * own their text; what its layout was otherwise is not kept.
+ */
+public final class DocumentWriter {
+  private static final String INDENT = "  ";
+
+  private final StringBuilder text = new StringBuilder();
+
+  private DocumentWriter() {}
+
+  /** Returns the text of a document. */
+  public static String write(Document document) {
+    DocumentWriter writer = new DocumentWriter();
+    writer.text.append("<?xml version=\"1.0\"?>\n");
+    document.systemId().ifPresent(id -> writer.doctype(document.root().name(), id));
+    writer.contents(document.prolog(), "");
+    writer.element(document.root(), "");
+    writer.contents(document.epilog(), "");
+    return writer.text.toString();
+  }
+
+  private void doctype(String root, String systemId) {
+    char quote = systemId.indexOf('"') < 0 ? '"' : '\'';
+    text.append("<!DOCTYPE ").append(root).append(" SYSTEM ");
+    text.append(quote).append(systemId).append(quote).append(">\n");
+  }
+
+  private void contents(List<? extends Content> contents, String indent) {
+    for (Content content : contents) {
+      if (content instanceof Element element) {
+        element(element, indent);
+      } else {
+        text.append(indent).append("<!--").append(((Comment) content).text()).append("-->\n");
+      }
+    }
+  }
+
+  private void element(Element element, String indent) {
+    text.append(indent).append('<').append(element.name());
+    for (Attribute attribute : element.attributes()) {
+      text.append(' ').append(attribute.name()).append("=\"");
+      value(attribute.value());
+      text.append('"');
+    }
+    if (element.content().isEmpty()) {
+      text.append("/>\n");
+    } else {
+      text.append(">\n");
+      contents(element.content(), indent + INDENT);
+      text.append(indent).append("</").append(element.name()).append(">\n");
+    }
+  }
+
+  /** Characters that a parser would take for markup or turn into blanks become references. */
+  private void value(String value) {
+    for (int i = 0; i < value.length(); i++) {
+      char c = value.charAt(i);
+      switch (c) {
+        case '&' -> text.append("&amp;");
+        case '<' -> text.append("&lt;");
+        case '"' -> text.append("&quot;");
+        case '\t', '\n', '\r' -> text.append("&#").append((int) c).append(';');
+        default -> text.append(c);
+      }
+    }
+  }
+}

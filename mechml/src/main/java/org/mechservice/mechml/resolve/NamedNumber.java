@@ -1,0 +1,27 @@
+package org.mechservice.mechml.resolve;
+
+import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.unit.Dimension;
+import org.mechservice.mechml.unit.Unit;
+
+/**
+ * A parameter of the model.
+ *
+ * @param element where it was given
+ * @param value in its own unit
+ * @param unit its own; {@link Unit#ONE} if it has none
+ * @param valueInExpressions in the file's units, angles in rad
+ * @param tunable whether it stays an input of the model
+ */
+record NamedNumber(
+    Element element, double value, Unit unit, double valueInExpressions, boolean tunable) {
+
+  String name() {
+    return element.required("name");
+  }
+
+  /** Returns whether expressions see it in rad. */
+  boolean isAngle() {
+    return unit.dimension().equals(Dimension.ANGLE);
+  }
+}

@@ -1,0 +1,59 @@
+package org.mechservice.mechml.unit;
+
+/** What an attribute holds, which says what its unit measures and how its bare numbers are read. */
+public enum Quantity {
+  NUMBER(Dimension.NONE, 0),
+  MASS(Dimension.MASS, 0),
+  LENGTH(Dimension.LENGTH, 0),
+  TIME(Dimension.TIME, 0),
+  ANGLE(Dimension.ANGLE, 0),
+  INERTIA(Dimension.INERTIA, 0),
+  SPEED(new Dimension(0, 1, -1, 0), 0),
+  ANGULAR_SPEED(new Dimension(0, 0, -1, 1), 0),
+  ACCELERATION(Dimension.ACCELERATION, 0),
+  FORCE(Dimension.FORCE, 1),
+  TORQUE(Dimension.TORQUE, 1),
+  /** Force per length. */
+  STIFFNESS(new Dimension(1, 0, -2, 0), 1),
+  /** Force per speed. */
+  DAMPING(new Dimension(1, 0, -1, 0), 1),
+  /** Torque per angle; a unit without rad is taken for one per rad. */
+  TORSIONAL_STIFFNESS(new Dimension(1, 2, -2, -1), 1),
+  /** Torque per angular speed; likewise. */
+  TORSIONAL_DAMPING(new Dimension(1, 2, -1, -1), 1),
+  /** Force per angle; likewise. */
+  FORCE_PER_ANGLE(new Dimension(1, 1, -2, -1), 1),
+  /** Force per angular speed; likewise. */
+  FORCE_PER_ANGULAR_SPEED(new Dimension(1, 1, -1, -1), 1),
+  /** Torque per speed. */
+  TORQUE_PER_SPEED(new Dimension(1, 1, -1, 0), 1),
+  /** Length per angle: the pitch of a screw; likewise. */
+  PITCH(new Dimension(0, 1, 0, -1), 0);
+
+  @SuppressWarnings("ImmutableEnumChecker") // a record of numbers
+  private final Dimension dimension;
+
+  private final int force;
+
+  Quantity(Dimension dimension, int force) {
+    this.dimension = dimension;
+    this.force = force;
+  }
+
+  /** Returns what its unit measures. */
+  public Dimension dimension() {
+    return dimension;
+  }
+
+  /** Returns the power of the unit of force in the unit of bare numbers. */
+  int force() {
+    return force;
+  }
+
+  /** Returns whether a unit measures it: what is per angle may leave the angle unsaid. */
+  public boolean isMeasuredBy(Unit unit) {
+    Dimension given = unit.dimension();
+    return given.equals(dimension)
+        || (dimension.angle() == -1 && given.equals(dimension.times(Dimension.ANGLE)));
+  }
+}

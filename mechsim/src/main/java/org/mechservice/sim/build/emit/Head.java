@@ -1,0 +1,32 @@
+package org.mechservice.sim.build.emit;
+
+import java.util.List;
+
+/**
+ * The method of a model that runs a program.
+ *
+ * @param name its name, and the beginning of those of its parts
+ * @param arguments where the program's inputs come from, in the order of the parameters
+ * @param output name of the last parameter, the array of outputs
+ * @param returnsResult whether the method returns the result of the guard that failed
+ */
+record Head(String name, List<Argument> arguments, String output, boolean returnsResult) {
+  /**
+   * A parameter.
+   *
+   * @param name its name
+   * @param isArray whether it is an array of numbers, otherwise a number
+   * @param first index of the program's input that it, or its first element, is
+   */
+  record Argument(String name, boolean isArray, int first) {}
+
+  /** Returns the parameter that gives an input: the one that begins last at or before it. */
+  Argument argumentOf(int input) {
+    Argument found = arguments.get(0);
+    for (Argument argument : arguments) {
+      boolean later = found.first() > input || argument.first() > found.first();
+      found = argument.first() <= input && later ? argument : found;
+    }
+    return found;
+  }
+}

@@ -1,0 +1,141 @@
+package org.mechservice.sim.build.emit;
+
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.integration.Integrator;
+import org.mechservice.solver.integration.IntegratorFactory;
+import org.mechservice.solver.integration.IntegratorSettings;
+import org.mechservice.solver.simulation.EquationForm;
+import org.mechservice.solver.standalone.Standalone;
+import org.objectweb.asm.ClassWriter;
+import org.objectweb.asm.MethodVisitor;
+import org.objectweb.asm.Opcodes;
+import org.objectweb.asm.Type;
+
+/**
+ * The main class of a standalone JAR:
+ *
+ * <pre>{@code
+ * public final class PendulumMain implements IntegratorFactory {
+ *   public Integrator create(IntegratorSettings settings) {
+ *     return new De(settings);
+ *   }
+ *
+ *   public static void main(String[] args) {
+ *     System.exit(
+ *         Standalone.run(
+ *             ModelSource.of(new Pendulum()), new PendulumMain(), new ExplicitForm(), args));
+ *   }
+ * }
+ * }</pre>
+ *
+ * <p>It is the factory itself, which spares a lambda.
+ */
+public final class MainClass {
+  private static final String OBJECT = "java/lang/Object";
+  private static final String NOTHING_TO_VOID = "()V";
+
+  private final ClassWriter classFile = new ClassWriter(ClassWriter.COMPUTE_MAXS);
+
+  private MainClass() {}
+
+  /**
+   * Returns the class file.
+   *
+   * @param className its own name, as those that follow fully qualified
+   * @param model class of the model
+   * @param integrator class of the integrator
+   * @param form class of the form its equations are handed to the integrator in
+   */
+  public static byte[] of(String className, String model, String integrator, String form) {
+    return new MainClass()
+        .write(internal(className), internal(model), internal(integrator), internal(form));
+  }
+
+  private static String internal(String className) {
+    return className.replace('.', '/');
+  }
+
+  private byte[] write(String className, String model, String integrator, String form) {
+    classFile.visit(
+        Opcodes.V17,
+        Opcodes.ACC_PUBLIC | Opcodes.ACC_FINAL | Opcodes.ACC_SUPER,
+        className,
+        null,
+        OBJECT,
+        new String[] {Type.getInternalName(IntegratorFactory.class)});
+    constructor();
+    create(integrator);
+    main(className, model, form);
+    classFile.visitEnd();
+    return classFile.toByteArray();
+  }
+
+  private void constructor() {
+    MethodVisitor code = begin(Opcodes.ACC_PUBLIC, "<init>", NOTHING_TO_VOID);
+    code.visitVarInsn(Opcodes.ALOAD, 0);
+    code.visitMethodInsn(Opcodes.INVOKESPECIAL, OBJECT, "<init>", NOTHING_TO_VOID, false);
+    end(code, Opcodes.RETURN);
+  }
+
+  private void create(String integrator) {
+    String settings = Type.getDescriptor(IntegratorSettings.class);
+    MethodVisitor code =
+        begin(
+            Opcodes.ACC_PUBLIC,
+            "create",
+            "(" + settings + ")" + Type.getDescriptor(Integrator.class));
+    code.visitTypeInsn(Opcodes.NEW, integrator);
+    code.visitInsn(Opcodes.DUP);
+    code.visitVarInsn(Opcodes.ALOAD, 1);
+    code.visitMethodInsn(Opcodes.INVOKESPECIAL, integrator, "<init>", "(" + settings + ")V", false);
+    end(code, Opcodes.ARETURN);
+  }
+
+  private void main(String className, String model, String form) {
+    String strings = "[Ljava/lang/String;";
+    MethodVisitor code =
+        begin(Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC, "main", "(" + strings + ")V");
+    create(code, model);
+    code.visitMethodInsn(
+        Opcodes.INVOKESTATIC,
+        Type.getInternalName(ModelSource.class),
+        "of",
+        "(L" + OBJECT + ";)" + Type.getDescriptor(Model.class),
+        true);
+    create(code, className);
+    create(code, form);
+    code.visitVarInsn(Opcodes.ALOAD, 0);
+    code.visitMethodInsn(
+        Opcodes.INVOKESTATIC,
+        Type.getInternalName(Standalone.class),
+        "run",
+        "("
+            + Type.getDescriptor(Model.class)
+            + Type.getDescriptor(IntegratorFactory.class)
+            + Type.getDescriptor(EquationForm.class)
+            + strings
+            + ")I",
+        false);
+    code.visitMethodInsn(Opcodes.INVOKESTATIC, "java/lang/System", "exit", "(I)V", false);
+    end(code, Opcodes.RETURN);
+  }
+
+  private static void create(MethodVisitor code, String className) {
+    code.visitTypeInsn(Opcodes.NEW, className);
+    code.visitInsn(Opcodes.DUP);
+    code.visitMethodInsn(Opcodes.INVOKESPECIAL, className, "<init>", NOTHING_TO_VOID, false);
+  }
+
+  private MethodVisitor begin(int access, String name, String descriptor) {
+    MethodVisitor code = classFile.visitMethod(access, name, descriptor, null, null);
+    code.visitCode();
+    return code;
+  }
+
+  private static void end(MethodVisitor code, int returnInstruction) {
+    code.visitInsn(returnInstruction);
+    code.visitMaxs(0, 0);
+    code.visitEnd();
+  }
+}

@@ -1,0 +1,225 @@
+package org.mechservice.sim.build.emit;
+
+import java.util.Arrays;
+import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.solver.api.BodyPoses;
+import org.mechservice.solver.api.Energies;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.RunSettings;
+import org.objectweb.asm.ClassTooLargeException;
+import org.objectweb.asm.ClassWriter;
+import org.objectweb.asm.Label;
+import org.objectweb.asm.MethodVisitor;
+import org.objectweb.asm.Opcodes;
+import org.objectweb.asm.Type;
+
+/**
+ * Writes the class of a model as a class file, without source and compiler: what {@link
+ * ModelSource} says, instruction by instruction.
+ */
+final class ModelBytes {
+  private static final String OBJECT = "java/lang/Object";
+  private static final String STRING = "Ljava/lang/String;";
+  private static final String DESCRIPTION = Type.getInternalName(ModelDescription.class);
+  private static final String SETTINGS = Type.getInternalName(RunSettings.class);
+  private static final String SIX_SETTINGS = "DDD" + STRING + "DD";
+
+  private final ModelPlan plan;
+  private final String className;
+  private final ClassWriter classFile = new ClassWriter(ClassWriter.COMPUTE_MAXS);
+
+  ModelBytes(ModelPlan plan) {
+    this.plan = plan;
+    this.className = (ModelClass.PACKAGE + "." + plan.simpleName()).replace('.', '/');
+  }
+
+  /** Returns the class file. */
+  byte[] bytes() {
+    String[] interfaces = new String[plan.poses().isPresent() ? 3 : 2];
+    interfaces[0] = Type.getInternalName(ExplicitModel.class);
+    interfaces[1] = Type.getInternalName(Energies.class);
+    if (plan.poses().isPresent()) {
+      interfaces[2] = Type.getInternalName(BodyPoses.class);
+    }
+    int access = Opcodes.ACC_PUBLIC | Opcodes.ACC_FINAL | Opcodes.ACC_SUPER;
+    classFile.visit(Opcodes.V17, access, className, null, OBJECT, interfaces);
+    constructor();
+    describe();
+    method(plan.start(), ModelBytes::fillWithZeros, (code, parameters) -> {});
+    plan.programs().forEach(this::method);
+    if (plan.poses().isPresent()) {
+      bodies();
+      method(plan.poses().get(), (code, parameters) -> {}, ModelBytes::chooseSigns);
+    }
+    classFile.visitEnd();
+    return checked();
+  }
+
+  private byte[] checked() {
+    try {
+      byte[] bytes = classFile.toByteArray();
+      MethodSizes.requireCompilable(bytes);
+      return bytes;
+    } catch (ClassTooLargeException e) {
+      throw new ModelBuildException(
+          "S-085",
+          "the generated class "
+              + plan.simpleName()
+              + " is too large for a class file ("
+              + e.getConstantPoolCount()
+              + " constants, the limit is 65535); use fewer bodies");
+    }
+  }
+
+  private void method(ModelPlan.Part part) {
+    method(part, (code, parameters) -> {}, (code, parameters) -> {});
+  }
+
+  private void method(ModelPlan.Part part, ProgramBytes.Extra first, ProgramBytes.Extra last) {
+    new ProgramBytes(classFile, className, part.head(), part.plan()).method(first, last);
+  }
+
+  private MethodVisitor begin(String name, String descriptor) {
+    MethodVisitor code = classFile.visitMethod(Opcodes.ACC_PUBLIC, name, descriptor, null, null);
+    code.visitCode();
+    return code;
+  }
+
+  private static void end(MethodVisitor code, int returnInstruction) {
+    code.visitInsn(returnInstruction);
+    code.visitMaxs(0, 0);
+    code.visitEnd();
+  }
+
+  private void constructor() {
+    int slots = plan.slots();
+    MethodVisitor code = begin("<init>", "()V");
+    code.visitVarInsn(Opcodes.ALOAD, 0);
+    code.visitMethodInsn(Opcodes.INVOKESPECIAL, OBJECT, "<init>", "()V", false);
+    if (slots > 0) {
+      int access = Opcodes.ACC_PRIVATE | Opcodes.ACC_FINAL;
+      classFile.visitField(access, Parameters.WORKSPACE, "[D", null, null).visitEnd();
+      code.visitVarInsn(Opcodes.ALOAD, 0);
+      new NumberCode(code).push(slots);
+      code.visitIntInsn(Opcodes.NEWARRAY, Opcodes.T_DOUBLE);
+      code.visitFieldInsn(Opcodes.PUTFIELD, className, Parameters.WORKSPACE, "[D");
+    }
+    end(code, Opcodes.RETURN);
+  }
+
+  private void describe() {
+    ModelDescription description = plan.content().description();
+    MethodVisitor code = begin("description", "()L" + DESCRIPTION + ";");
+    code.visitLdcInsn(description.name());
+    code.visitLdcInsn(description.formulation());
+    code.visitLdcInsn(plan.jointTypes());
+    code.visitLdcInsn(plan.jointNames());
+    code.visitTypeInsn(Opcodes.NEW, SETTINGS);
+    code.visitInsn(Opcodes.DUP);
+    String rest = plan.boundsSteps() ? "DDI" : "";
+    settings(code, description.defaults());
+    code.visitMethodInsn(
+        Opcodes.INVOKESPECIAL, SETTINGS, "<init>", "(" + SIX_SETTINGS + rest + ")V", false);
+    code.visitMethodInsn(
+        Opcodes.INVOKESTATIC,
+        DESCRIPTION,
+        "of",
+        "(" + STRING.repeat(4) + "L" + SETTINGS + ";)L" + DESCRIPTION + ";",
+        false);
+    end(code, Opcodes.ARETURN);
+  }
+
+  private void settings(MethodVisitor code, RunSettings settings) {
+    NumberCode numbers = new NumberCode(code);
+    numbers.push(settings.tStart());
+    numbers.push(settings.tEnd());
+    numbers.push(settings.tStep());
+    code.visitLdcInsn(settings.integrator());
+    numbers.push(settings.relativeTolerance());
+    numbers.push(settings.absoluteTolerance());
+    if (plan.boundsSteps()) {
+      numbers.push(settings.maxStep());
+      numbers.push(settings.initialStep());
+      numbers.push(settings.maxOrder());
+    }
+  }
+
+  /** {@code Arrays.fill(y, 0.0)}. */
+  private static void fillWithZeros(MethodVisitor code, Parameters parameters) {
+    code.visitVarInsn(Opcodes.ALOAD, parameters.slotOf("y"));
+    code.visitInsn(Opcodes.DCONST_0);
+    code.visitMethodInsn(Opcodes.INVOKESTATIC, "java/util/Arrays", "fill", "([DD)V", false);
+  }
+
+  /** {@code return List.of("…".split("\n", -1))}. */
+  private void bodies() {
+    MethodVisitor code = begin("bodies", "()Ljava/util/List;");
+    code.visitLdcInsn(plan.bodyNames());
+    code.visitLdcInsn("\n");
+    code.visitInsn(Opcodes.ICONST_M1);
+    code.visitMethodInsn(
+        Opcodes.INVOKEVIRTUAL, "java/lang/String", "split", "(" + STRING + "I)[" + STRING, false);
+    code.visitMethodInsn(
+        Opcodes.INVOKESTATIC, "java/util/List", "of", "([L" + OBJECT + ";)Ljava/util/List;", true);
+    end(code, Opcodes.ARETURN);
+  }
+
+  /** Of the two sets of Euler parameters of an orientation the one with e0 ≥ 0. */
+  private static void chooseSigns(MethodVisitor code, Parameters parameters) {
+    int poses = parameters.slotOf("poses");
+    int i = parameters.end();
+    Object[] atLoop = typesWithCounter(parameters);
+    Label next = new Label();
+    Label body = new Label();
+    Label test = new Label();
+    code.visitInsn(Opcodes.ICONST_3);
+    code.visitVarInsn(Opcodes.ISTORE, i);
+    code.visitJumpInsn(Opcodes.GOTO, test);
+    code.visitLabel(body);
+    code.visitFrame(Opcodes.F_NEW, atLoop.length, atLoop, 0, new Object[0]);
+    code.visitVarInsn(Opcodes.ALOAD, poses);
+    code.visitVarInsn(Opcodes.ILOAD, i);
+    code.visitInsn(Opcodes.DALOAD);
+    code.visitInsn(Opcodes.DCONST_0);
+    code.visitInsn(Opcodes.DCMPG);
+    code.visitJumpInsn(Opcodes.IFGE, next);
+    for (int j = 0; j < 4; j++) {
+      changeSign(code, poses, i, j);
+    }
+    code.visitLabel(next);
+    code.visitFrame(Opcodes.F_NEW, atLoop.length, atLoop, 0, new Object[0]);
+    code.visitIincInsn(i, BodyPoses.NUMBERS_PER_BODY);
+    code.visitLabel(test);
+    code.visitFrame(Opcodes.F_NEW, atLoop.length, atLoop, 0, new Object[0]);
+    code.visitVarInsn(Opcodes.ILOAD, i);
+    code.visitVarInsn(Opcodes.ALOAD, poses);
+    code.visitInsn(Opcodes.ARRAYLENGTH);
+    code.visitJumpInsn(Opcodes.IF_ICMPLT, body);
+  }
+
+  /** {@code poses[i + j] = 0 - poses[i + j]}. */
+  private static void changeSign(MethodVisitor code, int poses, int i, int j) {
+    pushElement(code, poses, i, j);
+    code.visitInsn(Opcodes.DCONST_0);
+    pushElement(code, poses, i, j);
+    code.visitInsn(Opcodes.DALOAD);
+    code.visitInsn(Opcodes.DSUB);
+    code.visitInsn(Opcodes.DASTORE);
+  }
+
+  /** Pushes the array and the index i + j. */
+  private static void pushElement(MethodVisitor code, int array, int i, int j) {
+    code.visitVarInsn(Opcodes.ALOAD, array);
+    code.visitVarInsn(Opcodes.ILOAD, i);
+    new NumberCode(code).push(j);
+    code.visitInsn(Opcodes.IADD);
+  }
+
+  private static Object[] typesWithCounter(Parameters parameters) {
+    Object[] types = parameters.types().toArray();
+    Object[] all = Arrays.copyOf(types, types.length + 1);
+    all[types.length] = Opcodes.INTEGER;
+    return all;
+  }
+}

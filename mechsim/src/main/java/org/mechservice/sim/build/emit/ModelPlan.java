@@ -1,0 +1,147 @@
+package org.mechservice.sim.build.emit;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.api.RunSettings;
+
+/**
+ * The class of a model, planned: one plan, from which source and class file are printed. Both
+ * compute the same operations in the same order, so their results have the same bits.
+ */
+public final class ModelPlan implements WrittenClass {
+  /** States whose start values stand together when methods are laid out. */
+  private static final int SECTION_OF_START = 100;
+
+  private static final Head INITIAL_STATE = new Head("initialState", List.of(), "y", false);
+  private static final Head DERIVATIVE = ofState("derivative", "yDot", true);
+  private static final Head ENERGY = ofState("energy", "energy", false);
+  private static final Head POSES = ofState("poses", "poses", false);
+
+  /**
+   * A program with the method that runs it.
+   *
+   * @param head the method
+   * @param plan how the program becomes code
+   */
+  record Part(Head head, ProgramPlan plan) {}
+
+  private final ModelClass content;
+  private final Part start;
+  private final List<Part> programs = new ArrayList<>();
+  private final Optional<Part> poses;
+
+  private ModelPlan(ModelClass content) {
+    this.content = content;
+    this.start = new Part(INITIAL_STATE, Planner.plan(startOf(content)));
+    programs.add(new Part(DERIVATIVE, Planner.plan(content.derivative())));
+    programs.add(new Part(ENERGY, Planner.plan(content.energy())));
+    this.poses = content.poses().map(program -> new Part(POSES, Planner.plan(program)));
+  }
+
+  private static Head ofState(String name, String output, boolean returnsResult) {
+    List<Head.Argument> arguments =
+        List.of(new Head.Argument("t", false, Program.TIME), new Head.Argument("y", true, 0));
+    return new Head(name, arguments, output, returnsResult);
+  }
+
+  /** Plans a model's class. */
+  public static ModelPlan of(ModelClass content) {
+    return new ModelPlan(content);
+  }
+
+  /** Returns the program that writes what is not zero at the start. */
+  private static Program startOf(ModelClass content) {
+    double[] y = new double[content.description().stateCount()];
+    content.mechanism().initialState(y);
+    Program program = new Program();
+    for (int i = 0; i < y.length; i++) {
+      if (i % SECTION_OF_START == 0) {
+        program.section("", "start");
+      }
+      if (y[i] != 0) {
+        program.output(i, program.expressions().constant(y[i]));
+      }
+    }
+    return program;
+  }
+
+  @Override
+  public String simpleName() {
+    return content.simpleName();
+  }
+
+  @Override
+  public String source() {
+    return new ModelSource(this).text();
+  }
+
+  @Override
+  public byte[] classFile() {
+    return new ModelBytes(this).bytes();
+  }
+
+  ModelClass content() {
+    return content;
+  }
+
+  /** Returns the program of the initial state. */
+  Part start() {
+    return start;
+  }
+
+  /** Returns the programs every model has. */
+  List<Part> programs() {
+    return programs;
+  }
+
+  /** Returns the program of the bodies' poses, if they are asked for. */
+  Optional<Part> poses() {
+    return poses;
+  }
+
+  /** Returns the length of workspace the class needs. */
+  int slots() {
+    int slots = poses.isPresent() ? poses.get().plan().slots() : 0;
+    for (Part part : programs) {
+      slots = Math.max(slots, part.plan().slots());
+    }
+    return slots;
+  }
+
+  /** Returns the names of the joints, as the description takes them. */
+  String jointNames() {
+    List<String> names = new ArrayList<>();
+    content.description().joints().forEach(joint -> names.add(joint.name()));
+    return String.join("\n", names);
+  }
+
+  /** Returns the types of the joints, as the description takes them. */
+  String jointTypes() {
+    List<String> types = new ArrayList<>();
+    content.description().joints().forEach(joint -> types.add(joint.type().name()));
+    return String.join(" ", types);
+  }
+
+  /** Returns the names of the bodies, one a line. */
+  String bodyNames() {
+    List<String> names = new ArrayList<>();
+    content.mechanism().bodies().forEach(body -> names.add(body.name()));
+    return String.join("\n", names);
+  }
+
+  /** Returns whether step sizes or order are bounded by the settings. */
+  boolean boundsSteps() {
+    RunSettings settings = content.description().defaults();
+    RunSettings automatic =
+        new RunSettings(
+            settings.tStart(),
+            settings.tEnd(),
+            settings.tStep(),
+            settings.integrator(),
+            settings.relativeTolerance(),
+            settings.absoluteTolerance());
+    return !settings.equals(automatic);
+  }
+}

@@ -1,0 +1,77 @@
+package org.mechservice.sim.build.emit;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.objectweb.asm.Opcodes;
+
+/** Slots and types of what a method is given, the workspace last. */
+final class Parameters {
+  /** Name of the workspace. */
+  static final String WORKSPACE = "w";
+
+  private final List<String> names = new ArrayList<>();
+  private final List<Integer> slots = new ArrayList<>();
+  private final List<Object> types = new ArrayList<>();
+  private int next;
+
+  private Parameters() {}
+
+  /** The method of the interface: the instance, the parameters, then the workspace if any. */
+  static Parameters ofInstance(Head head, String className, boolean workspace) {
+    Parameters parameters = new Parameters();
+    parameters.add("this", className, 1);
+    parameters.addAll(head.arguments(), head, workspace);
+    return parameters;
+  }
+
+  /** A part: what the program reads, the output and the workspace. */
+  static Parameters ofPart(Head head, List<Head.Argument> arguments, boolean workspace) {
+    Parameters parameters = new Parameters();
+    parameters.addAll(arguments, head, workspace);
+    return parameters;
+  }
+
+  private void addAll(List<Head.Argument> arguments, Head head, boolean workspace) {
+    for (Head.Argument argument : arguments) {
+      if (argument.isArray()) {
+        add(argument.name(), "[D", 1);
+      } else {
+        add(argument.name(), Opcodes.DOUBLE, 2);
+      }
+    }
+    add(head.output(), "[D", 1);
+    if (workspace) {
+      add(WORKSPACE, "[D", 1);
+    }
+  }
+
+  private void add(String name, Object type, int size) {
+    names.add(name);
+    slots.add(next);
+    types.add(type);
+    next += size;
+  }
+
+  int slotOf(String name) {
+    return slots.get(names.indexOf(name));
+  }
+
+  /** Returns types as stack map frames tell them. */
+  List<Object> types() {
+    return types;
+  }
+
+  /** Returns the first slot behind them. */
+  int end() {
+    return next;
+  }
+
+  /** Returns the descriptor of a method with the given arguments, the output and what follows. */
+  static String descriptor(List<Head.Argument> arguments, String rest, boolean returnsResult) {
+    StringBuilder descriptor = new StringBuilder("(");
+    for (Head.Argument argument : arguments) {
+      descriptor.append(argument.isArray() ? "[D" : "D");
+    }
+    return descriptor.append(rest).append(returnsResult ? ")I" : ")V").toString();
+  }
+}

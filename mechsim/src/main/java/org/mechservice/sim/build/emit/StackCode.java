@@ -1,0 +1,128 @@
+package org.mechservice.sim.build.emit;
+
+import java.util.List;
+import java.util.Map;
+import org.mechservice.sim.symbolic.Operation;
+import org.mechservice.sim.symbolic.Scalar;
+
+/**
+ * A planned method as a stack machine runs it: operands first, then what is done with them.
+ *
+ * <p>The order of operations is the plan's, so every machine that is told the same plan computes
+ * the same bits as the source printed from it.
+ */
+final class StackCode {
+  /** What is told. */
+  interface Machine {
+    /** Pushes an input. */
+    void pushInput(int index);
+
+    /** Pushes an element of the workspace. */
+    void pushSlot(int index);
+
+    /** Pushes a local variable. */
+    void pushLocal(Scalar value);
+
+    /** Pops into a local variable. */
+    void popLocal(Scalar value);
+
+    /** Pushes a number. */
+    void pushConstant(double value);
+
+    /** Pops the operands of an operation and pushes its result. */
+    void operate(Operation operation);
+
+    /** Gets ready to pop into an element of the workspace. */
+    void beginSlot(int index);
+
+    /** Gets ready to pop into an output. */
+    void beginOutput(int index);
+
+    /** Pops into what was made ready. */
+    void endElement();
+
+    /** Copies consecutive inputs to outputs. */
+    void copyInputs(int input, int index, int count);
+
+    /** Pops a bound and a pivot and ends the program with a result unless the pivot is above. */
+    void check(int result);
+  }
+
+  private final MethodPlan method;
+  private final Machine machine;
+
+  private StackCode(MethodPlan method, Machine machine) {
+    this.method = method;
+    this.machine = machine;
+  }
+
+  /** Tells a machine what a method does. */
+  static void tell(MethodPlan method, Machine machine) {
+    StackCode code = new StackCode(method, machine);
+    for (Statement statement : method.statements()) {
+      code.statement(statement);
+    }
+  }
+
+  /** Tells a machine to push a value that needs no places. */
+  static void tellValue(Scalar value, Machine machine) {
+    new StackCode(new MethodPlan(List.of(), Map.of()), machine).value(value);
+  }
+
+  private void statement(Statement statement) {
+    if (statement instanceof Statement.Load load) {
+      place(load.from());
+      machine.popLocal(load.value());
+    } else if (statement instanceof Statement.Define define) {
+      operation(define.value());
+      machine.popLocal(define.value());
+    } else if (statement instanceof Statement.Store store) {
+      machine.beginSlot(store.slot());
+      value(store.value());
+      machine.endElement();
+    } else if (statement instanceof Statement.PutOut output) {
+      machine.beginOutput(output.index());
+      value(output.value());
+      machine.endElement();
+    } else if (statement instanceof Statement.CopyInputs copy) {
+      machine.copyInputs(copy.input(), copy.index(), copy.count());
+    } else if (statement instanceof Statement.Check check) {
+      value(check.pivot());
+      value(check.bound());
+      machine.check(check.result());
+    }
+  }
+
+  private void value(Scalar node) {
+    Place place = method.places().get(node);
+    if (place != null) {
+      place(place);
+    } else {
+      operation(node);
+    }
+  }
+
+  private void place(Place place) {
+    if (place instanceof Place.Local local) {
+      machine.pushLocal(local.value());
+    } else if (place instanceof Place.Slot slot) {
+      machine.pushSlot(slot.index());
+    } else {
+      machine.pushInput(((Place.Input) place).index());
+    }
+  }
+
+  private void operation(Scalar node) {
+    switch (node.operation()) {
+      case CONSTANT -> machine.pushConstant(node.value());
+      case INPUT -> machine.pushInput(node.index());
+      case SINE, COSINE -> throw new IllegalStateException("an angle function has a place");
+      default -> {
+        for (Scalar operand : node.operands()) {
+          value(operand);
+        }
+        machine.operate(node.operation());
+      }
+    }
+  }
+}

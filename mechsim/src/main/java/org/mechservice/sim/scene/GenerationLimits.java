@@ -1,0 +1,76 @@
+package org.mechservice.sim.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.SimulationSettings;
+import org.mechservice.mechml.SimulationTask;
+import org.mechservice.solver.mechanism.Event;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Output;
+import org.mechservice.solver.mechanism.Parameter;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.force.ForceElement;
+
+/** What a model file may hold that no code is generated for: refused by name, never left out. */
+public final class GenerationLimits {
+  /** More names would hide the message. */
+  private static final int MOST_NAMES = 5;
+
+  private GenerationLimits() {}
+
+  /**
+   * Refuses what no code is generated for.
+   *
+   * @throws ModelBuildException S-088, naming all of it
+   */
+  public static void require(MechmlModel model) {
+    List<String> beyond = beyond(model);
+    if (!beyond.isEmpty()) {
+      throw new ModelBuildException(
+          "S-088",
+          "model \""
+              + model.mechanism().name()
+              + "\" has "
+              + String.join("; ", beyond)
+              + ". In this version code is generated for open chains under gravity, run by"
+              + " <dynamic>");
+    }
+  }
+
+  /** Returns what no code is generated for, such as {@code forces "f1", "f2"}. */
+  public static List<String> beyond(MechmlModel model) {
+    Mechanism mechanism = model.mechanism();
+    SimulationSettings settings = model.settings();
+    List<String> beyond = new ArrayList<>();
+    if (!(settings.task() instanceof SimulationTask.Dynamic)) {
+      beyond.add("the task <" + settings.task().element() + ">");
+    }
+    if (!settings.absoluteTolerances().isUniform()) {
+      beyond.add("absolute tolerances by class of state");
+    }
+    add(beyond, "constraints", mechanism.closures().stream().map(LoopClosure::name));
+    add(
+        beyond,
+        "driven joints",
+        mechanism.motions().stream().map(m -> mechanism.joints().get(m.joint()).name()));
+    add(beyond, "forces", mechanism.forces().stream().map(ForceElement::name));
+    add(beyond, "tunable parameters", mechanism.parameters().stream().map(Parameter::name));
+    add(beyond, "outputs", model.outputs().stream().map(Output::name));
+    add(beyond, "events", settings.events().stream().map(Event::name));
+    return beyond;
+  }
+
+  private static void add(List<String> beyond, String kind, Stream<String> names) {
+    List<String> quoted = names.map(name -> "\"" + name + "\"").toList();
+    if (!quoted.isEmpty()) {
+      int more = quoted.size() - MOST_NAMES;
+      beyond.add(
+          kind
+              + " "
+              + String.join(", ", quoted.subList(0, Math.min(MOST_NAMES, quoted.size())))
+              + (more > 0 ? " and " + more + " more" : ""));
+    }
+  }
+}

@@ -1,0 +1,24 @@
+package org.mechservice.solver.api;
+
+/** A model that can say why it has no derivative or residual in a state. */
+public interface Defects {
+  /** Returned by an evaluation that failed for the reason {@link #lastDefect} gives. */
+  int DEFECT = -2;
+
+  /**
+   * Returns why the last evaluation failed.
+   *
+   * @throws IllegalStateException if it did not
+   */
+  Defect lastDefect();
+
+  /**
+   * Why a model cannot be evaluated.
+   *
+   * @param code entry of the error catalogue, such as {@code N-030}
+   * @param part the joint, body, force or constraint it lies at
+   * @param cause what is wrong, with numbers and units, in one sentence
+   * @param advice what to do about it
+   */
+  record Defect(String code, String part, String cause, String advice) {}
+}

@@ -1,0 +1,13 @@
+package org.mechservice.solver.api;
+
+/** A model with forces or motions that put energy in or take it out. */
+public interface PowerInput {
+  /**
+   * Returns the power of everything that has no potential energy: dampers, friction, prescribed
+   * motions, forces given by expressions or classes; W, positive into the mechanism.
+   *
+   * @param t time, s
+   * @param y state [q; v]; not modified
+   */
+  double power(double t, double[] y);
+}

@@ -1,0 +1,108 @@
+package org.mechservice.solver.closure;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.mechservice.solver.api.JointVariables;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/**
+ * A mechanism whose loops are closed at the start and whose independent equations are counted: what
+ * models of it are made from. Immutable.
+ */
+public final class ClosedMechanism {
+  private final TreeGeometry tree;
+  private final ModelDescription description;
+  private final double startTime;
+  private final double[] start;
+  private final int rank;
+  private final List<LoopFinding> findings = new ArrayList<>();
+
+  /** For each velocity of the state, its joint among those that have states. */
+  private final int[] jointOfVelocity;
+
+  /**
+   * Assembles a mechanism at the start of its run.
+   *
+   * @param formulation name of the formulation, for reports
+   * @param defaults settings the model carries; assembly is at their start
+   */
+  public ClosedMechanism(Mechanism mechanism, String formulation, RunSettings defaults) {
+    tree = new TreeGeometry(mechanism);
+    jointOfVelocity = new int[mechanism.velocityCount()];
+    description = new ModelDescription(mechanism.name(), formulation, joints(mechanism), defaults);
+    startTime = defaults.tStart();
+    start = new double[mechanism.positionCount() + mechanism.velocityCount()];
+    mechanism.initialState(start);
+    findings.addAll(new Assembly(tree).assemble(startTime, start));
+    if (isAssembled()) {
+      RankAnalysis analysis = new RankAnalysis(tree, startTime, start);
+      rank = analysis.rank();
+      findings.addAll(analysis.findings(startTime));
+    } else {
+      rank = 0;
+    }
+  }
+
+  private List<JointVariables> joints(Mechanism mechanism) {
+    List<JointVariables> joints = new ArrayList<>();
+    for (int j = 0; j < mechanism.joints().size(); j++) {
+      if (!mechanism.isDriven(j)) {
+        Joint joint = mechanism.joints().get(j);
+        int at = mechanism.velocityOffset(j);
+        Arrays.fill(jointOfVelocity, at, at + joint.type().velocityCount(), joints.size());
+        joints.add(new JointVariables(joint.name(), joint.type()));
+      }
+    }
+    return joints;
+  }
+
+  /** Returns whether the loops are closed at the start; if not, {@link #findings()} says why. */
+  public boolean isAssembled() {
+    return findings.stream().allMatch(finding -> finding.kind().isWarning());
+  }
+
+  /** Returns what there is to say of the loops: corrections of the start, redundant equations. */
+  public List<LoopFinding> findings() {
+    return List.copyOf(findings);
+  }
+
+  /** Returns the tree that is left when the loops are opened. */
+  public TreeGeometry tree() {
+    return tree;
+  }
+
+  /** Returns names and settings. */
+  public ModelDescription description() {
+    return description;
+  }
+
+  /** Returns the number of independent equations of the loops. */
+  public int rank() {
+    return rank;
+  }
+
+  /** Returns the number of degrees of freedom that the loops leave. */
+  public int freedom() {
+    return tree.stateVelocityCount - rank;
+  }
+
+  /** Returns the time at which the loops are closed, s. */
+  public double startTime() {
+    return startTime;
+  }
+
+  /** Returns the assembled state [q; v] at the start. */
+  public double[] start() {
+    return start.clone();
+  }
+
+  /** Returns the index in {@code description().joints()} of the joint a velocity belongs to. */
+  int jointOfVelocity(int velocity) {
+    return jointOfVelocity[velocity];
+  }
+}

@@ -1,0 +1,94 @@
+package org.mechservice.solver.closure;
+
+import java.util.Arrays;
+import org.mechservice.solver.dynamics.MassiveRods;
+import org.mechservice.solver.dynamics.OpenTree;
+import org.mechservice.solver.dynamics.SemiRecursive;
+import org.mechservice.solver.force.ForceSet;
+import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.kinematics.StateCoordinates;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.TreeMotion;
+
+/**
+ * The equations of a mechanism with loops, M v' + b + Jᵀ λ = τ and Φ(q, t) = 0, at one state at a
+ * time. Workspace of one thread; nothing allocates after construction.
+ */
+final class ClosedTree {
+  final TreeGeometry tree;
+  final TreeMotion motion;
+  final LoopEquations loops;
+  final StateCoordinates coordinates;
+  final CoordinateUnits units;
+  final MassiveRods rods;
+  final OpenTree open;
+  final ForceSet forces;
+  final int nq;
+  final int nv;
+
+  /** M with the rods, n × n row by row. */
+  final double[] mass;
+
+  /** Applied wrenches, 6 per link, and joint forces, one per extended velocity. */
+  final double[] wrench;
+
+  final double[] tau;
+
+  ClosedTree(TreeGeometry tree, UserForceSource userForces) {
+    this.tree = tree;
+    motion = new TreeMotion(tree);
+    loops = new LoopEquations(tree);
+    coordinates = new StateCoordinates(tree.mechanism());
+    units = new CoordinateUnits(tree.mechanism(), loops.length());
+    rods = new MassiveRods(tree);
+    open = new SemiRecursive(tree).newWorkspace(motion);
+    forces = new ForceSet(motion, userForces);
+    nq = tree.statePositionCount;
+    nv = tree.stateVelocityCount;
+    mass = new double[nv * nv];
+    wrench = new double[6 * tree.linkCount];
+    tau = new double[tree.velocityCount];
+  }
+
+  /** Sweeps the motion and evaluates Φ, J and Φ'. */
+  void place(double t, double[] y) {
+    motion.sweep(t, y);
+    loops.place(motion, t);
+    loops.differentiate(motion);
+    loops.move(motion, t);
+  }
+
+  /** Forms M at the places of the last sweep. */
+  void formMass() {
+    open.formMassMatrix();
+    open.massMatrix().toDense(mass);
+  }
+
+  /** Evaluates the applied forces at the last sweep; returns whether all have values. */
+  boolean applyForces(double t) {
+    Arrays.fill(wrench, 0);
+    Arrays.fill(tau, 0);
+    return forces.apply(t, wrench, tau) == ForceSet.REGULAR;
+  }
+
+  /** Takes note of an accepted step at the last sweep: angles of cut joints count on from here. */
+  void accepted(double t) {
+    if (applyForces(t)) {
+      forces.accepted();
+    }
+  }
+
+  /**
+   * Forms b − τ and γ after {@link #place}.
+   *
+   * @return whether all forces have values; if not, {@code forces.defect()} says why
+   */
+  boolean formBias(double t) {
+    if (!applyForces(t)) {
+      return false;
+    }
+    open.formBias(wrench, tau);
+    loops.accelerate(motion, t);
+    return true;
+  }
+}

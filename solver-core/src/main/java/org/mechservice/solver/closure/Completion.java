@@ -1,0 +1,207 @@
+package org.mechservice.solver.closure;
+
+import java.util.Arrays;
+import org.mechservice.solver.kinematics.StateCoordinates;
+import org.mechservice.solver.kinematics.TreeMotion;
+
+/**
+ * Finds dependent positions and velocities from independent ones: positions by Newton's method,
+ * velocities by the equations differentiated. When the coordinates chosen as independent lose their
+ * hold, others are chosen. Workspace of one thread.
+ */
+final class Completion {
+  /** After a correction this small the next would be its square: below round-off. */
+  private static final double CONVERGED = 1e-8;
+
+  /** Beyond half a radian the solution found may be that of another assembly. */
+  private static final double TOO_FAR = 0.5;
+
+  private static final int ITERATIONS = 12;
+
+  /** Residual over its size that a completed position may have. */
+  private static final double CLOSED = 1e-11;
+
+  /**
+   * Other coordinates are looked for when the smallest pivot has fallen to this part of what it was
+   * when the present ones were chosen, and taken if theirs is larger by the other factor.
+   */
+  private static final double WORN = 0.1;
+
+  private static final double BETTER = 2;
+
+  /**
+   * Dependent velocities that differ from the expected ones by this part of all velocities are
+   * those of another branch.
+   */
+  private static final double OTHER_BRANCH = 0.25;
+
+  private final TreeMotion motion;
+  private final LoopEquations loops;
+  private final PositionEquations positions;
+  private final Partition ofPositions;
+  private final Partition ofVelocities;
+  private final CoordinateUnits units;
+  private final int nq;
+  private final int nv;
+  private final double[] correction;
+  private final double[] velocityCorrection;
+  private double acceptedSpeed;
+
+  /**
+   * @param rank number of independent equations among those of the loops
+   */
+  Completion(
+      TreeMotion motion,
+      LoopEquations loops,
+      StateCoordinates coordinates,
+      CoordinateUnits units,
+      int rank) {
+    this.motion = motion;
+    this.loops = loops;
+    this.units = units;
+    positions = new PositionEquations(loops, coordinates);
+    nq = coordinates.positionCount();
+    nv = coordinates.velocityCount();
+    ofPositions = new Partition(positions.count, nq, rank + coordinates.ballCount());
+    ofVelocities = new Partition(loops.count(), nv, rank);
+    correction = new double[ofPositions.rank()];
+    velocityCorrection = new double[rank];
+  }
+
+  /** Returns which velocities are found from which; factored by {@link #complete}. */
+  Partition ofVelocities() {
+    return ofVelocities;
+  }
+
+  /** Returns whether a component of y = [q; v] is independent. */
+  boolean independent(int component) {
+    return component < nq
+        ? ofPositions.isIndependent(component)
+        : ofVelocities.isIndependent(component - nq);
+  }
+
+  /**
+   * Chooses the independent coordinates at a state that closes the loops.
+   *
+   * @return false if there are not as many independent equations as there should be
+   */
+  boolean begin(double t, double[] y) {
+    differentiate(t, y);
+    double[] rows = new double[positions.count];
+    Arrays.fill(rows, 1);
+    for (int row = 0; row < loops.count(); row++) {
+      rows[row] = 1 / loops.size(row);
+    }
+    ofPositions.scale(rows, units.positions);
+    ofVelocities.scale(rows, units.velocities);
+    acceptedSpeed = units.speed(y, nq);
+    return ofPositions.choose(positions.matrix, nq)
+        && ofVelocities.choose(loops.jacobian, loops.width());
+  }
+
+  private void differentiate(double t, double[] y) {
+    motion.sweep(t, y);
+    loops.place(motion, t);
+    loops.differentiate(motion);
+    positions.evaluate(y);
+    positions.differentiate(y);
+  }
+
+  /** Overwrites dependent positions and velocities; returns false if nothing fits. */
+  boolean complete(double t, double[] y) {
+    return completePositions(t, y) && completeVelocities(t, y);
+  }
+
+  private boolean completePositions(double t, double[] y) {
+    for (int i = 0; i < ITERATIONS; i++) {
+      differentiate(t, y);
+      if (!ofPositions.factor(positions.matrix, nq)) {
+        return false;
+      }
+      double size = correct(y);
+      if (!(size <= TOO_FAR)) {
+        return false;
+      }
+      if (size <= CONVERGED) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** One correction of the dependent positions; returns its size, the largest in units. */
+  private double correct(double[] y) {
+    for (int i = 0; i < correction.length; i++) {
+      correction[i] = positions.value[ofPositions.kept[i]];
+    }
+    ofPositions.solve(correction);
+    double size = 0;
+    for (int i = 0; i < correction.length; i++) {
+      int j = ofPositions.dependent[i];
+      y[j] -= correction[i];
+      size = larger(size, Math.abs(correction[i]) / units.positions[j]);
+    }
+    return size;
+  }
+
+  /** Returns the larger of two, NaN if one is. */
+  private static double larger(double a, double b) {
+    return a > b ? a : b >= a ? b : Double.NaN;
+  }
+
+  private boolean completeVelocities(double t, double[] y) {
+    motion.sweep(t, y);
+    loops.place(motion, t);
+    loops.differentiate(motion);
+    loops.move(motion, t);
+    if (!keptAreClosed() || !ofVelocities.factor(loops.jacobian, loops.width())) {
+      return false;
+    }
+    for (int i = 0; i < velocityCorrection.length; i++) {
+      velocityCorrection[i] = loops.rate[ofVelocities.kept[i]];
+    }
+    ofVelocities.solve(velocityCorrection);
+    double change = 0;
+    for (int i = 0; i < velocityCorrection.length; i++) {
+      int j = ofVelocities.dependent[i];
+      y[nq + j] -= velocityCorrection[i];
+      change = larger(change, Math.abs(velocityCorrection[i]) / units.velocities[j]);
+    }
+    double speed = Math.max(acceptedSpeed, units.speed(y, nq));
+    return change <= OTHER_BRANCH * speed;
+  }
+
+  private boolean keptAreClosed() {
+    for (int i = 0; i < ofVelocities.rank(); i++) {
+      int row = ofVelocities.kept[i];
+      if (!(Math.abs(loops.value[row]) <= CLOSED * loops.size(row))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /**
+   * Takes note of an accepted state.
+   *
+   * @return whether other coordinates are independent from now on
+   */
+  boolean accepted(double t, double[] y) {
+    differentiate(t, y);
+    loops.accepted();
+    acceptedSpeed = units.speed(y, nq);
+    boolean other = renew(ofPositions, positions.matrix, nq);
+    return renew(ofVelocities, loops.jacobian, loops.width()) || other;
+  }
+
+  private static boolean renew(Partition partition, double[] matrix, int stride) {
+    double pivot = partition.smallestPivot(matrix, stride);
+    return pivot < WORN * partition.chosenPivot()
+        && partition.chooseBetter(matrix, stride, BETTER * pivot);
+  }
+
+  /** Returns the smallest pivot of the dependent velocities' block, in units, at the last state. */
+  double smallestPivot() {
+    return ofVelocities.smallestPivot(loops.jacobian, loops.width());
+  }
+}

@@ -1,0 +1,100 @@
+package org.mechservice.solver.closure;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.solver.api.BodyPoses;
+import org.mechservice.solver.api.Defects;
+import org.mechservice.solver.api.Energies;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.PowerInput;
+import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.dynamics.WorldMotion;
+import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.mechanism.Body;
+
+/** What models of closed loops have in common. */
+abstract class LoopModel
+    implements ExplicitModel, Energies, PowerInput, BodyPoses, Defects, RunNotes {
+  /** Notes kept at most; a motion that passes singular positions at every turn makes many. */
+  private static final int MOST_NOTES = 200;
+
+  final ClosedMechanism closed;
+  final ClosedTree work;
+  private final WorldMotion world;
+  private final List<Note> notes = new ArrayList<>();
+  private Optional<Defect> defect = Optional.empty();
+
+  LoopModel(ClosedMechanism closed, UserForceSource userForces) {
+    if (!closed.isAssembled()) {
+      throw new IllegalArgumentException(
+          "the loops of " + closed.description().name() + " are not closed at the start");
+    }
+    this.closed = closed;
+    work = new ClosedTree(closed.tree(), userForces);
+    world = new WorldMotion(work.motion);
+    closed.findings().forEach(finding -> notes.add(finding.note()));
+  }
+
+  @Override
+  public final ModelDescription description() {
+    return closed.description();
+  }
+
+  @Override
+  public void initialState(double[] y) {
+    System.arraycopy(closed.start(), 0, y, 0, closed.start().length);
+  }
+
+  /** Keeps a note, unless there are many already. */
+  final void note(LoopFinding finding) {
+    if (notes.size() < MOST_NOTES) {
+      notes.add(finding.note());
+    }
+  }
+
+  @Override
+  public final List<Note> notes() {
+    return List.copyOf(notes);
+  }
+
+  /** Remembers why an evaluation fails; returns what it returns then. */
+  final int fail(Defect why) {
+    defect = Optional.of(why);
+    return DEFECT;
+  }
+
+  @Override
+  public final Defect lastDefect() {
+    return defect.orElseThrow(() -> new IllegalStateException("no evaluation has failed"));
+  }
+
+  @Override
+  public final void energy(double t, double[] y, double[] energy) {
+    work.motion.sweep(t, y);
+    energy[0] = world.kineticEnergy() + work.rods.kineticEnergy(work.motion);
+    energy[1] =
+        world.potentialEnergy()
+            + work.rods.potentialEnergy(work.motion)
+            + work.forces.potentialEnergy();
+  }
+
+  @Override
+  public final double power(double t, double[] y) {
+    work.motion.sweep(t, y);
+    work.applyForces(t);
+    return work.forces.power();
+  }
+
+  @Override
+  public final List<String> bodies() {
+    return work.tree.mechanism().bodies().stream().map(Body::name).toList();
+  }
+
+  @Override
+  public final void poses(double t, double[] y, double[] poses) {
+    work.motion.sweep(t, y);
+    world.poses(poses);
+  }
+}

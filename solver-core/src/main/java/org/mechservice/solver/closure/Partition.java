@@ -1,0 +1,176 @@
+package org.mechservice.solver.closure;
+
+import java.util.Arrays;
+import org.mechservice.solver.linear.DenseLu;
+import org.mechservice.solver.linear.LinearSolver;
+import org.mechservice.solver.linear.PivotedElimination;
+
+/**
+ * Which unknowns of m equations in n unknowns, r of them independent, are found from the others,
+ * and by which r equations: A_kept,dependent is the block that is solved with. Workspace of one
+ * thread; nothing allocates after construction.
+ */
+final class Partition {
+  private final int m;
+  private final int n;
+  private final int rank;
+  private final PivotedElimination elimination;
+  private final PivotedElimination block;
+  private final DenseLu factors;
+
+  /** Kept equations and dependent unknowns, r of each; independent unknowns, n − r. */
+  final int[] kept;
+
+  final int[] dependent;
+  final int[] independent;
+  private final boolean[] isIndependent;
+
+  /** What rows and columns are multiplied by before pivots are compared. */
+  private final double[] rowScale;
+
+  private final double[] columnScale;
+  private final double[] scaled;
+  private final double[] blockElements;
+  private double chosenPivot;
+
+  /**
+   * @param equations m
+   * @param unknowns n
+   * @param rank r, the number of independent equations
+   */
+  Partition(int equations, int unknowns, int rank) {
+    m = equations;
+    n = unknowns;
+    this.rank = rank;
+    elimination = new PivotedElimination(m, n);
+    block = new PivotedElimination(rank, rank);
+    factors = new DenseLu(rank);
+    kept = new int[rank];
+    dependent = new int[rank];
+    independent = new int[n - rank];
+    isIndependent = new boolean[n];
+    rowScale = new double[m];
+    columnScale = new double[n];
+    scaled = new double[m * n];
+    blockElements = new double[rank * rank];
+  }
+
+  /** Returns r. */
+  int rank() {
+    return rank;
+  }
+
+  /** Returns the number of unknowns that are not found from others. */
+  int freedom() {
+    return n - rank;
+  }
+
+  boolean isIndependent(int unknown) {
+    return isIndependent[unknown];
+  }
+
+  /**
+   * Sets what makes equations and unknowns comparable, for choices and pivots from now on.
+   *
+   * @param rows factor per equation; 0 for one that must not be kept
+   * @param columns factor per unknown
+   */
+  void scale(double[] rows, double[] columns) {
+    System.arraycopy(rows, 0, rowScale, 0, m);
+    System.arraycopy(columns, 0, columnScale, 0, n);
+  }
+
+  /**
+   * Chooses kept equations and dependent unknowns by the largest pivots.
+   *
+   * @param a m rows of {@code stride} numbers, of which the first n count; not modified
+   * @return whether there are r pivots
+   */
+  boolean choose(double[] a, int stride) {
+    formScaled(a, stride);
+    if (elimination.eliminate(scaled, rank) < rank) {
+      return false;
+    }
+    takeChoice(a, stride);
+    return true;
+  }
+
+  private void formScaled(double[] a, int stride) {
+    for (int i = 0; i < m; i++) {
+      for (int j = 0; j < n; j++) {
+        scaled[i * n + j] = rowScale[i] * a[i * stride + j] * columnScale[j];
+      }
+    }
+  }
+
+  private void takeChoice(double[] a, int stride) {
+    Arrays.fill(isIndependent, true);
+    for (int k = 0; k < rank; k++) {
+      kept[k] = elimination.row(k);
+      dependent[k] = elimination.column(k);
+      isIndependent[dependent[k]] = false;
+    }
+    Arrays.sort(kept);
+    Arrays.sort(dependent);
+    int next = 0;
+    for (int j = 0; j < n; j++) {
+      if (isIndependent[j]) {
+        independent[next++] = j;
+      }
+    }
+    chosenPivot = smallestPivot(a, stride);
+  }
+
+  /**
+   * Chooses anew if that gives a smallest pivot larger than a bound; otherwise everything stays.
+   *
+   * @return whether the choice is another
+   */
+  boolean chooseBetter(double[] a, int stride, double bound) {
+    formScaled(a, stride);
+    if (elimination.eliminate(scaled, rank) < rank || !(elimination.pivot(rank - 1) > bound)) {
+      return false;
+    }
+    takeChoice(a, stride);
+    return true;
+  }
+
+  /** Returns the smallest pivot of the dependent block in scaled units; 0 if it is singular. */
+  double smallestPivot(double[] a, int stride) {
+    for (int i = 0; i < rank; i++) {
+      for (int j = 0; j < rank; j++) {
+        blockElements[i * rank + j] =
+            rowScale[kept[i]] * a[kept[i] * stride + dependent[j]] * columnScale[dependent[j]];
+      }
+    }
+    if (rank == 0) {
+      return 1;
+    }
+    return block.eliminate(blockElements, rank) < rank ? 0 : block.pivot(rank - 1);
+  }
+
+  /** Returns the smallest pivot when the choice was made. */
+  double chosenPivot() {
+    return chosenPivot;
+  }
+
+  /** Factors the dependent block; returns whether it is regular. */
+  boolean factor(double[] a, int stride) {
+    for (int i = 0; i < rank; i++) {
+      for (int j = 0; j < rank; j++) {
+        blockElements[i * rank + j] = a[kept[i] * stride + dependent[j]];
+      }
+    }
+    return factors.factor(blockElements) == LinearSolver.NONSINGULAR;
+  }
+
+  /** Solves A_kept,dependent x = b in place. */
+  void solve(double[] b) {
+    factors.solve(b);
+  }
+
+  /** Solves A_kept,dependentᵀ x = b in place. */
+  void solveTransposed(double[] b) {
+    factors.solveTransposed(b);
+  }
+}

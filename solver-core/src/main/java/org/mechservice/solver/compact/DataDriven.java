@@ -1,0 +1,55 @@
+package org.mechservice.solver.compact;
+
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.closure.ProjectionModel;
+import org.mechservice.solver.dynamics.DataDrivenModel;
+import org.mechservice.solver.dynamics.LinearisedResidualModel;
+import org.mechservice.solver.dynamics.RecursiveResidualModel;
+import org.mechservice.solver.dynamics.SemiRecursiveModel;
+import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/** Takes the data-driven formulation that a compact model names. */
+final class DataDriven {
+  private DataDriven() {}
+
+  /**
+   * @throws IllegalArgumentException if there is no such formulation, or it does not suit
+   */
+  static Model model(CompactModel model, UserForceSource userForces) {
+    Mechanism mechanism = model.mechanism();
+    RunSettings settings = model.settings();
+    return mechanism.closures().isEmpty()
+        ? open(model.formulation(), mechanism, settings, userForces)
+        : closed(model, userForces);
+  }
+
+  private static Model open(
+      String formulation, Mechanism mechanism, RunSettings settings, UserForceSource userForces) {
+    return switch (formulation) {
+      case "DTR" -> new DataDrivenModel(mechanism, settings, userForces);
+      case "DSR" -> new SemiRecursiveModel(mechanism, settings, userForces);
+      case "RR" -> new RecursiveResidualModel(mechanism, settings, userForces);
+      case "RR-JF" ->
+          new LinearisedResidualModel(
+              mechanism, settings, userForces, LinearisedResidualModel.Mode.FULL);
+      default -> throw unknown(formulation);
+    };
+  }
+
+  private static Model closed(CompactModel model, UserForceSource userForces) {
+    ClosedMechanism closed =
+        new ClosedMechanism(model.mechanism(), model.formulation(), model.settings());
+    return switch (model.formulation()) {
+      case "DSR" -> new ProjectionModel(closed, userForces);
+      default -> throw unknown(model.formulation());
+    };
+  }
+
+  private static IllegalArgumentException unknown(String formulation) {
+    return new IllegalArgumentException(
+        "S-067 the model is written in a formulation this solver does not have: " + formulation);
+  }
+}

@@ -1,0 +1,35 @@
+package org.mechservice.solver.compact;
+
+import org.mechservice.solver.api.UserForce;
+import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.mechanism.force.UserForceElement;
+
+/** User forces from a class loader, that of the model's JAR. */
+final class LoadedUserForces implements UserForceSource {
+  private final ClassLoader loader;
+
+  LoadedUserForces(ClassLoader loader) {
+    this.loader = loader;
+  }
+
+  @Override
+  public UserForce create(UserForceElement element) {
+    try {
+      return Class.forName(element.className(), true, loader)
+          .asSubclass(UserForce.class)
+          .getConstructor()
+          .newInstance();
+    } catch (ReflectiveOperationException | LinkageError | ClassCastException e) {
+      throw new IllegalArgumentException(
+          "S-068 the class "
+              + element.className()
+              + " of force \""
+              + element.name()
+              + "\" cannot be used ("
+              + e
+              + "); it must be a public class that implements UserForce and has a public constructor"
+              + " without parameters",
+          e);
+    }
+  }
+}

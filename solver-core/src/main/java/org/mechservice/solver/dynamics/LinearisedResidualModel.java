@@ -1,0 +1,109 @@
+package org.mechservice.solver.dynamics;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.solver.api.LinearisedModel;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.force.ForceSet;
+import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/**
+ * RR-JF without generated code: the recursive residual of an open tree with its Jacobian, and the
+ * equations of an implicit step solved along the tree.
+ */
+public final class LinearisedResidualModel extends RecursiveResidualModel
+    implements LinearisedModel {
+  /** What the Jacobian is made of; M always. */
+  public enum Mode {
+    /** Everything. */
+    FULL,
+    /**
+     * Applied forces alone: cheaper to evaluate, and enough where they make a problem stiff. What
+     * else depends on q and v is left to the iteration.
+     */
+    FORCES_ONLY
+  }
+
+  private final Mode mode;
+  private final ResidualJacobian jacobian;
+  private final TreeIteration iteration;
+  private int singular;
+
+  /**
+   * @param mechanism an open tree
+   * @param defaults settings the model carries
+   * @param userForces makes the user's forces
+   * @param mode what the Jacobian is made of
+   * @throws IllegalArgumentException if the mechanism closes loops, or a force or a motion cannot
+   *     be used
+   */
+  public LinearisedResidualModel(
+      Mechanism mechanism, RunSettings defaults, UserForceSource userForces, Mode mode) {
+    super(mechanism, "RR-JF", defaults, userForces);
+    this.mode = mode;
+    TreePattern pattern = new TreePattern(tree, coupledLinks(loads.forces()));
+    jacobian = new ResidualJacobian(motion, pattern);
+    iteration = new TreeIteration(tree, pattern, jacobian);
+  }
+
+  private static int[] coupledLinks(ForceSet forces) {
+    List<Integer> links = new ArrayList<>();
+    forces.couplings(
+        (on, by) -> {
+          links.add(on);
+          links.add(by);
+        });
+    return links.stream().mapToInt(Integer::intValue).toArray();
+  }
+
+  @Override
+  public boolean linearise(double t, double[] y, double[] yDot) {
+    if (load(t, y) != REGULAR) {
+      return false;
+    }
+    motion.accelerationSweep(yDot, tree.statePositionCount);
+    if (mode == Mode.FULL) {
+      jacobian.evaluate(loads.wrench());
+    } else {
+      jacobian.evaluateMass();
+    }
+    if (loads.forces().linearise(t, jacobian.forces()) != ForceSet.REGULAR) {
+      fail(loads.forces().defect());
+      return false;
+    }
+    jacobian.finish();
+    iteration.setState(y);
+    return jacobian.isFinite();
+  }
+
+  @Override
+  public boolean factor(double hGamma) {
+    singular = iteration.factor(hGamma);
+    return singular == TreeLu.NONSINGULAR;
+  }
+
+  @Override
+  public void solve(double[] r) {
+    iteration.solve(r);
+  }
+
+  @Override
+  public int singularUnknown() {
+    return tree.statePositionCount + singular;
+  }
+
+  @Override
+  public List<Note> notes() {
+    List<Note> notes = new ArrayList<>(super.notes());
+    long dense = iteration.denseFactorizations();
+    if (dense > 0) {
+      String text =
+          dense
+              + " iteration matrices lost digits when eliminated along the tree and were factored"
+              + " with interchanges instead.";
+      notes.add(new Note("N-009", 0, false, text));
+    }
+    return notes;
+  }
+}

@@ -1,0 +1,220 @@
+package org.mechservice.solver.dynamics;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.solver.api.BodyPoses;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.Defects;
+import org.mechservice.solver.api.Energies;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.PowerInput;
+import org.mechservice.solver.api.ResultColumns;
+import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.force.ForceSet;
+import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.kinematics.StateCoordinates;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
+
+/**
+ * An open tree as a model driven by its data, whatever the formulation: state, forces, energies,
+ * poses, outputs, and what went wrong. Workspace of one run and thread.
+ */
+public abstract class OpenTreeModel
+    implements ExplicitModel, Energies, PowerInput, BodyPoses, ResultColumns, Defects, RunNotes {
+  final TreeGeometry tree;
+  final TreeMotion motion;
+  final StateCoordinates coordinates;
+  final TreeLoads loads;
+  private final ModelDescription description;
+  private final StateJoints joints;
+  private final WorldMotion world;
+  private final DrivenColumns driven;
+  private final WeakPivots weakPivots;
+  private final double[] accelerations;
+  private Optional<Defect> defect = Optional.empty();
+
+  /**
+   * @param mechanism an open tree
+   * @param formulation name of the formulation
+   * @param defaults settings the model carries
+   * @param userForces makes the user's forces
+   * @throws IllegalArgumentException if the mechanism closes loops, or a force or a motion cannot
+   *     be used
+   */
+  OpenTreeModel(
+      Mechanism mechanism, String formulation, RunSettings defaults, UserForceSource userForces) {
+    requireOpen(mechanism, formulation);
+    joints = new StateJoints(mechanism);
+    description = new ModelDescription(mechanism.name(), formulation, joints.variables(), defaults);
+    tree = new TreeGeometry(mechanism);
+    coordinates = new StateCoordinates(mechanism);
+    motion = new TreeMotion(tree);
+    loads = new TreeLoads(motion, userForces);
+    world = new WorldMotion(motion);
+    driven = new DrivenColumns(tree);
+    weakPivots = new WeakPivots(joints);
+    accelerations = new double[tree.stateVelocityCount];
+  }
+
+  private static void requireOpen(Mechanism mechanism, String formulation) {
+    List<String> closures = mechanism.closures().stream().map(LoopClosure::name).toList();
+    if (!closures.isEmpty()) {
+      String advice =
+          formulation.equals("DTR")
+              ? "use DSR, RR or RR-JF"
+              : "choose how they are closed: projection or penalty";
+      throw new IllegalArgumentException(
+          "S-081 "
+              + formulation
+              + " without closure is for open chains; the scene closes loops at "
+              + String.join(", ", closures)
+              + "; "
+              + advice);
+    }
+  }
+
+  /**
+   * Writes the joint accelerations for the motion and the loads evaluated last.
+   *
+   * @param a in state order from {@code aAt}; overwritten
+   * @return {@link ExplicitModel#REGULAR}, or the velocity that no inertia resists
+   */
+  abstract int accelerate(double[] a, int aAt);
+
+  /** Returns how well the inertia was conditioned when it was last used. */
+  abstract PivotCheck check();
+
+  /**
+   * Returns the forces that driven joints took in the last {@link #accelerate}, from {@code at} of
+   * the array handed in, in the order of the extended velocities.
+   */
+  abstract void drivingForces(double[] force);
+
+  @Override
+  public final ModelDescription description() {
+    return description;
+  }
+
+  @Override
+  public final void initialState(double[] y) {
+    tree.mechanism().initialState(y);
+  }
+
+  @Override
+  public final int derivative(double t, double[] y, double[] yDot) {
+    int nq = tree.statePositionCount;
+    coordinates.rates(y, 0, y, nq, yDot, 0);
+    int loaded = load(t, y);
+    return loaded == REGULAR ? solve(t, yDot, nq) : loaded;
+  }
+
+  /** Sweeps the motion and evaluates the forces; returns REGULAR or DEFECT. */
+  final int load(double t, double[] y) {
+    if (loads.isEmpty()) {
+      motion.sweepRelative(t, y);
+      return REGULAR;
+    }
+    motion.sweep(t, y);
+    if (loads.evaluate(t) == ForceSet.REGULAR) {
+      return REGULAR;
+    }
+    defect = Optional.of(loads.forces().defect());
+    return DEFECT;
+  }
+
+  private int solve(double t, double[] a, int aAt) {
+    int singular = accelerate(a, aAt);
+    if (singular == REGULAR) {
+      weakPivots.observe(t, check());
+      return REGULAR;
+    }
+    if (joints.hasSeveral(singular)) {
+      defect = Optional.of(joints.singular(singular));
+      return DEFECT;
+    }
+    return joints.jointOf(singular);
+  }
+
+  /** Keeps why an evaluation failed; returns DEFECT. */
+  final int fail(Defect why) {
+    defect = Optional.of(why);
+    return DEFECT;
+  }
+
+  @Override
+  public final Defect lastDefect() {
+    return defect.orElseThrow(() -> new IllegalStateException("no evaluation has failed"));
+  }
+
+  @Override
+  public List<Note> notes() {
+    return weakPivots.notes();
+  }
+
+  @Override
+  public final void energy(double t, double[] y, double[] energy) {
+    motion.sweep(t, y);
+    loads.evaluate(t);
+    energy[0] = world.kineticEnergy();
+    energy[1] = world.potentialEnergy() + loads.forces().potentialEnergy();
+  }
+
+  @Override
+  public final double power(double t, double[] y) {
+    motion.sweep(t, y);
+    loads.evaluate(t);
+    double power = loads.forces().power();
+    if (driven.isEmpty()) {
+      return power;
+    }
+    accelerate(accelerations, 0);
+    drivingForces(driven.forces());
+    return power + driven.power(motion);
+  }
+
+  @Override
+  public final List<String> bodies() {
+    return tree.mechanism().bodies().stream().map(Body::name).toList();
+  }
+
+  @Override
+  public final void poses(double t, double[] y, double[] poses) {
+    motion.sweep(t, y);
+    world.poses(poses);
+  }
+
+  /** {@inheritDoc} The forces that driven joints take stand among the applied forces. */
+  @Override
+  public final List<Variable> columns(ColumnGroup group) {
+    List<Variable> columns = new ArrayList<>();
+    if (group == ColumnGroup.FORCES) {
+      columns.addAll(loads.forces().columns());
+      columns.addAll(driven.columns());
+    }
+    return columns;
+  }
+
+  @Override
+  public final void values(ColumnGroup group, double t, double[] y, double[] values, int at) {
+    if (group != ColumnGroup.FORCES) {
+      return;
+    }
+    motion.sweep(t, y);
+    loads.evaluate(t);
+    loads.forces().values(values, at);
+    if (!driven.isEmpty()) {
+      accelerate(accelerations, 0);
+      drivingForces(driven.forces());
+      double[] force = driven.forces();
+      System.arraycopy(force, 0, values, at + loads.forces().columns().size(), force.length);
+    }
+  }
+}

@@ -1,0 +1,50 @@
+package org.mechservice.solver.dynamics;
+
+import org.mechservice.solver.api.ResidualModel;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/**
+ * RR without generated code: the residual F = [q' − N(q) v; M(q) v' + b(q, v) − τ] of an open tree,
+ * by one Newton-Euler sweep out and one in. The accelerations at the start, and those put out, come
+ * from composite inertias.
+ */
+public class RecursiveResidualModel extends SemiRecursiveModel implements ResidualModel {
+  private final double[] extended;
+
+  /**
+   * @param mechanism an open tree
+   * @param defaults settings the model carries
+   * @param userForces makes the user's forces
+   * @throws IllegalArgumentException if the mechanism closes loops, or a force or a motion cannot
+   *     be used
+   */
+  public RecursiveResidualModel(
+      Mechanism mechanism, RunSettings defaults, UserForceSource userForces) {
+    this(mechanism, "RR", defaults, userForces);
+  }
+
+  RecursiveResidualModel(
+      Mechanism mechanism, String formulation, RunSettings defaults, UserForceSource userForces) {
+    super(mechanism, formulation, defaults, userForces);
+    extended = new double[tree.velocityCount];
+  }
+
+  @Override
+  public final int residual(double t, double[] y, double[] yDot, double[] residual) {
+    int nq = tree.statePositionCount;
+    int loaded = load(t, y);
+    if (loaded != REGULAR) {
+      return loaded;
+    }
+    coordinates.rates(y, 0, y, nq, residual, 0);
+    for (int i = 0; i < nq; i++) {
+      residual[i] = yDot[i] - residual[i];
+    }
+    motion.accelerationSweep(yDot, nq);
+    workspace.formResidual(loads.wrench(), loads.tau(), extended);
+    System.arraycopy(extended, 0, residual, nq, tree.stateVelocityCount);
+    return REGULAR;
+  }
+}

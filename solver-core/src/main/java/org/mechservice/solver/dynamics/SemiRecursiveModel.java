@@ -1,0 +1,52 @@
+package org.mechservice.solver.dynamics;
+
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/** DSR without generated code: an open tree by composite inertias. */
+public class SemiRecursiveModel extends OpenTreeModel {
+  private final SemiRecursive dynamics;
+  final SemiRecursive.Workspace workspace;
+  private final double[] residual;
+  private final double[] solution;
+
+  /**
+   * @param mechanism an open tree
+   * @param defaults settings the model carries
+   * @param userForces makes the user's forces
+   * @throws IllegalArgumentException if the mechanism closes loops, or a force or a motion cannot
+   *     be used
+   */
+  public SemiRecursiveModel(Mechanism mechanism, RunSettings defaults, UserForceSource userForces) {
+    this(mechanism, "DSR", defaults, userForces);
+  }
+
+  SemiRecursiveModel(
+      Mechanism mechanism, String formulation, RunSettings defaults, UserForceSource userForces) {
+    super(mechanism, formulation, defaults, userForces);
+    dynamics = new SemiRecursive(tree);
+    workspace = dynamics.newWorkspace(motion);
+    residual = new double[tree.velocityCount];
+    solution = new double[tree.stateVelocityCount];
+  }
+
+  @Override
+  final int accelerate(double[] a, int aAt) {
+    int singular = dynamics.accelerations(workspace, loads.wrench(), loads.tau(), a, aAt);
+    System.arraycopy(a, aAt, solution, 0, solution.length);
+    return singular;
+  }
+
+  @Override
+  final PivotCheck check() {
+    return workspace.check();
+  }
+
+  @Override
+  final void drivingForces(double[] force) {
+    motion.accelerationSweep(solution);
+    workspace.formResidual(loads.wrench(), loads.tau(), residual);
+    System.arraycopy(residual, tree.stateVelocityCount, force, 0, force.length);
+  }
+}

@@ -1,0 +1,152 @@
+package org.mechservice.solver.expression;
+
+import java.util.List;
+
+/**
+ * A formula of time, parameters and the state, in SI units.
+ *
+ * <p>There are no names left in it: parameters, coordinates and points are indices into the
+ * mechanism it belongs to. {@code a − b} is {@code Sum(a, Negation(b))}, which rounds alike; {@code
+ * pow(a, b)} and {@code a ^ b} are both {@link Power}.
+ */
+public sealed interface Expression {
+  /** The expression 0. */
+  Expression ZERO = new Constant(0);
+
+  /** Returns the constant of that value, in SI units. */
+  static Expression of(double value) {
+    return new Constant(value);
+  }
+
+  /**
+   * A number.
+   *
+   * @param value finite, in SI units
+   */
+  record Constant(double value) implements Expression {
+    public Constant {
+      if (!Double.isFinite(value)) {
+        throw new IllegalArgumentException("a constant must be finite, not " + value);
+      }
+    }
+  }
+
+  /** The time, s. */
+  record Time() implements Expression {}
+
+  /**
+   * The argument of a function of one variable, such as the distance along a road whose height the
+   * expression gives, m. It stands for nothing elsewhere.
+   */
+  record Argument() implements Expression {}
+
+  /**
+   * A tunable parameter: it keeps its value during a run.
+   *
+   * @param index among the mechanism's parameters
+   */
+  record ParameterValue(int index) implements Expression {}
+
+  /**
+   * A joint's position, rad or m, or an Euler parameter as it would be put out.
+   *
+   * @param coordinate component counts positions
+   */
+  record CoordinatePosition(Coordinate coordinate) implements Expression {}
+
+  /**
+   * A joint's velocity, rad/s or m/s.
+   *
+   * @param coordinate component counts velocities
+   */
+  record CoordinateVelocity(Coordinate coordinate) implements Expression {}
+
+  /**
+   * A coordinate of a point from the world's origin, in world axes, m.
+   *
+   * @param point fixed in a body
+   * @param axis 0, 1, 2 for x, y, z
+   */
+  record PointPosition(BodyPoint point, int axis) implements Expression {
+    public PointPosition {
+      checkAxis(axis);
+    }
+  }
+
+  /**
+   * A component of the velocity of a point in the world, in world axes, m/s.
+   *
+   * @param point fixed in a body
+   * @param axis 0, 1, 2 for x, y, z
+   */
+  record PointVelocity(BodyPoint point, int axis) implements Expression {
+    public PointVelocity {
+      checkAxis(axis);
+    }
+  }
+
+  /**
+   * left + right.
+   *
+   * @param left first term
+   * @param right second term
+   */
+  record Sum(Expression left, Expression right) implements Expression {}
+
+  /**
+   * left · right.
+   *
+   * @param left first factor
+   * @param right second factor
+   */
+  record Product(Expression left, Expression right) implements Expression {}
+
+  /**
+   * dividend / divisor.
+   *
+   * @param dividend what is divided
+   * @param divisor what it is divided by
+   */
+  record Quotient(Expression dividend, Expression divisor) implements Expression {}
+
+  /**
+   * base to the power of exponent. A negative base has a value for a whole exponent only.
+   *
+   * @param base what is raised
+   * @param exponent the power
+   */
+  record Power(Expression base, Expression exponent) implements Expression {}
+
+  /**
+   * −operand.
+   *
+   * @param operand what changes sign
+   */
+  record Negation(Expression operand) implements Expression {}
+
+  /**
+   * A function of MECHML §2.
+   *
+   * @param function which
+   * @param arguments as many as its arity
+   */
+  record Call(Function function, List<Expression> arguments) implements Expression {
+    public Call {
+      arguments = List.copyOf(arguments);
+      if (arguments.size() != function.arity()) {
+        throw new IllegalArgumentException(
+            function.symbol()
+                + " takes "
+                + function.arity()
+                + " arguments, not "
+                + arguments.size());
+      }
+    }
+  }
+
+  private static void checkAxis(int axis) {
+    if (axis < 0 || axis > 2) {
+      throw new IllegalArgumentException("an axis is 0, 1 or 2, not " + axis);
+    }
+  }
+}

@@ -1,0 +1,70 @@
+package org.mechservice.solver.expression;
+
+import java.util.List;
+
+/**
+ * Expressions compiled to a list of operations on numbered slots, equal subexpressions only once
+ * and constant ones done in advance. Immutable; {@link TapeEvaluation} runs it.
+ *
+ * <p>The leaves that are not constants ({@link #leaves()}) are inputs: whoever knows a mechanism's
+ * motion fills them in.
+ */
+public final class Tape {
+  private final List<Expression> leaves;
+  private final boolean[] constantResult;
+
+  /** Slot of each leaf. */
+  final int[] leafSlot;
+
+  /** Slot of each result. */
+  final int[] result;
+
+  /** The steps in order: operation, slot written, slots read. */
+  final Operation[] operation;
+
+  final int[] target;
+  final int[] first;
+  final int[] second;
+
+  /** Initial contents of all slots: the constants, zero elsewhere. */
+  final double[] initial;
+
+  /**
+   * Compiles expressions.
+   *
+   * @param results what is wanted, in this order
+   */
+  public Tape(List<Expression> results) {
+    TapeCompiler compiler = new TapeCompiler();
+    result = results.stream().mapToInt(compiler::compile).toArray();
+    constantResult = new boolean[result.length];
+    for (int i = 0; i < result.length; i++) {
+      constantResult[i] = compiler.isConstant(result[i]);
+    }
+    leaves = List.copyOf(compiler.leaves);
+    leafSlot = compiler.leafSlots();
+    operation = compiler.steps.stream().map(TapeCompiler.Step::operation).toArray(Operation[]::new);
+    target = compiler.targets.stream().mapToInt(Integer::intValue).toArray();
+    first = compiler.steps.stream().mapToInt(TapeCompiler.Step::first).toArray();
+    second = compiler.steps.stream().mapToInt(TapeCompiler.Step::second).toArray();
+    initial = compiler.constants.stream().mapToDouble(Double::doubleValue).toArray();
+  }
+
+  /**
+   * Returns what must be filled in before an evaluation: every kind of leaf but constants, each
+   * once.
+   */
+  public List<Expression> leaves() {
+    return leaves;
+  }
+
+  /** Returns the number of results. */
+  public int resultCount() {
+    return result.length;
+  }
+
+  /** Returns whether a result is the same whatever the leaves are. */
+  public boolean isConstantResult(int index) {
+    return constantResult[index];
+  }
+}

@@ -1,0 +1,107 @@
+package org.mechservice.solver.force;
+
+import org.mechservice.solver.expression.BodyFrame;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.ClosureCoordinate;
+import org.mechservice.solver.expression.Coordinate;
+import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.kinematics.pair.CutJoint;
+import org.mechservice.solver.mechanism.force.Bushing;
+import org.mechservice.solver.mechanism.force.Contact;
+import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.ForceTorque;
+import org.mechservice.solver.mechanism.force.JointForce;
+import org.mechservice.solver.mechanism.force.JointFriction;
+import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.SpringDamper;
+import org.mechservice.solver.mechanism.force.UserForceElement;
+import org.mechservice.solver.spatial.Rotation;
+
+/** Puts described forces to work on a motion. */
+final class ForceAssembly {
+  private final TreeMotion motion;
+  private final TreeGeometry tree;
+  private final UserForceSource source;
+
+  ForceAssembly(TreeMotion motion, UserForceSource source) {
+    this.motion = motion;
+    this.tree = motion.tree();
+    this.source = source;
+  }
+
+  /** Returns the force at work; the compiler names every kind that is lacking. */
+  AppliedForce at(ForceElement element) {
+    if (element instanceof SpringDamper spring) {
+      FrameMotion line =
+          new FrameMotion(motion, parallel(spring.point1()), parallel(spring.point2()));
+      return new FrameForce(spring, line, new SpringDamperLaw(spring));
+    } else if (element instanceof Bushing bushing) {
+      FrameMotion frames = new FrameMotion(motion, bushing.frame1(), bushing.frame2());
+      return new FrameForce(bushing, frames, new BushingLaw(bushing));
+    } else if (element instanceof Contact contact) {
+      FrameMotion frames = new FrameMotion(motion, contact.surface(), parallel(contact.center()));
+      return new FrameForce(contact, frames, new ContactLaw(contact));
+    } else if (element instanceof ForceTorque wrench) {
+      checkBody(wrench.name(), wrench.point().body());
+      return new ExpressionWrench(wrench, motion);
+    } else if (element instanceof UserForceElement user) {
+      return new UserForceAtWork(user, motion, source);
+    }
+    return inJoint(element);
+  }
+
+  private AppliedForce inJoint(ForceElement element) {
+    if (element instanceof JointSpringDamper spring) {
+      return ofPosition(spring, spring.coordinate(), new JointSpringLaw(spring));
+    } else if (element instanceof JointFriction friction) {
+      return ofVelocity(friction, friction.coordinate(), new JointFrictionLaw(friction));
+    } else if (element instanceof JointForce force) {
+      return force.coordinate() instanceof ClosureCoordinate cut
+          ? new CutJointForce(force, motion, cut)
+          : new ExpressionJointForce(
+              force, motion, TreeCoordinate.ofVelocity(tree, (JointCoordinate) force.coordinate()));
+    }
+    throw new IllegalArgumentException("no law for " + element);
+  }
+
+  private AppliedForce ofPosition(ForceElement element, Coordinate coordinate, ScalarLaw law) {
+    if (coordinate instanceof ClosureCoordinate cut) {
+      CutJoint joint = CutCoordinates.joint(tree, cut);
+      int component = CutCoordinates.velocityOfPosition(joint, cut.component());
+      return onCut(element, joint, component, CutCoordinates.start(joint, cut.component()), law);
+    }
+    TreeCoordinate at = TreeCoordinate.ofPosition(tree, (JointCoordinate) coordinate);
+    if (at.velocity() < 0) {
+      throw new IllegalArgumentException(
+          "force " + element.name() + " acts on an Euler parameter, which has no force");
+    }
+    return new CoordinateForce(element, motion, at, law);
+  }
+
+  private AppliedForce ofVelocity(ForceElement element, Coordinate coordinate, ScalarLaw law) {
+    if (coordinate instanceof ClosureCoordinate cut) {
+      return onCut(element, CutCoordinates.joint(tree, cut), cut.component(), 0, law);
+    }
+    TreeCoordinate at = TreeCoordinate.ofVelocity(tree, (JointCoordinate) coordinate);
+    return new CoordinateForce(element, motion, at, law);
+  }
+
+  private AppliedForce onCut(
+      ForceElement element, CutJoint joint, int component, double start, ScalarLaw law) {
+    CutCoordinateLaw carried =
+        new CutCoordinateLaw(motion, joint, joint.coordinate(component), start, law);
+    return new FrameForce(element, CutCoordinates.frames(motion, joint), carried);
+  }
+
+  private static BodyFrame parallel(BodyPoint point) {
+    return new BodyFrame(point.body(), point.position(), Rotation.IDENTITY);
+  }
+
+  private void checkBody(String force, int body) {
+    if (body < BodyPoint.ROOT || body >= tree.mechanism().bodies().size()) {
+      throw new IllegalArgumentException("force " + force + " names a body that is not there");
+    }
+  }
+}

@@ -1,0 +1,194 @@
+package org.mechservice.solver.force;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.solver.api.Defects.Defect;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.mechanism.Parameter;
+import org.mechservice.solver.mechanism.force.ForceElement;
+
+/**
+ * All applied forces of a mechanism but gravity, at work on a motion that someone else sweeps.
+ * Workspace of one thread; nothing allocates after construction unless something fails.
+ *
+ * <p>After {@link TreeMotion#sweep} (places in the world included) comes {@link #apply}; what else
+ * is asked refers to the state of the last {@code apply}. Forces are added in file order, so sums
+ * round alike on every machine.
+ */
+public final class ForceSet {
+  /** What {@link #apply} returns when every force has a value. */
+  public static final int REGULAR = -1;
+
+  private final List<String> names = new ArrayList<>();
+  private final AppliedForce[] forces;
+  private final int[] valueAt;
+  private int failed = REGULAR;
+
+  /**
+   * Prepares the forces of a mechanism that has no user forces.
+   *
+   * @param motion of the tree the forces act on
+   * @throws IllegalArgumentException if a force refers to a body, joint or coordinate that is not
+   *     there, if its coefficients depend on more than parameters, or cannot be used
+   */
+  public ForceSet(TreeMotion motion) {
+    this(motion, UserForceSource.NONE);
+  }
+
+  /**
+   * Prepares the forces of a mechanism.
+   *
+   * @param motion of the tree the forces act on
+   * @param source makes the user's forces
+   * @throws IllegalArgumentException as {@link #ForceSet(TreeMotion)}; or if a user force cannot be
+   *     made, or asks for what is not there
+   */
+  public ForceSet(TreeMotion motion, UserForceSource source) {
+    List<ForceElement> elements = motion.tree().mechanism().forces();
+    forces = new AppliedForce[elements.size()];
+    valueAt = new int[forces.length + 1];
+    ForceAssembly assembly = new ForceAssembly(motion, source);
+    for (int i = 0; i < forces.length; i++) {
+      names.add(elements.get(i).name());
+      forces[i] = assembly.at(elements.get(i));
+      valueAt[i + 1] = valueAt[i] + forces[i].variables().size();
+    }
+    double[] start =
+        motion.tree().mechanism().parameters().stream().mapToDouble(Parameter::value).toArray();
+    if (!parameters(start)) {
+      Defect defect = defect();
+      throw new IllegalArgumentException(
+          defect.code() + " " + defect.part() + ": " + defect.cause() + " " + defect.advice());
+    }
+  }
+
+  /** Returns the number of forces. */
+  public int count() {
+    return forces.length;
+  }
+
+  /**
+   * Takes the values of tunable parameters, which keep them until the next call; those of the
+   * mechanism hold from the start.
+   *
+   * @param values in the order of the mechanism's parameters, SI units; not modified
+   * @return false if a coefficient gets a value that cannot be used; see {@link #defect()}
+   */
+  public boolean parameters(double[] values) {
+    for (int i = 0; i < forces.length; i++) {
+      if (!forces[i].parameters(values)) {
+        failed = i;
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /**
+   * Adds all forces.
+   *
+   * @param t time, s
+   * @param wrench [moment; force] on each link in its axes at its reference point, 6 per link, N·m,
+   *     N; added to
+   * @param tau joint forces, one per extended velocity, N·m or N; added to
+   * @return {@link #REGULAR}, or the index in {@code Mechanism.forces()} of a force that is not
+   *     finite or not defined here; {@link #defect()} then says why
+   */
+  public int apply(double t, double[] wrench, double[] tau) {
+    for (int i = 0; i < forces.length; i++) {
+      if (!forces[i].apply(t, wrench, tau)) {
+        failed = i;
+        return i;
+      }
+    }
+    return REGULAR;
+  }
+
+  /**
+   * Gives the derivatives of all forces in the state of the last {@link #apply}.
+   *
+   * @return {@link #REGULAR}, or the index of a force whose derivative is not finite
+   */
+  public int linearise(double t, ForceJacobian sink) {
+    for (int i = 0; i < forces.length; i++) {
+      if (!forces[i].linearise(t, sink)) {
+        failed = i;
+        return i;
+      }
+    }
+    return REGULAR;
+  }
+
+  /**
+   * Returns why the last call failed.
+   *
+   * @throws IllegalStateException if none did
+   */
+  public Defect defect() {
+    if (failed == REGULAR) {
+      throw new IllegalStateException("no force has failed");
+    }
+    return forces[failed].defect();
+  }
+
+  /** Returns the potential energy of all forces that have one, without gravity, J. */
+  public double potentialEnergy() {
+    double sum = 0;
+    for (AppliedForce force : forces) {
+      sum += force.potentialEnergy();
+    }
+    return sum;
+  }
+
+  /**
+   * Returns the power of everything that has no potential energy, W, positive into the mechanism:
+   * the rate of the mechanical energy.
+   */
+  public double power() {
+    double sum = 0;
+    for (AppliedForce force : forces) {
+      sum += force.power();
+    }
+    return sum;
+  }
+
+  /** Returns what the forces can put out, {@code <force>.<value>}, in file order. */
+  public List<Variable> columns() {
+    List<Variable> columns = new ArrayList<>();
+    for (int i = 0; i < forces.length; i++) {
+      for (Variable value : forces[i].variables()) {
+        columns.add(new Variable(names.get(i) + "." + value.name(), value.unit()));
+      }
+    }
+    return columns;
+  }
+
+  /**
+   * Writes the values of {@link #columns}.
+   *
+   * @param out overwritten from {@code at}
+   */
+  public void values(double[] out, int at) {
+    for (int i = 0; i < forces.length; i++) {
+      forces[i].values(out, at + valueAt[i]);
+    }
+  }
+
+  /** Gives the pairs of links whose ways to the root meet in the Jacobian; some more than once. */
+  public void couplings(Couplings couplings) {
+    for (AppliedForce force : forces) {
+      force.couplings(couplings);
+    }
+  }
+
+  /**
+   * Says that the state of the last {@link #apply} has been accepted: angles of cut joints then
+   * count whole turns from there.
+   */
+  public void accepted() {
+    for (AppliedForce force : forces) {
+      force.accepted();
+    }
+  }
+}

@@ -1,0 +1,221 @@
+package org.mechservice.solver.integration;
+
+import java.util.Arrays;
+import org.mechservice.solver.integration.IntegrationFailure.Cause;
+import org.mechservice.solver.linear.BandLayout;
+import org.mechservice.solver.linear.BandLu;
+import org.mechservice.solver.linear.DenseLu;
+import org.mechservice.solver.linear.LinearSolver;
+
+/**
+ * The equations of a step for y' = f(t, y):
+ *
+ * <pre>
+ * (I − hγ J) δ = hγ f(t_{n+1}, y* + d) − (ψ + d);    hγ = h / ((1 − κ_k) γ_k)
+ * </pre>
+ *
+ * <p>J = ∂f/∂y comes from the problem if it is a {@link JacobianSystem}, else from differences; a
+ * {@link BandedSystem} spares the zeros outside of its band. For a {@link CompletedSystem} it is
+ * the derivative along completed states.
+ */
+final class ExplicitEquations extends StepEquations {
+  private static final double SQRT_ROUNDOFF = Math.sqrt(Math.ulp(1.0));
+
+  private final RightHandSide rightHandSide;
+  private final KeptJacobian jacobian;
+  private final JacobianDifferences differencing;
+  private final CompletedFunction function = new CompletedFunction();
+  private final IterationMatrix matrix;
+
+  /** f at the iterate, length n. */
+  private final double[] derivative;
+
+  private int notFiniteComponent;
+
+  /**
+   * @param smallSizes size below which a component is negligible; not modified
+   * @throws IllegalArgumentException if the problem's band is wider than its matrix
+   */
+  ExplicitEquations(RightHandSide rightHandSide, double[] smallSizes) {
+    super(new Manifold(rightHandSide.system()));
+    this.rightHandSide = rightHandSide;
+    LinearSolver solver = solverFor(rightHandSide.system());
+    jacobian = new KeptJacobian(solver.layout());
+    differencing = new JacobianDifferences(solver.layout(), smallSizes, manifold());
+    matrix = new IterationMatrix(solver, manifold());
+    derivative = new double[smallSizes.length];
+  }
+
+  private static LinearSolver solverFor(OdeSystem system) {
+    int n = system.dimension();
+    return system instanceof BandedSystem banded
+        ? new BandLu(new BandLayout(n, banded.lowerBandwidth(), banded.upperBandwidth()))
+        : new DenseLu(n);
+  }
+
+  @Override
+  Breakpoints breakpoints() {
+    return rightHandSide.breakpoints();
+  }
+
+  @Override
+  boolean stopped() {
+    return rightHandSide.stopped();
+  }
+
+  @Override
+  void abandon() {
+    differencing.abandon();
+  }
+
+  @Override
+  Attempt findStart(double t, double[] y, double[] slope) {
+    boolean complete = manifold().complete(t, y);
+    rightHandSide.evaluateAlways(t, y, slope);
+    if (!complete) {
+      return Attempt.NOT_COMPLETED;
+    }
+    differencing.knowValue(slope);
+    notFiniteComponent = RightHandSide.firstNotFinite(slope);
+    return notFiniteComponent < 0 ? Attempt.PASSED : Attempt.NOT_FINITE;
+  }
+
+  @Override
+  Cause causeAtStart(Attempt attempt) {
+    return attempt == Attempt.NOT_COMPLETED ? Cause.NOT_COMPLETED : Cause.NOT_FINITE;
+  }
+
+  @Override
+  int componentAtStart(Attempt attempt) {
+    return attempt == Attempt.NOT_COMPLETED ? -1 : notFiniteComponent;
+  }
+
+  @Override
+  Attempt formDerivatives(double t, double[] y) {
+    Attempt attempt =
+        rightHandSide.system() instanceof JacobianSystem known
+            ? evaluateKnown(known, t, y)
+            : evaluateByDifferences(t, y);
+    if (attempt == Attempt.PASSED) {
+      jacobian.replace();
+    }
+    return attempt;
+  }
+
+  private Attempt evaluateKnown(JacobianSystem system, double t, double[] y) {
+    if (rightHandSide.stopped()) {
+      return Attempt.STOPPED;
+    }
+    system.jacobian(breakpoints().inside(t), y, jacobian.formingFromZero());
+    notFiniteComponent = jacobian.rowNotFinite();
+    return notFiniteComponent < 0 ? Attempt.PASSED : Attempt.NOT_FINITE;
+  }
+
+  private Attempt evaluateByDifferences(double t, double[] y) {
+    function.t = t;
+    Attempt attempt = differencing.evaluate(function, y, differencing.value(), jacobian.forming());
+    notFiniteComponent = differencing.notFiniteComponent();
+    return attempt;
+  }
+
+  @Override
+  boolean formFactors(double hGamma) {
+    return matrix.factorExplicit(hGamma, jacobian.values());
+  }
+
+  @Override
+  int singularComponent() {
+    return matrix.singularColumn();
+  }
+
+  @Override
+  double reciprocalCondition() {
+    return matrix.reciprocalCondition();
+  }
+
+  @Override
+  boolean evaluate(double t, double hGamma, BackwardDifferences differences, double[] residual) {
+    if (!rightHandSide.evaluate(t, differences.corrected(), derivative)) {
+      return false;
+    }
+    double[] psi = differences.psi;
+    double[] correction = differences.correction;
+    for (int l = 0; l < residual.length; l++) {
+      residual[l] = hGamma * derivative[l] - (psi[l] + correction[l]);
+    }
+    if (manifold().completes()) {
+      manifold().clearPassive(residual);
+    }
+    return true;
+  }
+
+  @Override
+  void substitute(double hGamma, double[] residual) {
+    matrix.solve(residual);
+  }
+
+  @Override
+  int notFiniteInDerivatives() {
+    return notFiniteComponent;
+  }
+
+  @Override
+  int notFiniteInEvaluation() {
+    return RightHandSide.firstNotFinite(derivative);
+  }
+
+  /** y'' = ∂f/∂t + J f, the former by a difference. */
+  @Override
+  boolean curvature(double t0, double[] y0, double[] slope, double h, double[] curvature) {
+    double stretch = SQRT_ROUNDOFF * Math.max(Math.abs(t0), Math.abs(t0 + h));
+    double after = t0 + Math.copySign(Math.min(stretch, Math.abs(h)), h);
+    if (!rightHandSide.evaluate(after, y0, curvature)) {
+      return false;
+    }
+    for (int l = 0; l < slope.length; l++) {
+      curvature[l] = (curvature[l] - slope[l]) / (after - t0);
+    }
+    jacobian.addProduct(slope, curvature);
+    return true;
+  }
+
+  @Override
+  boolean solutionMayJump() {
+    return false;
+  }
+
+  @Override
+  long evaluations() {
+    return rightHandSide.evaluations();
+  }
+
+  @Override
+  void solved(double hGamma, BackwardDifferences differences) {}
+
+  @Override
+  void transferDerivatives(StateTransfer state) {
+    rightHandSide.transfer(state);
+    manifold().refresh();
+    jacobian.transfer(state);
+    differencing.transfer(state);
+  }
+
+  /** f at a state whose passive components are made to fit first. */
+  private final class CompletedFunction implements DifferencedFunction {
+    private final double[] completed = new double[manifold().dimension()];
+    private double t;
+
+    @Override
+    public boolean evaluate(double[] x, double[] value) {
+      if (!manifold().completes()) {
+        return rightHandSide.evaluate(t, x, value);
+      }
+      System.arraycopy(x, 0, completed, 0, x.length);
+      if (!manifold().complete(t, completed)) {
+        Arrays.fill(value, Double.NaN);
+        return true;
+      }
+      return rightHandSide.evaluate(t, completed, value);
+    }
+  }
+}

@@ -1,0 +1,81 @@
+package org.mechservice.solver.integration;
+
+/**
+ * ode15sR: the formulas of ode15s for systems in residual form, F(t, y, y') = 0: implicit
+ * equations, mass matrices, and differential-algebraic systems of index 1.
+ *
+ * <p>Differential components are held to max(rtol |y_i|, atol_i) per step; algebraic ones, such as
+ * multipliers, are in no test and only have to be finite. ∂F/∂y and ∂F/∂y' are stored apart and
+ * kept until an iteration fails with them, so that a change of step or order costs a factorisation
+ * of hγ ∂F/∂y + ∂F/∂y' alone. They come from the problem if it is a {@link ResidualJacobianSystem}
+ * or, with all linear algebra, if it is a {@link LinearisedSystem}, else from differences: 2n + 1
+ * evaluations of F.
+ *
+ * <p>A problem starts from consistent values: y'_d and y_a are corrected until F(t0, y0, y'0) = 0,
+ * the differential part y_d staying as given. The first step is a tenth of what ode15s would take,
+ * and at most a thousandth of the interval. Problems in explicit form are integrated as ode15s
+ * does.
+ *
+ * <p>Petzold 1982; Brenan, Campbell and Petzold 1996, ch. 5; Shampine 2002.
+ */
+public final class Ode15sR extends BackwardMethod implements ResidualIntegrator {
+  private static final double FIRST_STEP_PART = 0.1;
+  private static final double FIRST_STEP_SHARE = 1e-3;
+
+  /** Whether the problem is in residual form. */
+  private boolean implicit;
+
+  /**
+   * Numerical differentiation formulas, standard mode.
+   *
+   * @throws IllegalArgumentException if a setting is out of range
+   */
+  public Ode15sR(IntegratorSettings settings) {
+    this(settings, BackwardFormulas.NDF, BackwardMode.STANDARD);
+  }
+
+  /**
+   * @throws IllegalArgumentException if a setting is out of range
+   */
+  public Ode15sR(IntegratorSettings settings, BackwardFormulas formulas, BackwardMode mode) {
+    super(settings, formulas, mode);
+  }
+
+  @Override
+  public StepResult start(
+      ResidualSystem system, double t0, double[] y0, double[] yDot0, double tEnd) {
+    IntegratorSettings.requireUsable(t0, tEnd, y0, system.dimension());
+    IntegratorSettings.requireUsableDerivative(yDot0, system.dimension());
+    return begin(implicit(system, yDot0, t0, tEnd), t0, y0, tEnd);
+  }
+
+  private StepEquations implicit(ResidualSystem system, double[] yDot0, double t0, double tEnd) {
+    implicit = true;
+    Residual residual = new Residual(system, new Manifold(system), settings().stop());
+    residual.breakpoints().begin(system, t0, tEnd);
+    ResidualLinearisation linearisation =
+        system instanceof LinearisedSystem own
+            ? new OwnLinearisation(own, residual)
+            : new StoredLinearisation(system, residual, smallSizes(yDot0.length));
+    return new ResidualEquations(residual, linearisation, yDot0, tEnd, norm(), settings());
+  }
+
+  /**
+   * Goes on with an integration in residual form that was saved; see {@link
+   * Integrator#resume(OdeSystem, byte[])}.
+   */
+  public StepResult resume(ResidualSystem system, byte[] saved) {
+    double[] slope = new double[system.dimension()];
+    return resume(saved, (t0, tEnd) -> implicit(system, slope, t0, tEnd));
+  }
+
+  @Override
+  void beginExplicit() {
+    implicit = false;
+  }
+
+  @Override
+  double cautious(double size, double interval) {
+    return implicit ? Math.min(FIRST_STEP_PART * size, FIRST_STEP_SHARE * interval) : size;
+  }
+}

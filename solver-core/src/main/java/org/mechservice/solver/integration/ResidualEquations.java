@@ -1,0 +1,251 @@
+package org.mechservice.solver.integration;
+
+import org.mechservice.solver.integration.IntegrationFailure.Cause;
+
+/**
+ * The equations of a step for F(t, y, y') = 0. The formulas give y' = (ψ + d) / hγ at the new
+ * point, and the iteration solves
+ *
+ * <pre>
+ * (hγ ∂F/∂y + ∂F/∂y') δ = −hγ F(t_{n+1}, y* + d, (ψ + d) / hγ);    hγ = h / ((1 − κ_k) γ_k)
+ * </pre>
+ */
+final class ResidualEquations extends StepEquations {
+  /** Part of the step by which the start looks ahead to estimate y''. */
+  private static final double LOOK_AHEAD = 0x1p-10;
+
+  private final Residual residual;
+  private final ResidualLinearisation linearisation;
+  private final ConsistentStart start;
+
+  /** y' at the last accepted point, length n. */
+  private final double[] slope;
+
+  /** y' at the iterate, and F there, length n. */
+  private final double[] iterateSlope;
+
+  private final double[] value;
+
+  /** y ahead of the start, and F at the start, length n. */
+  private final double[] ahead;
+
+  private final double[] valueAtStart;
+
+  /** hγ of the matrix for the start: 0 unless that is singular. */
+  private double startHGamma;
+
+  /**
+   * @param yDot0 guess of y' at the start; not modified
+   * @param tEnd end of the problem
+   * @param norm by which its errors will be judged
+   */
+  ResidualEquations(
+      Residual residual,
+      ResidualLinearisation linearisation,
+      double[] yDot0,
+      double tEnd,
+      ErrorNorm norm,
+      IntegratorSettings settings) {
+    super(residual.manifold());
+    this.residual = residual;
+    this.linearisation = linearisation;
+    slope = yDot0.clone();
+    start = new ConsistentStart(this, norm, settings, tEnd);
+    int n = slope.length;
+    iterateSlope = new double[n];
+    value = new double[n];
+    ahead = new double[n];
+    valueAtStart = new double[n];
+  }
+
+  Residual residual() {
+    return residual;
+  }
+
+  ResidualLinearisation linearisation() {
+    return linearisation;
+  }
+
+  @Override
+  Breakpoints breakpoints() {
+    return residual.breakpoints();
+  }
+
+  @Override
+  boolean stopped() {
+    return residual.stopped();
+  }
+
+  @Override
+  void abandon() {
+    linearisation.abandon();
+    start.abandon();
+  }
+
+  @Override
+  Attempt findStart(double t, double[] y, double[] slope0) {
+    Attempt attempt = start.find(t, y, slope);
+    System.arraycopy(slope, 0, slope0, 0, slope.length);
+    return attempt;
+  }
+
+  @Override
+  Cause causeAtStart(Attempt attempt) {
+    return switch (attempt) {
+      case SINGULAR_MATRIX -> Cause.SINGULAR_MATRIX;
+      case NOT_FINITE -> Cause.NOT_FINITE;
+      case NOT_COMPLETED -> Cause.NOT_COMPLETED;
+      default -> Cause.INCONSISTENT_START;
+    };
+  }
+
+  @Override
+  int componentAtStart(Attempt attempt) {
+    return switch (attempt) {
+      case SINGULAR_MATRIX -> singularComponent();
+      case NOT_COMPLETED -> -1;
+      default -> start.worstRow();
+    };
+  }
+
+  @Override
+  Attempt formDerivatives(double t, double[] y) {
+    return linearisation.form(t, y, slope);
+  }
+
+  @Override
+  boolean formFactors(double hGamma) {
+    return linearisation.factor(hGamma);
+  }
+
+  @Override
+  int singularComponent() {
+    return linearisation.singularComponent();
+  }
+
+  @Override
+  double reciprocalCondition() {
+    return linearisation.reciprocalCondition();
+  }
+
+  @Override
+  boolean evaluate(double t, double hGamma, BackwardDifferences differences, double[] r) {
+    double[] psi = differences.psi;
+    double[] correction = differences.correction;
+    for (int l = 0; l < iterateSlope.length; l++) {
+      iterateSlope[l] = (psi[l] + correction[l]) / hGamma;
+    }
+    if (!residual.evaluate(t, differences.corrected(), iterateSlope, value)) {
+      return false;
+    }
+    for (int l = 0; l < r.length; l++) {
+      r[l] = -value[l];
+    }
+    return true;
+  }
+
+  @Override
+  void substitute(double hGamma, double[] r) {
+    linearisation.solve(hGamma, r);
+  }
+
+  @Override
+  int notFiniteInDerivatives() {
+    return linearisation.notFiniteComponent();
+  }
+
+  @Override
+  int notFiniteInEvaluation() {
+    return RightHandSide.firstNotFinite(value);
+  }
+
+  /**
+   * Factors the matrix whose unknowns are y'_d and y_a, or, if it is singular because F does not
+   * determine every y'_d, the nearly equal one of a step that is short; returns whether one of them
+   * is regular.
+   *
+   * @param h the short step, signed
+   */
+  boolean factorForStart(double h) {
+    startHGamma = 0;
+    if (factorAnew(0)) {
+      return true;
+    }
+    startHGamma = h;
+    return factorAnew(h);
+  }
+
+  /** Returns whether the matrix for the start was only replaced by one that is nearly equal. */
+  boolean startsApproximately() {
+    return startHGamma != 0;
+  }
+
+  /**
+   * Solves for the changes of y'_d and y_a at the start.
+   *
+   * @param r −F at entry
+   */
+  void solveForStart(double[] r) {
+    solveLinear(startHGamma, r);
+    if (startHGamma == 0) {
+      return;
+    }
+    for (int l = 0; l < r.length; l++) {
+      if (!linearisation.algebraic(l)) {
+        r[l] /= startHGamma;
+      }
+    }
+  }
+
+  /**
+   * y'' from what is left of the equations if y goes on along its slope, which a change of y' has
+   * to make up for.
+   */
+  @Override
+  boolean curvature(double t0, double[] y0, double[] slope0, double h, double[] curvature) {
+    double stretch = LOOK_AHEAD * h;
+    for (int l = 0; l < ahead.length; l++) {
+      ahead[l] = y0[l] + stretch * slope0[l];
+    }
+    boolean evaluated =
+        residual.evaluate(t0, y0, slope0, valueAtStart)
+            && residual.evaluateCompleted(t0 + stretch, ahead, slope0, curvature);
+    if (!evaluated) {
+      return false;
+    }
+    for (int l = 0; l < curvature.length; l++) {
+      curvature[l] = (valueAtStart[l] - curvature[l]) / stretch;
+    }
+    if (factorForStart(stretch)) {
+      solveForStart(curvature);
+    }
+    return true;
+  }
+
+  @Override
+  boolean solutionMayJump() {
+    return true;
+  }
+
+  @Override
+  long evaluations() {
+    return residual.evaluations();
+  }
+
+  @Override
+  void solved(double hGamma, BackwardDifferences differences) {
+    double[] psi = differences.psi;
+    double[] correction = differences.correction;
+    for (int l = 0; l < slope.length; l++) {
+      slope[l] = (psi[l] + correction[l]) / hGamma;
+    }
+    linearisation.knowStep(Math.abs(hGamma));
+  }
+
+  @Override
+  void transferDerivatives(StateTransfer state) {
+    residual.transfer(state);
+    state.numbers(slope);
+    linearisation.transfer(state);
+  }
+}

@@ -1,0 +1,55 @@
+package org.mechservice.solver.integration;
+
+/**
+ * ∂F/∂y and ∂F/∂y' where they were formed last, and the linear algebra with them.
+ *
+ * <p>Not sealed: a class file names what its type permits, and a JAR of one method would carry all
+ * of them.
+ */
+interface ResidualLinearisation {
+  /** Forms the derivatives. */
+  Attempt form(double t, double[] y, double[] yDot);
+
+  /**
+   * Tells how long a step is, for differences of F in y': a change of y' matters if over such a
+   * step it changes y.
+   *
+   * @param h positive
+   */
+  void knowStep(double h);
+
+  /** Forgets derivatives that were stopped half way. */
+  void abandon();
+
+  /** Factors hγ ∂F/∂y + ∂F/∂y'; returns whether it is regular. */
+  boolean factor(double hGamma);
+
+  /**
+   * Solves with the last factors.
+   *
+   * @param hGamma that of the factors
+   * @param residual −F at entry. At return the change of y, or for hγ = 0 that of y'_d and y_a
+   */
+  void solve(double hGamma, double[] residual);
+
+  /** Returns whether a component's derivative does not appear in F. */
+  boolean algebraic(int component);
+
+  /** Returns the component at whose column the last factorisation failed. */
+  int singularComponent();
+
+  /** Returns an estimate of the reciprocal condition of the matrix; 1 if nothing is known of it. */
+  double reciprocalCondition();
+
+  /** Returns the row that made the derivatives not finite; −1 if none can be named. */
+  int notFiniteComponent();
+
+  /**
+   * Returns how large the terms are that make up a row of F at a point; 0 if nothing is known of
+   * it.
+   */
+  double magnitude(int row);
+
+  /** Carries the derivatives over, and what is known for the next ones. */
+  void transfer(StateTransfer state);
+}

@@ -1,0 +1,222 @@
+package org.mechservice.solver.integration;
+
+import org.mechservice.solver.linear.DenseLu;
+import org.mechservice.solver.linear.EquilibratedSolver;
+import org.mechservice.solver.linear.LinearSolver;
+
+/**
+ * ∂F/∂y and ∂F/∂y' stored apart, so that a change of hγ costs a factorisation but no derivatives.
+ * They come from the problem if it is a {@link ResidualJacobianSystem}, else from differences of F
+ * in y' and in y. Rows are equilibrated before they are factored.
+ */
+final class StoredLinearisation implements ResidualLinearisation {
+  /**
+   * Share of y' by which F is differenced: F is nearly linear in y', but y' may be small where the
+   * terms of F are not.
+   */
+  private static final double SHARE_OF_DERIVATIVE = 0x1p-17;
+
+  private static final double SHARE_OF_STATE = 0x1p-26;
+
+  private final ResidualSystem system;
+  private final Residual residual;
+  private final KeptJacobian fy;
+  private final KeptJacobian fyDot;
+  private final JacobianDifferences inState;
+  private final JacobianDifferences inDerivative;
+  private final IterationMatrix matrix;
+
+  /** Sizes of y and of y' that are negligible, length n. */
+  private final double[] smallSizes;
+
+  private final double[] smallSlopes;
+
+  /** Sizes of the terms of F, length n. */
+  private final double[] magnitude;
+
+  /** Columns without derivative, length n. */
+  private final boolean[] algebraic;
+
+  private final AtPoint stateMoved = new AtPoint(true);
+  private final AtPoint derivativeMoved = new AtPoint(false);
+
+  /** Whether the differences in y' of the point are done. */
+  private boolean derivativeDone;
+
+  private boolean formed;
+  private int notFiniteComponent;
+
+  /**
+   * @param smallSizes size below which a component is negligible; kept, not modified
+   */
+  StoredLinearisation(ResidualSystem system, Residual residual, double[] smallSizes) {
+    int n = smallSizes.length;
+    this.system = system;
+    this.residual = residual;
+    this.smallSizes = smallSizes;
+    smallSlopes = smallSizes.clone();
+    Manifold manifold = residual.manifold();
+    LinearSolver solver = new EquilibratedSolver(new DenseLu(n));
+    fy = new KeptJacobian(solver.layout());
+    fyDot = new KeptJacobian(solver.layout());
+    inState = new JacobianDifferences(solver.layout(), smallSizes, manifold, SHARE_OF_STATE);
+    inDerivative =
+        new JacobianDifferences(solver.layout(), smallSlopes, manifold, SHARE_OF_DERIVATIVE);
+    matrix = new IterationMatrix(solver, manifold);
+    magnitude = new double[n];
+    algebraic = new boolean[n];
+  }
+
+  @Override
+  public void knowStep(double h) {
+    for (int l = 0; l < smallSizes.length; l++) {
+      double slope = smallSizes[l] / h;
+      smallSlopes[l] = Double.isFinite(slope) ? slope : smallSizes[l];
+    }
+  }
+
+  @Override
+  public void abandon() {
+    derivativeDone = false;
+    inDerivative.abandon();
+    inState.abandon();
+  }
+
+  @Override
+  public Attempt form(double t, double[] y, double[] yDot) {
+    Attempt attempt =
+        system instanceof ResidualJacobianSystem known
+            ? evaluateKnown(known, t, y, yDot)
+            : evaluateByDifferences(t, y, yDot);
+    if (attempt == Attempt.PASSED) {
+      fy.replace();
+      fyDot.replace();
+      takeNote(y, yDot);
+    }
+    return attempt;
+  }
+
+  private Attempt evaluateKnown(ResidualJacobianSystem known, double t, double[] y, double[] yDot) {
+    if (residual.stopped()) {
+      return Attempt.STOPPED;
+    }
+    known.jacobians(
+        residual.breakpoints().inside(t), y, yDot, fy.formingFromZero(), fyDot.formingFromZero());
+    notFiniteComponent = Math.max(fy.rowNotFinite(), fyDot.rowNotFinite());
+    return notFiniteComponent < 0 ? Attempt.PASSED : Attempt.NOT_FINITE;
+  }
+
+  /** Differences in y', then in y, from the same F. */
+  private Attempt evaluateByDifferences(double t, double[] y, double[] yDot) {
+    if (!derivativeDone) {
+      derivativeMoved.at(t, y);
+      Attempt attempt = inDerivative.evaluate(derivativeMoved, yDot, yDot, fyDot.forming());
+      if (attempt != Attempt.PASSED) {
+        notFiniteComponent = inDerivative.notFiniteComponent();
+        return attempt;
+      }
+      inState.knowValue(inDerivative.value());
+      derivativeDone = true;
+    }
+    stateMoved.at(t, yDot);
+    Attempt attempt = inState.evaluate(stateMoved, y, yDot, fy.forming());
+    notFiniteComponent = inState.notFiniteComponent();
+    derivativeDone = attempt == Attempt.STOPPED;
+    return attempt;
+  }
+
+  private void takeNote(double[] y, double[] yDot) {
+    for (int l = 0; l < magnitude.length; l++) {
+      magnitude[l] = 0;
+    }
+    fy.addMagnitudes(y, magnitude);
+    fyDot.addMagnitudes(yDot, magnitude);
+    inState.knowMagnitude(magnitude);
+    inDerivative.knowMagnitude(magnitude);
+    for (int l = 0; l < algebraic.length && !formed; l++) {
+      algebraic[l] = residual.manifold().algebraic(l) || fyDot.isZero(l);
+    }
+    formed = true;
+  }
+
+  @Override
+  public boolean factor(double hGamma) {
+    return matrix.factorResidual(hGamma, fy.values(), fyDot.values(), algebraic);
+  }
+
+  @Override
+  public void solve(double hGamma, double[] r) {
+    matrix.solve(r);
+    for (int l = 0; l < r.length; l++) {
+      if (hGamma != 0 && !algebraic[l]) {
+        r[l] *= hGamma;
+      }
+    }
+  }
+
+  @Override
+  public boolean algebraic(int component) {
+    return algebraic[component];
+  }
+
+  @Override
+  public int singularComponent() {
+    return matrix.singularColumn();
+  }
+
+  @Override
+  public double reciprocalCondition() {
+    return matrix.reciprocalCondition();
+  }
+
+  @Override
+  public int notFiniteComponent() {
+    return notFiniteComponent;
+  }
+
+  @Override
+  public double magnitude(int row) {
+    return magnitude[row];
+  }
+
+  @Override
+  public void transfer(StateTransfer state) {
+    fy.transfer(state);
+    fyDot.transfer(state);
+    inState.transfer(state);
+    inDerivative.transfer(state);
+    state.numbers(smallSlopes);
+    state.numbers(magnitude);
+    for (int l = 0; l < algebraic.length; l++) {
+      algebraic[l] = state.flag(algebraic[l]);
+    }
+    formed = state.flag(formed);
+    if (state.restoring() && formed) {
+      inState.knowMagnitude(magnitude);
+      inDerivative.knowMagnitude(magnitude);
+    }
+  }
+
+  /** F at a fixed t with y or y' moved and the other as it is. */
+  private final class AtPoint implements DifferencedFunction {
+    private final boolean movesState;
+    private double t;
+    private double[] fixed = {};
+
+    AtPoint(boolean movesState) {
+      this.movesState = movesState;
+    }
+
+    void at(double t, double[] fixed) {
+      this.t = t;
+      this.fixed = fixed;
+    }
+
+    @Override
+    public boolean evaluate(double[] x, double[] value) {
+      return movesState
+          ? residual.evaluateCompleted(t, x, fixed, value)
+          : residual.evaluate(t, fixed, x, value);
+    }
+  }
+}

@@ -1,0 +1,133 @@
+package org.mechservice.solver.kinematics;
+
+import java.util.Arrays;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.spatial.EulerParameters;
+
+/**
+ * How the positions of the state change with its velocities: q' = N(q) v, with N the identity but
+ * for Euler parameters, and finite moves along the tangent, one number per velocity (NUMERICS §1a).
+ * Immutable.
+ */
+public final class StateCoordinates {
+  /** For each position: its velocity, or -1 for an Euler parameter. */
+  private final int[] velocityOfPosition;
+
+  private final int[] ballPosition;
+  private final int[] ballVelocity;
+  private final int velocityCount;
+
+  /** Reads the layout of a mechanism's state. */
+  public StateCoordinates(Mechanism mechanism) {
+    velocityCount = mechanism.velocityCount();
+    velocityOfPosition = new int[mechanism.positionCount()];
+    int balls = 0;
+    int[] positions = new int[mechanism.joints().size()];
+    int[] velocities = new int[positions.length];
+    for (int j = 0; j < positions.length; j++) {
+      if (mechanism.isDriven(j)) {
+        continue;
+      }
+      int at = mechanism.positionOffset(j);
+      int first = 0;
+      if (mechanism.joints().get(j).type().hasEulerParameters()) {
+        positions[balls] = at;
+        velocities[balls++] = mechanism.velocityOffset(j);
+        first = 4;
+        Arrays.fill(velocityOfPosition, at, at + first, -1);
+      }
+      int surplus = first == 0 ? 0 : 1;
+      for (int i = first; i < mechanism.joints().get(j).type().positionCount(); i++) {
+        velocityOfPosition[at + i] = mechanism.velocityOffset(j) + i - surplus;
+      }
+    }
+    ballPosition = Arrays.copyOf(positions, balls);
+    ballVelocity = Arrays.copyOf(velocities, balls);
+  }
+
+  /** Returns nq. */
+  public int positionCount() {
+    return velocityOfPosition.length;
+  }
+
+  /** Returns nv. */
+  public int velocityCount() {
+    return velocityCount;
+  }
+
+  /** Returns the velocity that is the rate of a position, or -1 for an Euler parameter. */
+  public int velocityOf(int position) {
+    return velocityOfPosition[position];
+  }
+
+  /** Returns how many sets of Euler parameters the state holds. */
+  public int ballCount() {
+    return ballPosition.length;
+  }
+
+  /** Returns where the four parameters of a set begin in q. */
+  public int ballPosition(int ball) {
+    return ballPosition[ball];
+  }
+
+  /** Returns where the angular velocity of a set begins in v. */
+  public int ballVelocity(int ball) {
+    return ballVelocity[ball];
+  }
+
+  /**
+   * Writes q' = N(q) v.
+   *
+   * @param q positions from {@code qAt}; not modified
+   * @param v velocities from {@code vAt}; not modified
+   * @param rate nq numbers from {@code rateAt}; overwritten; must not be {@code q}
+   */
+  public void rates(double[] q, int qAt, double[] v, int vAt, double[] rate, int rateAt) {
+    for (int i = 0; i < velocityOfPosition.length; i++) {
+      if (velocityOfPosition[i] >= 0) {
+        rate[rateAt + i] = v[vAt + velocityOfPosition[i]];
+      }
+    }
+    for (int b = 0; b < ballPosition.length; b++) {
+      EulerParameters.rate(
+          q, qAt + ballPosition[b], v, vAt + ballVelocity[b], rate, rateAt + ballPosition[b]);
+    }
+  }
+
+  /**
+   * Moves positions along the tangent: q += factor δ, e ← exp(½ factor δ) ∘ e.
+   *
+   * @param q positions from {@code qAt}; overwritten
+   * @param delta nv numbers from {@code deltaAt}, rad or m; not modified
+   * @param factor what δ is multiplied by
+   */
+  public void move(double[] q, int qAt, double[] delta, int deltaAt, double factor) {
+    for (int i = 0; i < velocityOfPosition.length; i++) {
+      if (velocityOfPosition[i] >= 0) {
+        q[qAt + i] += factor * delta[deltaAt + velocityOfPosition[i]];
+      }
+    }
+    for (int b = 0; b < ballPosition.length; b++) {
+      EulerParameters.turn(q, qAt + ballPosition[b], delta, deltaAt + ballVelocity[b], factor);
+    }
+  }
+
+  /** Returns the largest | |e| − 1 | over all sets of Euler parameters. */
+  public double largestNormError(double[] q, int qAt) {
+    double largest = 0;
+    for (int at : ballPosition) {
+      largest = Math.max(largest, Math.abs(EulerParameters.norm(q, qAt + at) - 1));
+    }
+    return largest;
+  }
+
+  /** Scales all Euler parameters to norm 1. */
+  public void normalize(double[] q, int qAt) {
+    for (int at : ballPosition) {
+      double norm = EulerParameters.norm(q, qAt + at);
+      for (int i = qAt + at; i < qAt + at + 4; i++) {
+        q[i] /= norm;
+      }
+    }
+  }
+}

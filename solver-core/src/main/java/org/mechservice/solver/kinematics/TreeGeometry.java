@@ -1,0 +1,276 @@
+package org.mechservice.solver.kinematics;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.mechanism.Attachment;
+import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Root;
+import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * A mechanism's constants as flat arrays, in the form the recursions use them: elementary links
+ * from the root outwards, each referred to its own axes and its own reference point. The last link
+ * of a joint is the child body itself, in the body's axes, with the joint's point on it as
+ * reference point; the links before it are massless.
+ *
+ * <p>Reference points lie on the bodies, not at the world origin: sums and differences then keep
+ * their digits however far away the mechanism is (NUMERICS §1).
+ *
+ * <p><i>Extended</i> coordinates are those of the state, in state order, followed by those of
+ * driven joints in file order.
+ *
+ * <p>Immutable: the arrays are shared and must not be written to.
+ */
+public final class TreeGeometry {
+  /** Parent link of the links that hang on the root; equals {@link Mechanism#ROOT}. */
+  public static final int ROOT = -1;
+
+  /** Number of elementary links. */
+  public final int linkCount;
+
+  /** Parent link, or {@link #ROOT}; always smaller than the link's own index. */
+  public final int[] parent;
+
+  /** How each link moves. */
+  public final LinkKind[] kind;
+
+  /** Index of the link's joint in file order. */
+  public final int[] joint;
+
+  /** Where the link's positions begin in the extended q; meaningless for fixed links. */
+  public final int[] positionAt;
+
+  /** Where the link's velocities begin in the extended v; meaningless for fixed links. */
+  public final int[] velocityAt;
+
+  /** The link's first velocity among those of its joint. */
+  public final int[] component;
+
+  /** Whether the link's coordinates follow prescribed motions. */
+  public final boolean[] driven;
+
+  /** Whether Euler parameters turn the parent relative to the link. */
+  public final boolean[] inverse;
+
+  /** Unit axis in link axes and in parent axes, 3 per link. */
+  public final double[] axisInLink;
+
+  public final double[] axisInParent;
+
+  /** Pitch of screws, m/rad. */
+  public final double[] pitch;
+
+  /** Rotation at zero, link to parent axes, row by row, 9 per link. */
+  public final double[] zeroRotation;
+
+  /** Whether the rotation at zero is the identity. */
+  public final boolean[] parallelAtZero;
+
+  /**
+   * The link's reference point at zero from the parent's reference point, in parent axes, m, 3 per
+   * link.
+   */
+  public final double[] offset;
+
+  /** Body of the link, or -1 for a link inside a joint. */
+  public final int[] body;
+
+  /** Mass, kg. */
+  public final double[] mass;
+
+  /** Centre of mass from the reference point, in link axes, m, 3 per link. */
+  public final double[] centerOfMass;
+
+  /** Inertia about the centre of mass in link axes, kg·m²: xx, yy, zz, xy, xz, yz, 6 per link. */
+  public final double[] inertia;
+
+  /** The file's body origin from the reference point, in body axes, m, 3 per link. */
+  public final double[] bodyOrigin;
+
+  /** Link of each body, in file order. */
+  public final int[] linkOfBody;
+
+  /** Number of links between each link and the root. */
+  public final int[] depth;
+
+  /** Link of each extended velocity. */
+  public final int[] linkOfVelocity;
+
+  /** Lengths of the extended q and v, and of the state's part of them. */
+  public final int positionCount;
+
+  public final int velocityCount;
+  public final int statePositionCount;
+  public final int stateVelocityCount;
+
+  /** Root axes to world axes, 9 numbers, and the root's origin in the world, m, 3 numbers. */
+  public final double[] rootRotation;
+
+  public final double[] rootPosition;
+
+  /** Acceleration of free fall in world axes, and in root axes, m/s². */
+  public final double[] gravity;
+
+  public final double[] gravityInRoot;
+
+  private final Mechanism mechanism;
+
+  /** Takes a mechanism's joints apart. */
+  public TreeGeometry(Mechanism mechanism) {
+    this.mechanism = mechanism;
+    List<List<ElementaryLink>> chains = new ArrayList<>();
+    int count = 0;
+    for (int j : mechanism.outward()) {
+      List<ElementaryLink> chain = JointChain.of(mechanism.joints().get(j));
+      chains.add(chain);
+      count += chain.size();
+    }
+    linkCount = count;
+    parent = new int[count];
+    kind = new LinkKind[count];
+    joint = new int[count];
+    positionAt = new int[count];
+    velocityAt = new int[count];
+    component = new int[count];
+    driven = new boolean[count];
+    inverse = new boolean[count];
+    axisInLink = new double[3 * count];
+    axisInParent = new double[3 * count];
+    pitch = new double[count];
+    zeroRotation = new double[9 * count];
+    parallelAtZero = new boolean[count];
+    offset = new double[3 * count];
+    body = new int[count];
+    mass = new double[count];
+    centerOfMass = new double[3 * count];
+    inertia = new double[6 * count];
+    bodyOrigin = new double[3 * count];
+    depth = new int[count];
+    linkOfBody = new int[mechanism.bodies().size()];
+    ExtendedOffsets offsets = new ExtendedOffsets(mechanism);
+    positionCount = offsets.positionCount();
+    velocityCount = offsets.velocityCount();
+    statePositionCount = mechanism.positionCount();
+    stateVelocityCount = mechanism.velocityCount();
+    linkOfVelocity = new int[velocityCount];
+    Root root = mechanism.root();
+    rootRotation = new double[9];
+    put(rootRotation, 0, root.orientation());
+    rootPosition = components(root.position());
+    gravity = components(mechanism.gravity());
+    gravityInRoot = components(root.orientation().transposed().apply(mechanism.gravity()));
+    fill(chains, offsets);
+  }
+
+  private void fill(List<List<ElementaryLink>> chains, ExtendedOffsets offsets) {
+    int[] outward = mechanism.outward();
+    int link = 0;
+    for (int i = 0; i < outward.length; i++) {
+      Attachment attachment = mechanism.joints().get(outward[i]).attachment();
+      int before = attachment.parent() == Mechanism.ROOT ? ROOT : linkOfBody[attachment.parent()];
+      put(offset, 3 * link, attachment.parentPoint().minus(reference(attachment.parent())));
+      for (ElementaryLink step : chains.get(i)) {
+        parent[link] = before;
+        depth[link] = before == ROOT ? 0 : depth[before] + 1;
+        body[link] = -1;
+        fillStep(link, outward[i], step, offsets);
+        before = link++;
+      }
+      fillBody(before, attachment);
+    }
+  }
+
+  /** Returns the reference point of a body, from its origin in its axes. */
+  private Vector3 reference(int ofBody) {
+    if (ofBody == Mechanism.ROOT) {
+      return Vector3.ZERO;
+    }
+    Joint inner = mechanism.joints().get(mechanism.jointOf(ofBody));
+    return inner.attachment().childPoint();
+  }
+
+  private void fillStep(int link, int ofJoint, ElementaryLink step, ExtendedOffsets offsets) {
+    kind[link] = step.kind();
+    joint[link] = ofJoint;
+    positionAt[link] = offsets.position(ofJoint) + step.position();
+    velocityAt[link] = offsets.velocity(ofJoint) + step.velocity();
+    component[link] = step.velocity();
+    driven[link] = mechanism.isDriven(ofJoint);
+    inverse[link] = step.inverse();
+    pitch[link] = step.pitch();
+    parallelAtZero[link] = step.zeroRotation().equals(Rotation.IDENTITY);
+    put(zeroRotation, 9 * link, step.zeroRotation());
+    put(axisInParent, 3 * link, step.axis());
+    put(axisInLink, 3 * link, step.zeroRotation().transposed().apply(step.axis()));
+    Arrays.fill(
+        linkOfVelocity, velocityAt[link], velocityAt[link] + step.kind().velocityCount(), link);
+  }
+
+  private void fillBody(int link, Attachment attachment) {
+    body[link] = attachment.child();
+    linkOfBody[attachment.child()] = link;
+    put(bodyOrigin, 3 * link, attachment.childPoint().negated());
+    Body moved = mechanism.bodies().get(attachment.child());
+    mass[link] = moved.mass();
+    put(centerOfMass, 3 * link, moved.centerOfMass().minus(attachment.childPoint()));
+    InertiaTensor tensor = moved.inertia();
+    put(inertia, 6 * link, new Vector3(tensor.xx(), tensor.yy(), tensor.zz()));
+    put(inertia, 6 * link + 3, new Vector3(tensor.xy(), tensor.xz(), tensor.yz()));
+  }
+
+  /** Returns the mechanism these constants are of. */
+  public Mechanism mechanism() {
+    return mechanism;
+  }
+
+  /** Returns the link of a body, or {@link #ROOT} for {@link Mechanism#ROOT}. */
+  public int linkOf(int ofBody) {
+    return ofBody == Mechanism.ROOT ? ROOT : linkOfBody[ofBody];
+  }
+
+  /**
+   * Writes a point of a body as recursions want it: from the reference point of its link, in body
+   * axes; from the root's origin in root axes for a point of the root.
+   *
+   * @param out three numbers from {@code at}, m; overwritten
+   */
+  public void fromReference(BodyPoint point, double[] out, int at) {
+    put(out, at, point.position().minus(reference(point.body())));
+  }
+
+  /** Returns the last link common to the ways from the root to two links, or {@link #ROOT}. */
+  public int commonAncestor(int first, int second) {
+    int a = first;
+    int b = second;
+    while (a != b) {
+      if (a > b) {
+        a = parent[a];
+      } else {
+        b = parent[b];
+      }
+    }
+    return a;
+  }
+
+  private static double[] components(Vector3 v) {
+    return new double[] {v.x(), v.y(), v.z()};
+  }
+
+  private static void put(double[] target, int at, Rotation r) {
+    put(target, at, new Vector3(r.xx(), r.xy(), r.xz()));
+    put(target, at + 3, new Vector3(r.yx(), r.yy(), r.yz()));
+    put(target, at + 6, new Vector3(r.zx(), r.zy(), r.zz()));
+  }
+
+  private static void put(double[] target, int at, Vector3 v) {
+    target[at] = v.x();
+    target[at + 1] = v.y();
+    target[at + 2] = v.z();
+  }
+}

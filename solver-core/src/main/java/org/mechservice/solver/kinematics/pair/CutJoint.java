@@ -1,0 +1,113 @@
+package org.mechservice.solver.kinematics.pair;
+
+import java.util.List;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.mechanism.Attachment;
+import org.mechservice.solver.mechanism.Free;
+import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.Planar;
+import org.mechservice.solver.mechanism.Spherical;
+import org.mechservice.solver.mechanism.Universal;
+import org.mechservice.solver.spatial.EulerParameters;
+import org.mechservice.solver.spatial.Rotation;
+
+/**
+ * A joint that is not in the tree: what it forbids, and its coordinates, from the poses of its two
+ * bodies. A is the file's body 1, B its body 2. Workspace of one thread.
+ */
+public final class CutJoint {
+  private final Joint joint;
+  private final RelativeMotion relative;
+  private final JointFunctions functions;
+
+  /** Makes a workspace for a joint between bodies of a tree. */
+  public CutJoint(TreeGeometry tree, Joint joint) {
+    this.joint = joint;
+    Attachment at = joint.attachment();
+    BodyPoint parent = new BodyPoint(at.parent(), at.parentPoint());
+    BodyPoint child = new BodyPoint(at.child(), at.childPoint());
+    boolean backwards = runsBackwards(joint);
+    relative =
+        backwards
+            ? new RelativeMotion(tree, child, parent)
+            : new RelativeMotion(tree, parent, child);
+    Rotation zero = backwards ? at.zeroRotation().transposed() : at.zeroRotation();
+    functions = JointFunctions.of(joint, zero);
+  }
+
+  /** Whether the description's child is the file's body 1. */
+  private static boolean runsBackwards(Joint joint) {
+    return (joint instanceof Universal u && u.fileBody2IsParent())
+        || (joint instanceof Planar p && p.fileBody2IsParent())
+        || (joint instanceof Spherical s && s.fileBody2IsParent())
+        || (joint instanceof Free f && f.fileBody2IsParent());
+  }
+
+  /** Returns the joint. */
+  public Joint joint() {
+    return joint;
+  }
+
+  /** Returns the motion of the file's body 2 as seen from its body 1. */
+  public RelativeMotion relative() {
+    return relative;
+  }
+
+  /** Returns what is zero in every pose the joint allows. */
+  public List<PairFunction> forbidden() {
+    return functions.forbidden();
+  }
+
+  /**
+   * Returns the function whose rate is a velocity of the joint. Of an angular velocity in a joint
+   * with Euler parameters there is a rate, gradient and curvature, but no value.
+   *
+   * @param component among the joint's velocities
+   */
+  public PairFunction coordinate(int component) {
+    return functions.coordinates().get(component);
+  }
+
+  /**
+   * Returns what is zero when body 2 is turned relative to body 1 as Euler parameters say: three
+   * rotations.
+   *
+   * @param e Euler parameters from {@code at}; not modified
+   */
+  public List<PairFunction> rotationsFrom(double[] e, int at) {
+    double[] r = new double[9];
+    EulerParameters.rotation(e, at, r, 0);
+    return JointFunctions.rotations(
+        new Rotation(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]));
+  }
+
+  /**
+   * Writes the joint's positions and velocities, as they would be put out: angles from −π to π,
+   * Euler parameters with e0 ≥ 0.
+   *
+   * @param motion after a sweep
+   * @param q its positions from {@code qAt}, rad, m; overwritten
+   * @param v its velocities from {@code vAt}, rad/s, m/s; overwritten
+   */
+  public void coordinates(TreeMotion motion, double[] q, int qAt, double[] v, int vAt) {
+    relative.place(motion);
+    relative.move(motion);
+    int euler = 0;
+    int velocities = functions.coordinates().size();
+    if (joint.type().hasEulerParameters()) {
+      EulerParameters.of(relative.rotation, 0, q, qAt);
+      euler = 4;
+    }
+    int surplus = joint.type().positionCount() - velocities;
+    for (int k = 0; k < velocities; k++) {
+      PairFunction function = functions.coordinates().get(k);
+      double value = function.evaluate(relative);
+      v[vAt + k] = function.rate(relative);
+      if (k + surplus >= euler) {
+        q[qAt + k + surplus] = value;
+      }
+    }
+  }
+}

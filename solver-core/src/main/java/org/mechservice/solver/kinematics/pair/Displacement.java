@@ -1,0 +1,24 @@
+package org.mechservice.solver.kinematics.pair;
+
+import org.mechservice.solver.spatial.Blocks;
+import org.mechservice.solver.spatial.Vector3;
+
+/** How far B's point lies from A's point along a vector fixed in A. */
+final class Displacement extends PairFunction {
+  private final double[] axis;
+
+  Displacement(String label, Vector3 axis) {
+    super(label);
+    this.axis = new double[] {axis.x(), axis.y(), axis.z()};
+    System.arraycopy(this.axis, 0, gradient, 3, 3);
+  }
+
+  @Override
+  public double evaluate(RelativeMotion r) {
+    return Blocks.dot(axis, 0, r.position, 0);
+  }
+
+  /** {@inheritDoc} There is none: A's observer turns with the vector. */
+  @Override
+  public void addCurvature(RelativeMotion r, double factor, double[] c) {}
+}

@@ -1,0 +1,103 @@
+package org.mechservice.solver.kinematics.pair;
+
+import java.util.Arrays;
+import java.util.List;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * A smooth function of the pose of body B seen from body A, such as a joint's coordinate or what a
+ * joint forbids. With δ = [δθ; δρ] the small rotation and displacement of B in A's axes, its change
+ * is gradientᵀ δ; the gradient changes by C δ, C being the curvature.
+ *
+ * <p>The gradient is also the moment and force on B, at B's point in A's axes, of a unit multiplier
+ * of the function; A feels the opposite.
+ */
+public abstract class PairFunction {
+  private final String label;
+
+  /** [by δθ; by δρ], 6 numbers, written by {@link #evaluate}. */
+  public final double[] gradient = new double[6];
+
+  private final double[] curvature = new double[36];
+  private final double[] rate = new double[6];
+
+  /**
+   * @param label what it measures, for messages
+   */
+  PairFunction(String label) {
+    this.label = label;
+  }
+
+  /**
+   * Returns how far B's point lies from A's along a vector fixed in A.
+   *
+   * @param axis unit vector in A's axes
+   */
+  public static PairFunction displacement(String label, Vector3 axis) {
+    return new Displacement(label, axis);
+  }
+
+  /**
+   * Returns how far B's point lies from a line through A's point, in two directions normal to it.
+   *
+   * @param direction unit vector along the line, in A's axes
+   */
+  public static List<PairFunction> offLine(Vector3 direction) {
+    Vector3 first = JointFunctions.normalTo(direction);
+    return List.of(
+        new Displacement("displacement across the line, first normal", first),
+        new Displacement("displacement across the line, second normal", direction.cross(first)));
+  }
+
+  /** Returns (|ρ|² − d²) / (2d), which is zero where the points are d apart, m. */
+  public static PairFunction distance(double d) {
+    return new Distance(d);
+  }
+
+  /** Returns what the function measures. */
+  public final String label() {
+    return label;
+  }
+
+  /** Returns the value at a pose, rad or m, and keeps the gradient. */
+  public abstract double evaluate(RelativeMotion r);
+
+  /**
+   * Adds the curvature at the pose last evaluated.
+   *
+   * @param c 6 × 6 row by row, by [δθ; δρ]; added to
+   */
+  public abstract void addCurvature(RelativeMotion r, double factor, double[] c);
+
+  /** Returns how far a value is from a wanted one; of angles, to the nearest whole turn. */
+  public double difference(double value, double wanted) {
+    return value - wanted;
+  }
+
+  /** Returns the rate of change; {@link #evaluate} comes before. */
+  public final double rate(RelativeMotion r) {
+    double sum = 0;
+    for (int i = 0; i < 3; i++) {
+      sum += gradient[i] * r.angularVelocity[i] + gradient[3 + i] * r.velocity[i];
+    }
+    return sum;
+  }
+
+  /** Returns the second derivative by time; {@link #evaluate} comes before. */
+  public final double acceleration(RelativeMotion r) {
+    double sum = 0;
+    for (int i = 0; i < 3; i++) {
+      sum += gradient[i] * r.angularAcceleration[i] + gradient[3 + i] * r.acceleration[i];
+      rate[i] = r.angularVelocity[i];
+      rate[3 + i] = r.velocity[i];
+    }
+    Arrays.fill(curvature, 0);
+    addCurvature(r, 1, curvature);
+    for (int i = 0; i < 6; i++) {
+      for (int j = 0; j < 6; j++) {
+        sum += rate[i] * curvature[6 * i + j] * rate[j];
+      }
+    }
+    return sum;
+  }
+}

@@ -1,0 +1,36 @@
+package org.mechservice.solver.kinematics.pair;
+
+/**
+ * Displacement along an axis less pitch times the angle about it, to the nearest whole turn: a
+ * screw may have turned any number of times.
+ */
+final class ScrewGap extends PairFunction {
+  private final Displacement displacement;
+  private final Turn turn;
+  private final double pitch;
+
+  /**
+   * @param pitch m/rad
+   */
+  ScrewGap(String label, Displacement displacement, Turn turn, double pitch) {
+    super(label);
+    this.displacement = displacement;
+    this.turn = turn;
+    this.pitch = pitch;
+  }
+
+  @Override
+  public double evaluate(RelativeMotion r) {
+    double gap = displacement.evaluate(r) - pitch * turn.evaluate(r);
+    for (int i = 0; i < 6; i++) {
+      gradient[i] = displacement.gradient[i] - pitch * turn.gradient[i];
+    }
+    double lead = 2 * Math.PI * pitch;
+    return lead == 0 ? gap : gap - lead * Math.rint(gap / lead);
+  }
+
+  @Override
+  public void addCurvature(RelativeMotion r, double factor, double[] c) {
+    turn.addCurvature(r, -pitch * factor, c);
+  }
+}

@@ -1,0 +1,100 @@
+package org.mechservice.solver.kinematics.pair;
+
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * 2 N / D with N a sum of products of axes and D = 1 + such a sum: 2 tan(φ/2) times a direction. It
+ * vanishes where the axes agree and nowhere else, since it grows without bound towards half a turn;
+ * near zero it is the small angle itself.
+ */
+final class Tilt extends PairFunction {
+  private final AxisProduct[] above;
+  private final double[] sign;
+  private final AxisProduct[] below;
+  private final double[] ofAbove = new double[3];
+  private final double[] ofBelow = new double[3];
+  private double value;
+  private double denominator;
+
+  private Tilt(String label, AxisProduct[] above, double[] sign, AxisProduct[] below) {
+    super(label);
+    this.above = above;
+    this.sign = sign;
+    this.below = below;
+  }
+
+  /**
+   * Returns how far an axis of B leans from one of A, in the direction of a normal of the latter.
+   *
+   * @param axisA unit vector in A's axes
+   * @param normal unit vector normal to it, in A's axes
+   * @param axisB unit vector in B's axes
+   */
+  static Tilt ofAxis(String label, Vector3 axisA, Vector3 normal, Vector3 axisB) {
+    return new Tilt(
+        label,
+        new AxisProduct[] {new AxisProduct(normal, axisB)},
+        new double[] {1},
+        new AxisProduct[] {new AxisProduct(axisA, axisB)});
+  }
+
+  /**
+   * Returns how far B is turned about an axis of a frame common to both at zero: 2 tan(φ/2) u · k
+   * for a rotation by φ about u.
+   *
+   * @param a right-handed axes of the frame in A's axes, k the first
+   * @param b the same axes in B's axes
+   */
+  static Tilt ofFrame(String label, Vector3[] a, Vector3[] b) {
+    // with D_ij = a_i · R b_j: 2 (D_32 − D_23) / (1 + D_11 + D_22 + D_33)
+    return new Tilt(
+        label,
+        new AxisProduct[] {new AxisProduct(a[2], b[1]), new AxisProduct(a[1], b[2])},
+        new double[] {1, -1},
+        new AxisProduct[] {
+          new AxisProduct(a[0], b[0]), new AxisProduct(a[1], b[1]), new AxisProduct(a[2], b[2])
+        });
+  }
+
+  @Override
+  public double evaluate(RelativeMotion r) {
+    double numerator = 0;
+    denominator = 1;
+    for (int k = 0; k < above.length; k++) {
+      numerator += sign[k] * above[k].evaluate(r);
+    }
+    for (AxisProduct product : below) {
+      denominator += product.evaluate(r);
+    }
+    value = 2 * numerator / denominator;
+    for (int i = 0; i < 3; i++) {
+      ofAbove[i] = 0;
+      ofBelow[i] = 0;
+      for (int k = 0; k < above.length; k++) {
+        ofAbove[i] += sign[k] * above[k].gradient[i];
+      }
+      for (AxisProduct product : below) {
+        ofBelow[i] += product.gradient[i];
+      }
+      gradient[i] = (2 * ofAbove[i] - value * ofBelow[i]) / denominator;
+    }
+    return value;
+  }
+
+  /** [2 ∂²N − f ∂²D − ∂D ∇fᵀ − ∇f ∂Dᵀ] / D. */
+  @Override
+  public void addCurvature(RelativeMotion r, double factor, double[] c) {
+    double scale = factor / denominator;
+    for (int k = 0; k < above.length; k++) {
+      above[k].addCurvature(2 * scale * sign[k], c);
+    }
+    for (AxisProduct product : below) {
+      product.addCurvature(-value * scale, c);
+    }
+    for (int i = 0; i < 3; i++) {
+      for (int j = 0; j < 3; j++) {
+        c[6 * i + j] -= scale * (ofBelow[i] * gradient[j] + gradient[i] * ofBelow[j]);
+      }
+    }
+  }
+}

@@ -1,0 +1,57 @@
+package org.mechservice.solver.mechanism;
+
+import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * The child turns about an axis fixed in both bodies and moves along it as a nut on a screw: A =
+ * Rot(axis, q) A0, the child's point lies at pitch · q · axis from the parent's (MECHML §4, type
+ * H).
+ *
+ * @param name name in the model file
+ * @param attachment bodies, points, rotation at zero
+ * @param axis unit vector in parent axes; positive motion of the child relative to the parent,
+ *     right-handed
+ * @param pitch way along the axis per angle, m/rad; negative for a left-handed screw
+ * @param initialPosition angle at the start, rad
+ * @param initialVelocity its rate at the start, rad/s
+ * @param origin where it was written down
+ */
+public record Screw(
+    String name,
+    Attachment attachment,
+    Vector3 axis,
+    double pitch,
+    double initialPosition,
+    double initialVelocity,
+    Origin origin)
+    implements Joint {
+
+  @Override
+  public JointType type() {
+    return JointType.H;
+  }
+
+  /** {@inheritDoc} The axis turns round, which leaves coordinate and pitch their sense. */
+  @Override
+  public Screw reversed() {
+    return new Screw(
+        name,
+        attachment.reversed(),
+        attachment.reversedAxis(axis),
+        pitch,
+        initialPosition,
+        initialVelocity,
+        origin);
+  }
+
+  @Override
+  public void initialPositions(double[] q, int offset) {
+    q[offset] = initialPosition;
+  }
+
+  @Override
+  public void initialVelocities(double[] v, int offset) {
+    v[offset] = initialVelocity;
+  }
+}

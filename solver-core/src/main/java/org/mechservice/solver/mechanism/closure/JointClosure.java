@@ -1,0 +1,85 @@
+package org.mechservice.solver.mechanism.closure;
+
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.mechanism.StartRole;
+
+/**
+ * A joint of any kind that was cut to open a loop: it takes the freedoms it does not have from the
+ * motion between its two bodies (MECHML §4). Its coordinates are no states; they follow from the
+ * pose of the two bodies.
+ *
+ * @param joint the joint; either of its bodies may be the root. Its start values are wishes
+ * @param startRole whether assembly must keep the start values, should, or need not
+ * @param motion prescribed motion: one expression of time per coordinate, rad or m; empty if the
+ *     joint moves freely
+ */
+public record JointClosure(Joint joint, StartRole startRole, List<Expression> motion)
+    implements LoopClosure {
+
+  /**
+   * @throws IllegalArgumentException if there are some motions but not one per coordinate, or the
+   *     joint's position is not a list of independent coordinates (S, F)
+   */
+  public JointClosure {
+    motion = List.copyOf(motion);
+    problem(joint, motion)
+        .ifPresent(
+            text -> {
+              throw new IllegalArgumentException(text);
+            });
+  }
+
+  private static Optional<String> problem(Joint joint, List<Expression> motion) {
+    int positions = joint.type().positionCount();
+    if (motion.isEmpty()) {
+      return Optional.empty();
+    }
+    if (positions != joint.type().velocityCount()) {
+      return Optional.of(
+          "joint "
+              + joint.name()
+              + " of type "
+              + joint.type()
+              + " cannot be driven by coordinates");
+    }
+    return motion.size() == positions
+        ? Optional.empty()
+        : Optional.of(
+            "joint "
+                + joint.name()
+                + " has "
+                + positions
+                + " coordinates but "
+                + motion.size()
+                + " motions");
+  }
+
+  /** A joint that moves freely and starts near the values it was given. */
+  public JointClosure(Joint joint) {
+    this(joint, StartRole.PREFERRED, List.of());
+  }
+
+  @Override
+  public String name() {
+    return joint.name();
+  }
+
+  @Override
+  public Origin origin() {
+    return joint.origin();
+  }
+
+  /** Returns whether assembly must keep the joint's start values. */
+  public boolean keepsStart() {
+    return startRole == StartRole.FIXED && !isDriven();
+  }
+
+  /** Returns whether the joint's coordinates follow prescribed motions. */
+  public boolean isDriven() {
+    return !motion.isEmpty();
+  }
+}

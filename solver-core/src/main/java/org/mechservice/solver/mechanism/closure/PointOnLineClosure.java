@@ -1,0 +1,18 @@
+package org.mechservice.solver.mechanism.closure;
+
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * A point of one body stays on a straight line fixed in another.
+ *
+ * @param name name in the model file
+ * @param point the point
+ * @param line a point of the line on the body that carries it
+ * @param direction unit vector along the line, in the axes of the body that carries it
+ * @param origin where it was written down
+ */
+public record PointOnLineClosure(
+    String name, BodyPoint point, BodyPoint line, Vector3 direction, Origin origin)
+    implements LoopClosure {}

@@ -1,0 +1,18 @@
+package org.mechservice.solver.mechanism.closure;
+
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * A point of one body stays in a plane fixed in another.
+ *
+ * @param name name in the model file
+ * @param point the point
+ * @param plane a point of the plane on the body that carries it
+ * @param normal unit vector normal to the plane, in the axes of the body that carries it
+ * @param origin where it was written down
+ */
+public record PointOnPlaneClosure(
+    String name, BodyPoint point, BodyPoint plane, Vector3 normal, Origin origin)
+    implements LoopClosure {}

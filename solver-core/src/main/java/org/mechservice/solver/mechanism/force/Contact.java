@@ -1,0 +1,68 @@
+package org.mechservice.solver.mechanism.force;
+
+import java.util.List;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.expression.BodyFrame;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.Origin;
+
+/**
+ * A sphere, or a point, pressed against a surface that pushes and never pulls.
+ *
+ * <p>The surface is carried by a frame: a height h above the frame's x-y plane (z points out of the
+ * ground), zero for a plane, or a profile h(s) along x that is the same for every y. With the
+ * centre (x, y, z) of the sphere in the frame, the penetration is d = radius + h(x) − z, measured
+ * along z. The push along z on the sphere is
+ *
+ * <p>N = k pos(d)ⁿ + c d′ pos′(d),
+ *
+ * <p>and the surface pushes across itself, (−N h′, 0, N) on the centre. Friction acts at the lowest
+ * point of the sphere (radius below the centre, along z): −friction · N · u / √(|u|² +
+ * frictionSpeed²), u the velocity along x and y of the body's point there relative to the surface.
+ * The carrier of the surface feels the opposite at the same places. A steep profile needs a small
+ * radius: distances are taken along z, not across the slope.
+ *
+ * <p>Energy: k ∫ posⁿ (zero at d = 0 for n = 1, at d = −∞ for n &gt; 1); power lost: c d′² pos′(d)
+ * and the work of friction. A damper can pull for an instant while the sphere leaves; friction
+ * follows the sign of N, so that all forces stay smooth.
+ *
+ * @param name name in the model file
+ * @param center centre of the sphere, or the point
+ * @param radius of the sphere, m; 0 for a point
+ * @param surface frame of the surface, z outwards
+ * @param height h of {@link Expression.Argument} and parameters, m; {@code Expression.ZERO} for a
+ *     plane
+ * @param stiffness k, N/mⁿ
+ * @param damping c, N·s/m
+ * @param exponent n ≥ 1
+ * @param smoothing ε of pos, m, not negative
+ * @param friction coefficient, not negative
+ * @param frictionSpeed sliding speed at which friction has 1/√2 of its full force, m/s, positive
+ * @param origin where it was written down
+ */
+public record Contact(
+    String name,
+    BodyPoint center,
+    Expression radius,
+    BodyFrame surface,
+    Expression height,
+    Expression stiffness,
+    Expression damping,
+    Expression exponent,
+    Expression smoothing,
+    Expression friction,
+    Expression frictionSpeed,
+    Origin origin)
+    implements ForceElement {
+
+  /** {@inheritDoc} Penetration, push, friction along the frame's x and y. */
+  @Override
+  public List<Variable> values() {
+    return List.of(
+        new Variable("penetration", "m"),
+        new Variable("normal", "N"),
+        new Variable("frictionX", "N"),
+        new Variable("frictionY", "N"));
+  }
+}

@@ -1,0 +1,25 @@
+package org.mechservice.solver.mechanism.force;
+
+import java.util.List;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.expression.Coordinate;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.Origin;
+
+/**
+ * A force in a joint, given by an expression. Positive drives the coordinate upwards, so its power
+ * is force · v. It has no energy.
+ *
+ * @param name name in the model file
+ * @param coordinate component counts velocities
+ * @param force of t, parameters and the state, N·m or N
+ * @param origin where it was written down
+ */
+public record JointForce(String name, Coordinate coordinate, Expression force, Origin origin)
+    implements ForceElement {
+
+  @Override
+  public List<Variable> values() {
+    return List.of(new Variable("force", "N·m or N"));
+  }
+}

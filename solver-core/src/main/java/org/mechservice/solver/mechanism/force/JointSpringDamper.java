@@ -1,0 +1,51 @@
+package org.mechservice.solver.mechanism.force;
+
+import java.util.List;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.expression.Coordinate;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.Origin;
+
+/**
+ * A spring and a damper in a joint, or a stop of its motion.
+ *
+ * <p>With x = q − position0, the force on the coordinate (positive drives it upwards) is
+ *
+ * <ul>
+ *   <li>{@code BOTH}: τ = force0 − k x − c v;
+ *   <li>{@code ABOVE}: τ = −(k pos(x) + c v pos′(x)), an upper stop;
+ *   <li>{@code BELOW}: τ = k pos(−x) − c v pos′(−x), a lower stop.
+ * </ul>
+ *
+ * Energy: ½ k x² − force0 x, or k ∫ pos with its zero at x = 0; power lost: c v², times pos′.
+ * Stiffness and damping of an angle are per radian. Joints with Euler parameters have displacements
+ * only (F, components 4 to 6 as positions).
+ *
+ * @param name name in the model file
+ * @param coordinate component counts positions; its position must have a velocity of its own
+ * @param stiffness k, N·m/rad or N/m
+ * @param damping c, N·m·s/rad or N·s/m
+ * @param position0 position of the unloaded spring, rad or m
+ * @param force0 force at {@code position0} on the coordinate, N·m or N; zero unless {@code side} is
+ *     {@code BOTH}
+ * @param side where it acts
+ * @param smoothing ε of pos, rad or m, not negative; not used for {@code BOTH}
+ * @param origin where it was written down
+ */
+public record JointSpringDamper(
+    String name,
+    Coordinate coordinate,
+    Expression stiffness,
+    Expression damping,
+    Expression position0,
+    Expression force0,
+    Side side,
+    Expression smoothing,
+    Origin origin)
+    implements ForceElement {
+
+  @Override
+  public List<Variable> values() {
+    return List.of(new Variable("force", "N·m or N"));
+  }
+}

@@ -1,0 +1,54 @@
+package org.mechservice.solver.mechanism.force;
+
+import java.util.List;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.Origin;
+
+/**
+ * A spring and a damper along the line between two points.
+ *
+ * <p>With the length L of the line and x = L − length0, the tension (positive pulls the points
+ * together) is
+ *
+ * <ul>
+ *   <li>{@code BOTH}: T = force0 + k x + c x′;
+ *   <li>{@code ABOVE}: T = k pos(x) + c x′ pos′(x), a rope or belt;
+ *   <li>{@code BELOW}: T = −(k pos(y) + c y′ pos′(y)) with y = −x, a buffer.
+ * </ul>
+ *
+ * Energy: ½ k x² + force0 x, or k ∫ pos with its zero at x = 0; power lost: c x′², times pos′.
+ * Where the points coincide the line has no direction: a run ends there with a message naming the
+ * force, unless the tension is exactly zero.
+ *
+ * @param name name in the model file
+ * @param point1 one end
+ * @param point2 the other end
+ * @param stiffness k, N/m
+ * @param damping c, N·s/m
+ * @param length0 length of the unstretched spring, m
+ * @param force0 tension at {@code length0}, N; zero unless {@code side} is {@code BOTH}
+ * @param side where it acts
+ * @param smoothing ε of pos, m, not negative; not used for {@code BOTH}
+ * @param origin where it was written down
+ */
+public record SpringDamper(
+    String name,
+    BodyPoint point1,
+    BodyPoint point2,
+    Expression stiffness,
+    Expression damping,
+    Expression length0,
+    Expression force0,
+    Side side,
+    Expression smoothing,
+    Origin origin)
+    implements ForceElement {
+
+  @Override
+  public List<Variable> values() {
+    return List.of(
+        new Variable("length", "m"), new Variable("rate", "m/s"), new Variable("tension", "N"));
+  }
+}

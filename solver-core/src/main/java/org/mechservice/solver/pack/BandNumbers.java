@@ -1,0 +1,73 @@
+package org.mechservice.solver.pack;
+
+/** Which band holds what. Numbers of two bytes take the next band too. */
+final class BandNumbers {
+  static final int CLASS_COUNT = 0;
+  static final int VERSION = 1;
+  static final int ACCESS = 2;
+  static final int FIELD_ACCESS = 4;
+  static final int METHOD_ACCESS = 6;
+  static final int COUNTS = 8;
+  static final int ATTRIBUTE_COUNT = 9;
+  static final int STACK = 10;
+  static final int LOCALS = 11;
+  static final int CODE_LENGTH = 12;
+  static final int HANDLER_COUNT = 13;
+  static final int HANDLER_RANGE = 14;
+  static final int OPCODE = 15;
+  static final int BYTE_CONSTANT = 16;
+  static final int SHORT_CONSTANT = 17;
+  static final int VARIABLE = 19;
+  static final int INCREMENT = 20;
+  static final int BRANCH = 21;
+  static final int SWITCH = 22;
+  static final int ARRAY_TYPE = 23;
+  static final int ARGUMENT_SLOTS = 24;
+  static final int FRAME_COUNT = 25;
+  static final int FRAME_KIND = 26;
+  static final int FRAME_OFFSET = 27;
+  static final int FRAME_TYPES = 28;
+  static final int FRAME_TYPE = 29;
+  static final int FRAME_NEW = 30;
+  static final int INNER_ACCESS = 31;
+  static final int LOADABLE_KIND = 33;
+  static final int LIST_LENGTH = 34;
+  static final int TABLE_LENGTH = 35;
+
+  /** References that are not operands of instructions: three bands each. */
+  static final int THIS = 40;
+
+  static final int SUPER = 43;
+  static final int INTERFACE = 46;
+  static final int FIELD_NAME = 49;
+  static final int FIELD_TYPE = 52;
+  static final int METHOD_NAME = 55;
+  static final int METHOD_TYPE = 58;
+  static final int ATTRIBUTE = 61;
+  static final int HANDLER_TYPE = 64;
+  static final int FRAME_CLASS = 67;
+  static final int LISTED_CLASS = 70;
+  static final int INNER_CLASS = 73;
+  static final int OUTER_CLASS = 76;
+  static final int INNER_NAME = 79;
+  static final int COMPONENT_NAME = 82;
+  static final int COMPONENT_TYPE = 85;
+  static final int BOOTSTRAP = 88;
+  static final int ENCLOSING = 91;
+
+  /** Values of fields and arguments of bootstrap methods: three bands for every kind. */
+  static final int VALUE = 100;
+
+  static final int ARGUMENT = 160;
+
+  /** The table of constants: four bands for every kind. */
+  static final int TABLE = 220;
+
+  /** Operands of instructions: three bands for every opcode that has a constant. */
+  static final int OPERAND = 320;
+
+  /** Loaded constants: three bands for every kind. */
+  static final int LOADED = 940;
+
+  private BandNumbers() {}
+}

@@ -1,0 +1,163 @@
+package org.mechservice.solver.pack;
+
+import java.io.IOException;
+
+/** Walks through a class file behind its constant pool (JVMS §4.1, §4.5 to §4.7). */
+final class ClassWalk {
+  private static final int SAME = 64;
+  private static final int SAME_WITH_STACK = 128;
+  private static final int SAME_WITH_STACK_FAR = 247;
+  private static final int SAME_FAR = 251;
+  private static final int FULL = 255;
+  private static final int OBJECT_TYPE = 7;
+  private static final int NEW_TYPE = 8;
+
+  private final Transfer transfer;
+  private final CodeWalk code;
+
+  ClassWalk(Transfer transfer) {
+    this.transfer = transfer;
+    this.code = new CodeWalk(transfer);
+  }
+
+  /**
+   * Walks from the access flags to the end.
+   *
+   * @throws IOException if the packed classes are damaged
+   * @throws IllegalArgumentException if the class has an attribute that is not known here
+   */
+  void walk() throws IOException {
+    transfer.pair(BandNumbers.ACCESS);
+    transfer.reference(BandNumbers.THIS, Constant.CLASS);
+    transfer.reference(BandNumbers.SUPER, Constant.CLASS);
+    int interfaces = transfer.small(BandNumbers.COUNTS);
+    for (int i = 0; i < interfaces; i++) {
+      transfer.reference(BandNumbers.INTERFACE, Constant.CLASS);
+    }
+    members(BandNumbers.FIELD_ACCESS, BandNumbers.FIELD_NAME, BandNumbers.FIELD_TYPE);
+    members(BandNumbers.METHOD_ACCESS, BandNumbers.METHOD_NAME, BandNumbers.METHOD_TYPE);
+    attributes();
+  }
+
+  private void members(int access, int name, int type) throws IOException {
+    int count = transfer.small(BandNumbers.COUNTS);
+    for (int i = 0; i < count; i++) {
+      transfer.pair(access);
+      transfer.reference(name, Constant.UTF8);
+      transfer.reference(type, Constant.UTF8);
+      attributes();
+    }
+  }
+
+  private void attributes() throws IOException {
+    int count = transfer.small(BandNumbers.ATTRIBUTE_COUNT);
+    for (int i = 0; i < count; i++) {
+      String name = transfer.reference(BandNumbers.ATTRIBUTE, Constant.UTF8);
+      int begin = transfer.beginLength();
+      attribute(name);
+      transfer.endLength(begin);
+    }
+  }
+
+  private void attribute(String name) throws IOException {
+    switch (name) {
+      case "Code" -> codeAttribute();
+      case "StackMapTable" -> frames();
+      case "ConstantValue" -> transfer.loadable(BandNumbers.VALUE, 2);
+      case "Exceptions", "NestMembers", "PermittedSubclasses" -> classes();
+      case "NestHost" -> transfer.reference(BandNumbers.LISTED_CLASS, Constant.CLASS);
+      case "InnerClasses" -> innerClasses();
+      case "EnclosingMethod" -> {
+        transfer.reference(BandNumbers.LISTED_CLASS, Constant.CLASS);
+        transfer.reference(BandNumbers.ENCLOSING, Constant.NAME_AND_TYPE);
+      }
+      case "Record" -> components();
+      case "BootstrapMethods" -> bootstrapMethods();
+      case "Synthetic", "Deprecated" -> {
+        // has no content
+      }
+      default ->
+          throw new IllegalArgumentException("a class to be packed has the attribute " + name);
+    }
+  }
+
+  private void codeAttribute() throws IOException {
+    transfer.small(BandNumbers.STACK);
+    transfer.small(BandNumbers.LOCALS);
+    code.walk(transfer.wide(BandNumbers.CODE_LENGTH));
+    int handlers = transfer.small(BandNumbers.HANDLER_COUNT);
+    for (int i = 0; i < handlers; i++) {
+      transfer.small(BandNumbers.HANDLER_RANGE);
+      transfer.small(BandNumbers.HANDLER_RANGE);
+      transfer.small(BandNumbers.HANDLER_RANGE);
+      transfer.reference(BandNumbers.HANDLER_TYPE, Constant.CLASS);
+    }
+    attributes();
+  }
+
+  private void frames() throws IOException {
+    int count = transfer.small(BandNumbers.FRAME_COUNT);
+    for (int i = 0; i < count; i++) {
+      int kind = transfer.byteOf(BandNumbers.FRAME_KIND);
+      if (kind >= SAME_WITH_STACK) {
+        transfer.small(BandNumbers.FRAME_OFFSET);
+      }
+      if ((kind >= SAME && kind < SAME_WITH_STACK) || kind == SAME_WITH_STACK_FAR) {
+        types(1);
+      } else if (kind == FULL) {
+        types(transfer.small(BandNumbers.FRAME_TYPES));
+        types(transfer.small(BandNumbers.FRAME_TYPES));
+      } else if (kind > SAME_FAR) {
+        types(kind - SAME_FAR);
+      }
+    }
+  }
+
+  private void types(int count) throws IOException {
+    for (int i = 0; i < count; i++) {
+      int type = transfer.byteOf(BandNumbers.FRAME_TYPE);
+      if (type == OBJECT_TYPE) {
+        transfer.reference(BandNumbers.FRAME_CLASS, Constant.CLASS);
+      } else if (type == NEW_TYPE) {
+        transfer.small(BandNumbers.FRAME_NEW);
+      }
+    }
+  }
+
+  private void classes() throws IOException {
+    int count = transfer.small(BandNumbers.LIST_LENGTH);
+    for (int i = 0; i < count; i++) {
+      transfer.reference(BandNumbers.LISTED_CLASS, Constant.CLASS);
+    }
+  }
+
+  private void innerClasses() throws IOException {
+    int count = transfer.small(BandNumbers.LIST_LENGTH);
+    for (int i = 0; i < count; i++) {
+      transfer.reference(BandNumbers.INNER_CLASS, Constant.CLASS);
+      transfer.reference(BandNumbers.OUTER_CLASS, Constant.CLASS);
+      transfer.reference(BandNumbers.INNER_NAME, Constant.UTF8);
+      transfer.pair(BandNumbers.INNER_ACCESS);
+    }
+  }
+
+  private void components() throws IOException {
+    int count = transfer.small(BandNumbers.LIST_LENGTH);
+    for (int i = 0; i < count; i++) {
+      transfer.reference(BandNumbers.COMPONENT_NAME, Constant.UTF8);
+      transfer.reference(BandNumbers.COMPONENT_TYPE, Constant.UTF8);
+      attributes();
+    }
+  }
+
+  private void bootstrapMethods() throws IOException {
+    int count = transfer.small(BandNumbers.LIST_LENGTH);
+    for (int i = 0; i < count; i++) {
+      transfer.reference(BandNumbers.BOOTSTRAP, Constant.METHOD_HANDLE);
+      int arguments = transfer.small(BandNumbers.LIST_LENGTH);
+      for (int k = 0; k < arguments; k++) {
+        transfer.loadable(BandNumbers.ARGUMENT, 2);
+      }
+    }
+  }
+}

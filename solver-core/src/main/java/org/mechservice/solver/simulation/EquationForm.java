@@ -1,0 +1,16 @@
+package org.mechservice.solver.simulation;
+
+import org.mechservice.solver.api.Model;
+
+/**
+ * How a model's equations are handed to an integrator. A JAR for one scene carries one form, so
+ * what other scenes need stays out of it.
+ */
+public interface EquationForm {
+  /**
+   * Returns the equations of a model in this form.
+   *
+   * @throws IllegalArgumentException S-061 if the model does not have it
+   */
+  ModelEquations of(Model model);
+}

@@ -1,0 +1,26 @@
+package org.mechservice.solver.simulation;
+
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.integration.Integrator;
+import org.mechservice.solver.integration.OdeSystem;
+import org.mechservice.solver.integration.StepResult;
+
+/** A model in explicit form as the integrator sees it. */
+class ExplicitEquations extends ModelEquations implements OdeSystem {
+  private final ExplicitModel model;
+
+  ExplicitEquations(ExplicitModel model) {
+    super(model, model.description().stateCount());
+    this.model = model;
+  }
+
+  @Override
+  StepResult start(Integrator integrator, double t0, double[] y0, double tEnd) {
+    return integrator.start(this, t0, y0, tEnd);
+  }
+
+  @Override
+  public void derivative(double t, double[] y, double[] yDot) {
+    note(model.derivative(t, y, yDot), yDot);
+  }
+}

@@ -1,0 +1,20 @@
+package org.mechservice.solver.simulation;
+
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.Model;
+
+/** y' = f(t, y) of open chains. */
+public final class ExplicitForm implements EquationForm {
+  @Override
+  public ModelEquations of(Model model) {
+    return new ExplicitEquations(explicit(model));
+  }
+
+  static ExplicitModel explicit(Model model) {
+    if (model instanceof ExplicitModel explicit) {
+      return explicit;
+    }
+    throw new IllegalArgumentException(
+        "S-061 model \"" + model.description().name() + "\" has no explicit form y' = f(t, y)");
+  }
+}

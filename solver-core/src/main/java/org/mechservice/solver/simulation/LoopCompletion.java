@@ -1,0 +1,25 @@
+package org.mechservice.solver.simulation;
+
+import org.mechservice.solver.api.DependentStates;
+import org.mechservice.solver.integration.CompletedSystem;
+
+/** What a model knows of its dependent states, in the integrator's words. */
+interface LoopCompletion extends CompletedSystem {
+  /** Returns what the model knows. */
+  DependentStates loops();
+
+  @Override
+  default boolean independent(int component) {
+    return loops().independent(component);
+  }
+
+  @Override
+  default boolean complete(double t, double[] y) {
+    return loops().complete(t, y);
+  }
+
+  @Override
+  default boolean accepted(double t, double[] y) {
+    return loops().accepted(t, y);
+  }
+}

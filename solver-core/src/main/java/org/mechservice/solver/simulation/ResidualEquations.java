@@ -1,0 +1,42 @@
+package org.mechservice.solver.simulation;
+
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ResidualModel;
+import org.mechservice.solver.integration.Integrator;
+import org.mechservice.solver.integration.ResidualIntegrator;
+import org.mechservice.solver.integration.ResidualSystem;
+import org.mechservice.solver.integration.StepResult;
+
+/** A model in residual form as the integrator sees it. */
+class ResidualEquations extends ModelEquations implements ResidualSystem {
+  private final ResidualModel model;
+
+  ResidualEquations(ResidualModel model) {
+    super(model, model.unknownCount());
+    this.model = model;
+  }
+
+  @Override
+  StepResult start(Integrator integrator, double t0, double[] y0, double tEnd) {
+    if (!(integrator instanceof ResidualIntegrator method)) {
+      throw new IllegalArgumentException(
+          "S-061 the integrator takes no residual form F(t, y, y') = 0");
+    }
+    double[] yDot0 = new double[dimension()];
+    int result = model.consistent(t0, y0, yDot0);
+    note(result, yDot0);
+    return result == ExplicitModel.REGULAR
+        ? method.start(this, t0, y0, yDot0, tEnd)
+        : StepResult.FAILED;
+  }
+
+  @Override
+  public void residual(double t, double[] y, double[] yDot, double[] residual) {
+    note(model.residual(t, y, yDot, residual), residual);
+  }
+
+  @Override
+  public Component component(int index) {
+    return model.isDifferential(index) ? Component.DIFFERENTIAL : Component.ALGEBRAIC;
+  }
+}

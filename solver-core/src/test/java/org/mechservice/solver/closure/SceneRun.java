@@ -1,0 +1,76 @@
+package org.mechservice.solver.closure;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.scenes.SharedScene;
+import org.mechservice.solver.scenes.SharedScene.ReferenceState;
+import org.mechservice.solver.simulation.RuntimeSolver;
+
+/** A run of a model with its rows. */
+final class SceneRun implements ResultSink {
+  final List<double[]> rows = new ArrayList<>();
+  final RunReport report;
+
+  private SceneRun(Model model, RunSettings settings) {
+    try {
+      report =
+          new RuntimeSolver()
+              .run(model, new RunRequest(settings, Set.of()), this, new RunControl());
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Runs a model as its own settings say. */
+  static SceneRun of(Model model) {
+    return new SceneRun(model, model.description().defaults());
+  }
+
+  /** Returns settings with an absolute tolerance of a hundredth of the relative one. */
+  static RunSettings settings(
+      double end, double step, String integrator, double relativeTolerance) {
+    return new RunSettings(0, end, step, integrator, relativeTolerance, relativeTolerance / 100);
+  }
+
+  @Override
+  public void begin(List<Variable> columns) {}
+
+  @Override
+  public void row(double[] values) {
+    rows.add(values.clone());
+  }
+
+  /** Returns the row of a time. */
+  double[] at(double t) {
+    return rows.stream()
+        .filter(row -> Math.abs(row[0] - t) < 1e-9)
+        .findFirst()
+        .orElseThrow(() -> new IllegalStateException("no row at " + t + ": " + report.outcome()));
+  }
+
+  /**
+   * Returns the largest |q − reference| / (1 + |reference|) at the output times (SCENES §8); Euler
+   * parameters may have either sign.
+   */
+  double error(SharedScene scene) {
+    double error = 0;
+    for (ReferenceState state : scene.reference()) {
+      double[] row = at(state.t());
+      for (int i = 0; i < state.q().length; i++) {
+        double reference = state.q()[i];
+        error = Math.max(error, Math.abs(row[1 + i] - reference) / (1 + Math.abs(reference)));
+      }
+    }
+    return error;
+  }
+}

@@ -1,0 +1,129 @@
+package org.mechservice.solver.dynamics;
+
+import java.util.Arrays;
+import java.util.Random;
+import org.mechservice.solver.kinematics.StateCoordinates;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/** A mechanism in a state, with joint forces and wrenches, and the questions laws ask of it. */
+final class Evaluation {
+  final Mechanism mechanism;
+  final TreeGeometry tree;
+  final TreeMotion motion;
+  final StateCoordinates coordinates;
+  final int nq;
+  final int nv;
+  final double[] y;
+  final double[] tau;
+  final double[] wrench;
+
+  Evaluation(Mechanism mechanism) {
+    this.mechanism = mechanism;
+    tree = new TreeGeometry(mechanism);
+    motion = new TreeMotion(tree);
+    coordinates = new StateCoordinates(mechanism);
+    nq = mechanism.positionCount();
+    nv = mechanism.velocityCount();
+    y = new double[nq + nv];
+    mechanism.initialState(y);
+    tau = new double[tree.velocityCount];
+    wrench = new double[6 * tree.linkCount];
+    motion.sweep(0, y);
+  }
+
+  /** Adds joint forces and wrenches on all bodies of size 1 to 5. */
+  Evaluation loaded(long seed) {
+    Random random = new Random(seed);
+    for (int i = 0; i < tau.length; i++) {
+      tau[i] = 10 * random.nextDouble() - 5;
+    }
+    for (int link : tree.linkOfBody) {
+      for (int i = 0; i < 6; i++) {
+        wrench[6 * link + i] = 2 * random.nextDouble() - 1;
+      }
+    }
+    return this;
+  }
+
+  double[] velocities() {
+    double[] v = new double[nv];
+    System.arraycopy(y, nq, v, 0, nv);
+    return v;
+  }
+
+  SemiRecursive.Workspace semiRecursive() {
+    SemiRecursive.Workspace w = new SemiRecursive(tree).newWorkspace(motion);
+    w.formMassMatrix();
+    w.formBias(wrench, tau);
+    return w;
+  }
+
+  double[] byArticulatedBodies() {
+    double[] a = new double[nv];
+    ArticulatedBody dynamics = new ArticulatedBody(tree);
+    require(dynamics.accelerations(dynamics.newWorkspace(motion), wrench, tau, a, 0));
+    return a;
+  }
+
+  double[] bySemiRecursion() {
+    double[] a = new double[nv];
+    SemiRecursive dynamics = new SemiRecursive(tree);
+    require(dynamics.accelerations(dynamics.newWorkspace(motion), wrench, tau, a, 0));
+    return a;
+  }
+
+  private static void require(int singular) {
+    if (singular >= 0) {
+      throw new IllegalStateException("singular at velocity " + singular);
+    }
+  }
+
+  /** Returns M a + b − τ of the state's velocities by one Newton-Euler sweep. */
+  double[] residual(double[] a) {
+    return Arrays.copyOf(extendedResidual(a), nv);
+  }
+
+  double[] extendedResidual(double[] a) {
+    double[] residual = new double[tree.velocityCount];
+    motion.accelerationSweep(a);
+    new SemiRecursive(tree).newWorkspace(motion).formResidual(wrench, tau, residual);
+    return residual;
+  }
+
+  double kineticEnergy() {
+    return new WorldMotion(motion).kineticEnergy() + new MassiveRods(tree).kineticEnergy(motion);
+  }
+
+  double potentialEnergy() {
+    return new WorldMotion(motion).potentialEnergy()
+        + new MassiveRods(tree).potentialEnergy(motion);
+  }
+
+  /** Returns the state after a small step along q' = N v and v' = a. */
+  double[] along(double[] a, double h) {
+    double[] moved = y.clone();
+    coordinates.move(moved, 0, y, nq, h);
+    for (int i = 0; i < nv; i++) {
+      moved[nq + i] += h * a[i];
+    }
+    return moved;
+  }
+
+  static double norm(double[] x) {
+    double sum = 0;
+    for (double xi : x) {
+      sum += xi * xi;
+    }
+    return Math.sqrt(sum);
+  }
+
+  static double largest(double[] values) {
+    double largest = 0;
+    for (double value : values) {
+      largest = Math.max(largest, Math.abs(value));
+    }
+    return largest;
+  }
+}

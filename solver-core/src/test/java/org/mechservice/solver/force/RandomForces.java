@@ -1,0 +1,275 @@
+package org.mechservice.solver.force;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.IntStream;
+import org.mechservice.solver.expression.BodyFrame;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.ClosureCoordinate;
+import org.mechservice.solver.expression.Coordinate;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Expression.Argument;
+import org.mechservice.solver.expression.Expression.Call;
+import org.mechservice.solver.expression.Expression.CoordinatePosition;
+import org.mechservice.solver.expression.Expression.CoordinateVelocity;
+import org.mechservice.solver.expression.Expression.PointPosition;
+import org.mechservice.solver.expression.Expression.PointVelocity;
+import org.mechservice.solver.expression.Expression.Product;
+import org.mechservice.solver.expression.Expression.Sum;
+import org.mechservice.solver.expression.Expression.Time;
+import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.mechanism.force.Bushing;
+import org.mechservice.solver.mechanism.force.Contact;
+import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.ForceTorque;
+import org.mechservice.solver.mechanism.force.JointForce;
+import org.mechservice.solver.mechanism.force.JointFriction;
+import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.NamedPoint;
+import org.mechservice.solver.mechanism.force.Side;
+import org.mechservice.solver.mechanism.force.SpringDamper;
+import org.mechservice.solver.mechanism.force.UserForceElement;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * Seeded forces of every kind between the bodies and joints of a mechanism, all terms of a size of
+ * 1 to 10 so that their differences keep their digits.
+ */
+public final class RandomForces {
+  /** What can be drawn. */
+  enum Kind {
+    SPRING_BOTH,
+    SPRING_ABOVE,
+    SPRING_BELOW,
+    JOINT_SPRING,
+    JOINT_STOP,
+    BUSHING_ENERGY,
+    BUSHING_LINEAR,
+    FORCE_TORQUE_WORLD,
+    FORCE_TORQUE_BODY,
+    JOINT_FORCE,
+    CONTACT_PLANE,
+    CONTACT_PROFILE,
+    FRICTION,
+    USER_WITH_DIFFERENCES,
+    USER_WITH_DERIVATIVES
+  }
+
+  private final Random random;
+  private final Mechanism mechanism;
+  private final List<JointCoordinate> positions = new ArrayList<>();
+  private final List<JointCoordinate> velocities = new ArrayList<>();
+  private final List<JointCoordinate> allPositions = new ArrayList<>();
+
+  public RandomForces(long seed, Mechanism mechanism) {
+    random = new Random(seed);
+    this.mechanism = mechanism;
+    for (int j = 0; j < mechanism.joints().size(); j++) {
+      Joint joint = mechanism.joints().get(j);
+      int surplus = joint.type().positionCount() - joint.type().velocityCount();
+      for (int i = 0; i < joint.type().positionCount(); i++) {
+        allPositions.add(new JointCoordinate(j, i));
+        if (surplus == 0 || i >= 4) {
+          positions.add(new JointCoordinate(j, i));
+        }
+      }
+      for (int i = 0; i < joint.type().velocityCount(); i++) {
+        velocities.add(new JointCoordinate(j, i));
+      }
+    }
+  }
+
+  /** Returns the mechanism with some forces of a kind. */
+  Mechanism with(Kind kind) {
+    List<ForceElement> forces = IntStream.range(0, 3).mapToObj(i -> force(kind, "f" + i)).toList();
+    return with(forces);
+  }
+
+  /** Returns the mechanism with one force of every kind. */
+  public Mechanism withAll() {
+    List<ForceElement> forces = new ArrayList<>();
+    for (Kind kind : Kind.values()) {
+      forces.add(force(kind, kind.name()));
+    }
+    return with(forces);
+  }
+
+  Mechanism with(List<ForceElement> forces) {
+    return new Mechanism(
+        mechanism.name(),
+        mechanism.root(),
+        mechanism.gravity(),
+        mechanism.bodies(),
+        mechanism.joints(),
+        mechanism.motions(),
+        mechanism.startRoles(),
+        mechanism.closures(),
+        forces,
+        mechanism.parameters());
+  }
+
+  ForceElement force(Kind kind, String name) {
+    return switch (kind) {
+      case SPRING_BOTH -> spring(name, Side.BOTH);
+      case SPRING_ABOVE -> spring(name, Side.ABOVE);
+      case SPRING_BELOW -> spring(name, Side.BELOW);
+      case JOINT_SPRING -> jointSpring(name, pick(positions), Side.BOTH);
+      case JOINT_STOP ->
+          jointSpring(name, pick(positions), random.nextBoolean() ? Side.ABOVE : Side.BELOW);
+      case BUSHING_ENERGY -> bushing(name, Bushing.Law.ENERGY);
+      case BUSHING_LINEAR -> bushing(name, Bushing.Law.LINEAR);
+      case FORCE_TORQUE_WORLD -> wrench(name, ForceTorque.Axes.WORLD);
+      case FORCE_TORQUE_BODY -> wrench(name, ForceTorque.Axes.BODY);
+      case JOINT_FORCE -> new JointForce(name, pick(velocities), formula(3), Origin.NONE);
+      case CONTACT_PLANE -> contact(name, Expression.ZERO, 1.5);
+      case CONTACT_PROFILE ->
+          contact(name, new Call(Function.SIN, List.of(new Argument())), 1 + random.nextInt(2));
+      case FRICTION -> friction(name, pick(velocities));
+      case USER_WITH_DIFFERENCES -> user(name, "differences");
+      case USER_WITH_DERIVATIVES -> user(name, "derivatives");
+    };
+  }
+
+  JointSpringDamper jointSpring(String name, Coordinate coordinate, Side side) {
+    return new JointSpringDamper(
+        name,
+        coordinate,
+        number(),
+        number(),
+        number(),
+        side == Side.BOTH ? number() : Expression.ZERO,
+        side,
+        Expression.of(0.4),
+        Origin.NONE);
+  }
+
+  JointFriction friction(String name, Coordinate coordinate) {
+    return new JointFriction(
+        name, coordinate, positive(), positive(), Expression.of(0.5), Origin.NONE);
+  }
+
+  JointForce jointForce(String name, ClosureCoordinate coordinate) {
+    return new JointForce(
+        name,
+        coordinate,
+        new Sum(
+            formula(2),
+            new Product(new CoordinatePosition(coordinate), new CoordinateVelocity(coordinate))),
+        Origin.NONE);
+  }
+
+  private SpringDamper spring(String name, Side side) {
+    return new SpringDamper(
+        name,
+        point(),
+        point(),
+        number(),
+        number(),
+        positive(),
+        side == Side.BOTH ? number() : Expression.ZERO,
+        side,
+        Expression.of(0.3),
+        Origin.NONE);
+  }
+
+  private Bushing bushing(String name, Bushing.Law law) {
+    return new Bushing(
+        name, frame(), frame(), numbers(36), numbers(36), numbers(6), law, Origin.NONE);
+  }
+
+  private ForceTorque wrench(String name, ForceTorque.Axes axes) {
+    List<Expression> six = IntStream.range(0, 6).mapToObj(i -> formula(2)).toList();
+    return new ForceTorque(name, point(), axes, six, Origin.NONE);
+  }
+
+  private Contact contact(String name, Expression height, double exponent) {
+    return new Contact(
+        name,
+        point(),
+        Expression.of(0.3),
+        frame(),
+        height,
+        positive(),
+        positive(),
+        Expression.of(exponent),
+        Expression.of(0.5),
+        Expression.of(0.7),
+        Expression.of(0.6),
+        Origin.NONE);
+  }
+
+  private UserForceElement user(String name, String className) {
+    List<NamedPoint> points =
+        List.of(
+            new NamedPoint("A", "p", point()),
+            new NamedPoint("B", "p", point()),
+            new NamedPoint("C", "p", point()));
+    JointCoordinate coordinate = pick(velocities);
+    String joint = mechanism.joints().get(coordinate.joint()).name();
+    String withJoint = className + " " + joint + " " + coordinate.component();
+    return new UserForceElement(name, withJoint, points, Origin.NONE);
+  }
+
+  /** A smooth function of everything an expression may contain. */
+  private Expression formula(int depth) {
+    if (depth == 0) {
+      return leaf();
+    }
+    Expression a = formula(depth - 1);
+    Expression b = formula(depth - 1);
+    return switch (random.nextInt(3)) {
+      case 0 -> new Sum(a, b);
+      case 1 -> new Product(new Call(Function.ATAN, List.of(a)), b);
+      default -> new Call(Function.SIN, List.of(new Sum(a, b)));
+    };
+  }
+
+  private Expression leaf() {
+    return switch (random.nextInt(6)) {
+      case 0 -> new Time();
+      case 1 -> new CoordinatePosition(pick(allPositions));
+      case 2 -> new CoordinateVelocity(pick(velocities));
+      case 3 -> new PointPosition(point(), random.nextInt(3));
+      case 4 -> new PointVelocity(point(), random.nextInt(3));
+      default -> number();
+    };
+  }
+
+  private <T> T pick(List<T> all) {
+    return all.get(random.nextInt(all.size()));
+  }
+
+  private BodyPoint point() {
+    return new BodyPoint(body(), vector());
+  }
+
+  private BodyFrame frame() {
+    return new BodyFrame(body(), vector(), Rotation.about(vector().normalized(), 1));
+  }
+
+  private int body() {
+    return random.nextInt(-1, mechanism.bodies().size());
+  }
+
+  private Vector3 vector() {
+    return new Vector3(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
+  }
+
+  private List<Expression> numbers(int count) {
+    return IntStream.range(0, count).mapToObj(i -> number()).toList();
+  }
+
+  private Expression number() {
+    return Expression.of(4 * random.nextDouble() - 2);
+  }
+
+  private Expression positive() {
+    return Expression.of(0.5 + 2 * random.nextDouble());
+  }
+}

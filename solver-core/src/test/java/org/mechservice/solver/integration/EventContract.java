@@ -1,0 +1,475 @@
+package org.mechservice.solver.integration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.integration.EventFunctions.Direction;
+import org.mechservice.solver.integration.EventFunctions.Reaction;
+
+/** Events, whatever the integrator. */
+abstract class EventContract {
+  private static final double GRAVITY = 9.81;
+
+  /** y'' = −y from (0, 1): sin t, cos t. */
+  private static final Ode CIRCLE =
+      new Ode(
+          2,
+          (t, y, yDot) -> {
+            yDot[0] = y[1];
+            yDot[1] = -y[0];
+          });
+
+  /** Steps of at most 0.1. */
+  private static final IntegratorSettings TENTH =
+      new IntegratorSettings(1e-6, List.of(1e-6), 0.1, 0, 0, Long.MAX_VALUE, () -> false);
+
+  private static final Ode FALL =
+      new Ode(
+          2,
+          (t, y, yDot) -> {
+            yDot[0] = y[1];
+            yDot[1] = -GRAVITY;
+          });
+
+  abstract Integrator create(IntegratorSettings settings);
+
+  /** Returns the mode in which the method delivers what the suite asks for. */
+  IntegratorSettings.Mode mode() {
+    return IntegratorSettings.Mode.STANDARD;
+  }
+
+  final Integrator create(double tolerance) {
+    return create(new IntegratorSettings(tolerance, tolerance));
+  }
+
+  /** Functions written down in a test, with a record of what occurred. */
+  private static class Watch implements EventFunctions {
+    final List<Double> times = new ArrayList<>();
+    final List<List<Integer>> functions = new ArrayList<>();
+    private final int count;
+    private final Values values;
+    private final Direction direction;
+    private final Reaction reaction;
+    private double hysteresis;
+
+    interface Values {
+      void evaluate(double t, double[] y, double[] g);
+    }
+
+    Watch(int count, Direction direction, Reaction reaction, Values values) {
+      this.count = count;
+      this.direction = direction;
+      this.reaction = reaction;
+      this.values = values;
+    }
+
+    Watch withHysteresis(double band) {
+      hysteresis = band;
+      return this;
+    }
+
+    @Override
+    public int count() {
+      return count;
+    }
+
+    @Override
+    public void evaluate(double t, double[] y, double[] g) {
+      values.evaluate(t, y, g);
+    }
+
+    @Override
+    public Direction direction(int function) {
+      return direction;
+    }
+
+    @Override
+    public double hysteresis(int function) {
+      return hysteresis;
+    }
+
+    @Override
+    public Reaction occurred(double t, double[] y, boolean[] occurred) {
+      times.add(t);
+      List<Integer> which = new ArrayList<>();
+      for (int i = 0; i < occurred.length; i++) {
+        if (occurred[i]) {
+          which.add(i);
+        }
+      }
+      functions.add(which);
+      return reaction;
+    }
+  }
+
+  /** A ball that keeps a share of its speed at each bounce. */
+  private static final class Bounces extends Watch {
+    private final double restitution;
+
+    Bounces(double restitution) {
+      super(1, Direction.FALLING, Reaction.RESTART, (t, y, g) -> g[0] = y[0]);
+      this.restitution = restitution;
+    }
+
+    @Override
+    public Reaction occurred(double t, double[] y, boolean[] occurred) {
+      y[1] = -restitution * y[1];
+      return super.occurred(t, y, occurred);
+    }
+  }
+
+  private static Run run(EventIntegration integrator, OdeSystem system, double[] y0, double tEnd) {
+    return Run.of(integrator, system, 0, y0, tEnd);
+  }
+
+  // The suite's bouncing ball
+
+  @Test
+  void ballBouncesWhenItShouldAndNoOftener() {
+    // Suite: ev_bounce. Dropped from 10 m, keeping 80 % of its speed.
+    Bounces bounces = new Bounces(0.8);
+    IntegratorSettings settings = new IntegratorSettings(1e-10, 1e-10).withMode(mode());
+    EventIntegration integrator = new EventIntegration(create(settings), bounces);
+    double[] y = new double[2];
+    StepResult result = integrator.start(FALL, 0, new double[] {10, 0}, 12);
+    double lowest = 10;
+    while (result == StepResult.ADVANCED) {
+      result = integrator.step();
+      for (double part : new double[] {0, 0.5, 1}) {
+        double t =
+            integrator.previousTime() + part * (integrator.time() - integrator.previousTime());
+        integrator.interpolate(part == 1 ? Math.min(12, integrator.time()) : t, y, new double[2]);
+        lowest = Math.min(lowest, y[0]);
+      }
+    }
+    assertThat(result).isEqualTo(StepResult.REACHED_END);
+    List<Double> expected = new ArrayList<>();
+    double fall = Math.sqrt(2 * 10 / GRAVITY);
+    double t = fall;
+    for (double flight = 2 * fall * 0.8; t < 12; flight *= 0.8) {
+      expected.add(t);
+      t += flight;
+    }
+    assertThat(expected).hasSize(12);
+    assertThat(bounces.times).hasSize(12);
+    for (int i = 0; i < 12; i++) {
+      assertThat(bounces.times.get(i)).isCloseTo(expected.get(i), within(1e-9));
+    }
+    assertThat(lowest).isGreaterThanOrEqualTo(-1e-8);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-3, 1e-6, 1e-10})
+  void bouncesThatAccumulateEndTheRun(double tolerance) {
+    EventIntegration integrator = new EventIntegration(create(tolerance), new Bounces(0.8));
+    Run run = run(integrator, FALL, new double[] {10, 0}, 20);
+    assertThat(run.result()).isEqualTo(StepResult.FAILED);
+    IntegrationFailure failure = integrator.failure();
+    assertThat(failure.cause()).isEqualTo(IntegrationFailure.Cause.EVENTS_ACCUMULATE);
+    // All bounces together take (1 + 2 · 0.8 / 0.2) times the first fall. Bounces lower than the
+    // tolerance, each shorter than √(8 tolerance / g), need not be there; five times the last one
+    // that is are to come.
+    double rest = 9 * Math.sqrt(2 * 10 / GRAVITY);
+    assertThat(failure.time()).isCloseTo(rest, within(20 * Math.sqrt(tolerance)));
+    assertThat(failure.lastSteps()).hasSize(10);
+    assertThatIllegalStateException().isThrownBy(integrator::step);
+  }
+
+  @Test
+  void switchWithoutPlayThatActsBackOnItselfEndsTheRun() {
+    // y' = −mode, and crossing 0 in either direction makes mode the sign of y.
+    double[] mode = {1};
+    Ode relay = new Ode(1, (t, y, yDot) -> yDot[0] = -mode[0]);
+    Watch thrown =
+        new Watch(1, Direction.EITHER, Reaction.RESTART, (t, y, g) -> g[0] = y[0]) {
+          @Override
+          public Reaction occurred(double t, double[] y, boolean[] occurred) {
+            mode[0] = -mode[0];
+            return super.occurred(t, y, occurred);
+          }
+        };
+    EventIntegration integrator = new EventIntegration(create(1e-6), thrown);
+    Run run = run(integrator, relay, new double[] {1}, 3);
+    assertThat(run.result()).isEqualTo(StepResult.FAILED);
+    assertThat(integrator.failure().cause()).isEqualTo(IntegrationFailure.Cause.EVENTS_ACCUMULATE);
+    assertThat(integrator.failure().time()).isCloseTo(1, within(1e-6));
+    assertThat(Math.abs(run.atEnd()[0])).isLessThan(1e-6);
+  }
+
+  @Test
+  void switchWithPlayGoesOn() {
+    double[] mode = {1};
+    Ode relay = new Ode(1, (t, y, yDot) -> yDot[0] = -mode[0]);
+    Watch thrown =
+        new Watch(
+            2,
+            Direction.FALLING,
+            Reaction.RESTART,
+            (t, y, g) -> {
+              g[0] = y[0] + 0.1;
+              g[1] = 0.1 - y[0];
+            }) {
+          @Override
+          public Reaction occurred(double t, double[] y, boolean[] occurred) {
+            mode[0] = occurred[0] ? -1 : 1;
+            return super.occurred(t, y, occurred);
+          }
+        };
+    Run run = run(new EventIntegration(create(1e-6), thrown), relay, new double[] {1}, 10);
+    assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+    // From 1 to −0.1, then to and fro over 0.2 until t = 10.
+    assertThat(thrown.times).hasSize(1 + 44);
+    assertThat(run.atEnd()[0]).isCloseTo(0, within(0.1 + 1e-9));
+  }
+
+  // Location
+
+  @ParameterizedTest
+  @EnumSource(Direction.class)
+  void zerosOfTheLookedForDirectionAreFound(Direction direction) {
+    Watch zeros = new Watch(1, direction, Reaction.CONTINUE, (t, y, g) -> g[0] = y[0] - 0.5);
+    run(new EventIntegration(create(1e-10), zeros), CIRCLE, new double[] {0, 1}, 20);
+    List<Double> expected = new ArrayList<>();
+    for (int turn = 0; turn < 4; turn++) {
+      double first = StrictMath.asin(0.5) + 2 * Math.PI * turn;
+      double second = Math.PI - StrictMath.asin(0.5) + 2 * Math.PI * turn;
+      if (direction != Direction.FALLING && first < 20) {
+        expected.add(first);
+      }
+      if (direction != Direction.RISING && second < 20) {
+        expected.add(second);
+      }
+    }
+    assertThat(zeros.times).hasSameSizeAs(expected);
+    for (int i = 0; i < expected.size(); i++) {
+      assertThat(zeros.times.get(i)).isCloseTo(expected.get(i), within(1e-7));
+    }
+  }
+
+  @Test
+  void zeroOfTheInterpolatedSolutionIsLocatedToRoundOff() {
+    Watch zeros = new Watch(1, Direction.EITHER, Reaction.STOP, (t, y, g) -> g[0] = y[0] - 0.5);
+    EventIntegration integrator = new EventIntegration(create(TENTH), zeros);
+    integrator.start(CIRCLE, 0, new double[] {0, 1}, 20);
+    StepResult result = StepResult.ADVANCED;
+    while (result == StepResult.ADVANCED) {
+      result = integrator.step();
+    }
+    assertThat(result).isEqualTo(StepResult.REACHED_END);
+    double t = integrator.time();
+    double[] y = Run.state(integrator, t, 2);
+    double width = EventSearch.width(t, 0.1);
+    // |g| at the place reported: the slope is 0.87, and y is known to round-off.
+    assertThat(y[0] - 0.5).isBetween(0.0, width + 4 * Math.ulp(0.5));
+  }
+
+  @Test
+  void eventsOfFunctionsThatVanishTogetherAreReportedTogether() {
+    Watch zeros =
+        new Watch(
+            3,
+            Direction.EITHER,
+            Reaction.CONTINUE,
+            (t, y, g) -> {
+              g[0] = y[0] - 0.5;
+              g[1] = 7 * (0.5 - y[0]);
+              g[2] = y[1];
+            });
+    run(new EventIntegration(create(1e-8), zeros), CIRCLE, new double[] {0, 1}, 3);
+    assertThat(zeros.functions).containsExactly(List.of(0, 1), List.of(2), List.of(0, 1));
+  }
+
+  @Test
+  void eventsInsideOneStepComeInTheirOrder() {
+    // A constant solution takes steps of a tenth of the interval: three zeros in the second one.
+    Ode still = new Ode(1, (t, y, yDot) -> yDot[0] = 0);
+    Watch zeros =
+        new Watch(
+            3,
+            Direction.EITHER,
+            Reaction.CONTINUE,
+            (t, y, g) -> {
+              g[0] = t - 0.17;
+              g[1] = t - 0.13;
+              g[2] = (t - 0.15) * (t - 0.15) * (t - 0.15);
+            });
+    run(new EventIntegration(create(1e-6), zeros), still, new double[] {1}, 1);
+    assertThat(zeros.functions).containsExactly(List.of(1), List.of(2), List.of(0));
+    assertThat(zeros.times.get(0)).isCloseTo(0.13, within(1e-13));
+    assertThat(zeros.times.get(1)).isCloseTo(0.15, within(1e-13));
+    assertThat(zeros.times.get(2)).isCloseTo(0.17, within(1e-13));
+  }
+
+  @Test
+  void twoZerosOfAFunctionInsideOneLongStepAreBothFound() {
+    Ode still = new Ode(1, (t, y, yDot) -> yDot[0] = 0);
+    Watch zeros =
+        new Watch(
+            1, Direction.EITHER, Reaction.CONTINUE, (t, y, g) -> g[0] = (t - 0.52) * (t - 0.57));
+    run(new EventIntegration(create(TENTH), zeros), still, new double[] {1}, 1);
+    assertThat(zeros.times).hasSize(2);
+  }
+
+  @Test
+  void functionThatIsZeroAtTheStartHasNoEventThere() {
+    Watch zeros = new Watch(1, Direction.EITHER, Reaction.CONTINUE, (t, y, g) -> g[0] = y[0]);
+    run(new EventIntegration(create(1e-8), zeros), CIRCLE, new double[] {0, 1}, 4);
+    assertThat(zeros.times).hasSize(1);
+    assertThat(zeros.times.get(0)).isCloseTo(Math.PI, within(1e-6));
+  }
+
+  @Test
+  void functionThatIsZeroAllTheTimeHasNoEvent() {
+    Watch zeros = new Watch(1, Direction.EITHER, Reaction.CONTINUE, (t, y, g) -> g[0] = 0);
+    run(new EventIntegration(create(1e-8), zeros), CIRCLE, new double[] {0, 1}, 4);
+    assertThat(zeros.times).isEmpty();
+  }
+
+  @Test
+  void wiggleInsideTheHysteresisIsOneEvent() {
+    // Crosses 0 many times near t = 1, never farther than 0.02 on the way.
+    Watch.Values wiggle = (t, y, g) -> g[0] = t - 1 + 0.02 * StrictMath.sin(200 * t);
+    Ode still = new Ode(1, (t, y, yDot) -> yDot[0] = 0);
+    IntegratorSettings fine =
+        new IntegratorSettings(1e-6, List.of(1e-6), 1e-3, 0, 0, Long.MAX_VALUE, () -> false);
+    Watch all = new Watch(1, Direction.EITHER, Reaction.CONTINUE, wiggle);
+    run(new EventIntegration(create(fine), all), still, new double[] {1}, 2);
+    assertThat(all.times).hasSizeGreaterThan(2);
+    Watch one = new Watch(1, Direction.EITHER, Reaction.CONTINUE, wiggle).withHysteresis(0.045);
+    run(new EventIntegration(create(fine), one), still, new double[] {1}, 2);
+    assertThat(one.times).hasSize(1);
+  }
+
+  @Test
+  void eventsAreFoundBackwardsInTime() {
+    Watch zeros = new Watch(1, Direction.EITHER, Reaction.CONTINUE, (t, y, g) -> g[0] = y[0] - 0.5);
+    Run.of(new EventIntegration(create(1e-10), zeros), CIRCLE, 0, new double[] {0, 1}, -8);
+    assertThat(zeros.times).hasSize(2);
+    assertThat(zeros.times.get(0)).isCloseTo(-Math.PI - Math.PI / 6, within(1e-7));
+    assertThat(zeros.times.get(1)).isCloseTo(-2 * Math.PI + Math.PI / 6, within(1e-7));
+  }
+
+  // Restart
+
+  @Test
+  void restartBeginsAtOrderOneAndTheCountersGoOn() {
+    Bounces bounces = new Bounces(0.8);
+    EventIntegration integrator = new EventIntegration(create(1e-8), bounces);
+    integrator.start(FALL, 0, new double[] {10, 0}, 12);
+    while (bounces.times.isEmpty()) {
+      integrator.step();
+    }
+    long steps = integrator.statistics().steps();
+    long evaluations = integrator.statistics().evaluations();
+    assertThat(integrator.time()).isEqualTo(bounces.times.get(0));
+    assertThat(integrator.events()).isEqualTo(1);
+    assertThat(integrator.occurred(0)).isTrue();
+    integrator.step();
+    assertThat(integrator.order()).isEqualTo(1);
+    assertThat(integrator.previousTime()).isEqualTo(bounces.times.get(0));
+    assertThat(integrator.statistics().steps()).isEqualTo(steps + 1);
+    assertThat(integrator.statistics().evaluations()).isGreaterThan(evaluations);
+    // The first step is the method's own, not the one before the bounce.
+    assertThat(integrator.stepSize()).isLessThan(0.1);
+  }
+
+  @Test
+  void solutionThatLedToTheEventCanBeInterpolatedUntilTheNextStep() {
+    Bounces bounces = new Bounces(0.8);
+    EventIntegration integrator = new EventIntegration(create(1e-8), bounces);
+    integrator.start(FALL, 0, new double[] {10, 0}, 12);
+    while (bounces.times.isEmpty()) {
+      integrator.step();
+    }
+    double t = integrator.time();
+    double[] before = Run.state(integrator, t, 2);
+    assertThat(before[1]).isCloseTo(-GRAVITY * t, within(1e-6));
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> Run.state(integrator, Math.nextUp(t), 2))
+        .withMessageContaining("event");
+    integrator.step();
+    assertThat(Run.state(integrator, t, 2)[1]).isCloseTo(0.8 * GRAVITY * t, within(1e-6));
+  }
+
+  @Test
+  void watchingChangesNothing() {
+    Watch zeros = new Watch(1, Direction.EITHER, Reaction.CONTINUE, (t, y, g) -> g[0] = y[0] - 0.5);
+    Run watched = run(new EventIntegration(create(1e-8), zeros), CIRCLE, new double[] {0, 1}, 20);
+    Run alone = Run.of(create(1e-8), CIRCLE, 0, new double[] {0, 1}, 20);
+    assertThat(watched.atEnd()).isEqualTo(alone.atEnd());
+    assertThat(watched.statistics()).isEqualTo(alone.statistics());
+  }
+
+  @Test
+  void restartByHandForgetsTheHistoryAndGoesOnFromTheGivenState() {
+    Integrator integrator = create(1e-8);
+    integrator.start(CIRCLE, 0, new double[] {0, 1}, 10);
+    while (integrator.time() < 3) {
+      integrator.step();
+    }
+    double middle = integrator.previousTime() + 0.5 * integrator.stepSize();
+    assertThat(integrator.restart(middle, new double[] {0, 1})).isEqualTo(StepResult.ADVANCED);
+    assertThat(integrator.time()).isEqualTo(middle);
+    assertThat(integrator.order()).isZero();
+    assertThat(Run.state(integrator, middle, 2)).containsExactly(0, 1);
+    integrator.step();
+    assertThat(integrator.order()).isEqualTo(1);
+    StepResult result = StepResult.ADVANCED;
+    while (result == StepResult.ADVANCED) {
+      result = integrator.step();
+    }
+    assertThat(Run.state(integrator, 10, 2)[0])
+        .isCloseTo(StrictMath.sin(10 - middle), within(1e-5));
+  }
+
+  @Test
+  void restartOutsideTheLastStepIsRefused() {
+    Integrator integrator = create(1e-8);
+    integrator.start(CIRCLE, 0, new double[] {0, 1}, 10);
+    integrator.step();
+    double beyond = integrator.time() + 1;
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> integrator.restart(beyond, new double[] {0, 1}))
+        .withMessageContaining(Double.toString(beyond));
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> integrator.restart(integrator.time(), new double[] {0, Double.NaN}))
+        .withMessageContaining("component 1 is NaN");
+  }
+
+  // Other problems
+
+  @Test
+  void eventFunctionThatIsNotFiniteEndsTheRun() {
+    Watch broken =
+        new Watch(1, Direction.EITHER, Reaction.CONTINUE, (t, y, g) -> g[0] = Math.sqrt(3 - t) + 1);
+    EventIntegration integrator = new EventIntegration(create(1e-6), broken);
+    Run run = run(integrator, CIRCLE, new double[] {0, 1}, 10);
+    assertThat(run.result()).isEqualTo(StepResult.FAILED);
+    assertThat(integrator.failure().cause()).isEqualTo(IntegrationFailure.Cause.EVENT_NOT_FINITE);
+  }
+
+  @Test
+  void functionsSeeCompletedStates() {
+    // The rod's length is 1 in every completed state, and 1e-4 off in interpolated ones.
+    Watch length =
+        new Watch(
+            2,
+            Direction.EITHER,
+            Reaction.CONTINUE,
+            (t, y, g) -> {
+              assertThat(y[0] * y[0] + y[1] * y[1]).isCloseTo(1, within(1e-14));
+              g[0] = y[0];
+              g[1] = 1;
+            });
+    run(new EventIntegration(create(1e-4), length), new LoopPendulum(), LoopPendulum.START, 3);
+    assertThat(length.times).isNotEmpty();
+  }
+}

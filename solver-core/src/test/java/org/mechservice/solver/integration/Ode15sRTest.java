@@ -1,0 +1,312 @@
+package org.mechservice.solver.integration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.integration.suite.ExplicitAsResidual;
+import org.mechservice.solver.integration.suite.PendulumWithMultiplier;
+import org.mechservice.solver.integration.suite.ResidualProblem;
+import org.mechservice.solver.integration.suite.SliderCrank;
+import org.mechservice.solver.integration.suite.SuiteProblem;
+
+/** In explicit form it does what every integrator does; in residual form, this. */
+class Ode15sRTest extends IntegratorContract {
+  @Override
+  Integrator create(IntegratorSettings settings) {
+    return new Ode15sR(settings);
+  }
+
+  /** As for ode15s. */
+  @Override
+  double accumulation() {
+    return 1000;
+  }
+
+  @Override
+  double notFiniteReduction() {
+    return 0.3;
+  }
+
+  // Fidelity
+
+  /**
+   * Counts of an independent prototype of the same specification: 3 % of steps and evaluations, the
+   * larger of 3 and 10 % of the rest.
+   */
+  @ParameterizedTest
+  @CsvSource({
+    "ConservedRobertson, 1e-6, 824, 13, 1593, 10, 140",
+    "PendulumWithMultiplier, 1e-6, 738, 125, 2901, 101, 196",
+    "SliderCrank, 1e-6, 1448, 206, 5188, 106, 348",
+  })
+  void costsWhatTheReferenceProgramCosts(
+      String problem,
+      double tolerance,
+      double steps,
+      double failed,
+      double evaluations,
+      double jacobians,
+      double factorisations) {
+    ResidualProblem posed = ResidualProblem.named(problem);
+    Ode15sR faithful =
+        new Ode15sR(
+            ResidualRun.settings(posed, tolerance), BackwardFormulas.NDF, BackwardMode.FAITHFUL);
+    IntegrationStatistics cost = ResidualRun.of(faithful, posed).statistics();
+    assertClose("steps", cost.steps(), steps, 0.03 * steps);
+    assertClose("failed", cost.rejectedSteps(), failed, few(failed));
+    assertClose("evaluations", cost.evaluations(), evaluations, 0.03 * evaluations);
+    assertClose("Jacobians", cost.jacobians(), jacobians, few(jacobians));
+    assertClose("LU", cost.factorisations(), factorisations, few(factorisations));
+  }
+
+  private static double few(double expected) {
+    return Math.max(3, 0.1 * expected);
+  }
+
+  private static void assertClose(String what, long actual, double expected, double tolerance) {
+    assertThat((double) actual).as(what).isCloseTo(expected, within(tolerance));
+  }
+
+  /** The start alone differs: it takes up to 10 steps to outgrow a first step ten times shorter. */
+  @ParameterizedTest
+  @CsvSource({
+    "EulerRigidBody",
+    "VanDerPol",
+    "Kepler",
+    "Arenstorf",
+    "Pleiades",
+    "DetestA3",
+    "SixLinkChain",
+    "Robertson",
+    "Hires",
+    "StiffVanDerPol",
+    "Brusselator",
+    "StiffChain",
+    "DampedOscillator"
+  })
+  void explicitProblemWrittenAsResidualCostsWhatOde15sCosts(String name) {
+    SuiteProblem problem = SuiteProblem.named(name);
+    IntegrationStatistics explicit =
+        Run.of(new Ode15s(Run.settings(problem, 1e-6)), problem).statistics();
+    IntegrationStatistics implicit =
+        ResidualRun.of(new ExplicitAsResidual(problem), 1e-6).statistics();
+    double steps = explicit.steps();
+    assertClose("steps", implicit.steps(), steps, Math.max(10, 0.02 * steps));
+    // Each Jacobian takes n evaluations more, for the derivatives in y'.
+    double evaluations =
+        explicit.evaluations() + (double) implicit.jacobians() * (problem.dimension() + 1);
+    assertClose(
+        "evaluations", implicit.evaluations(), evaluations, Math.max(20, 0.02 * evaluations));
+  }
+
+  // Accuracy
+
+  @Test
+  void invariantsDriftNoFasterThanTheErrorOfTheSolution() {
+    for (ResidualProblem problem :
+        new ResidualProblem[] {new PendulumWithMultiplier(), new SliderCrank()}) {
+      ResidualRun run = ResidualRun.of(problem, 1e-8);
+      double[] y = run.atEnd();
+      double error = StrictMath.pow(10, -run.digits());
+      for (var invariant : problem.invariants()) {
+        // Gradients up to 2 |y|, with |y| up to 4.
+        assertThat(invariant.applyAsDouble(y)).isCloseTo(0, within(10 * error));
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-4, 1e-6, 1e-8})
+  void checkpointsAreMetAsWellAsAStepEndThere(double tolerance) {
+    for (ResidualProblem problem : ResidualProblem.all()) {
+      double t = problem.reference().checkpointTime();
+      double[] y0 = problem.reference().initialState();
+      Ode15sR integrator = ResidualRun.integrator(problem, tolerance);
+      integrator.start(
+          problem, problem.start(), y0, problem.initialDerivative(), problem.reference().end());
+      do {
+        assertThat(integrator.step()).isNotEqualTo(StepResult.FAILED);
+      } while (integrator.time() < t);
+      double[] inside = Run.state(integrator, t, y0.length);
+      StepResult result =
+          integrator.start(problem, problem.start(), y0, problem.initialDerivative(), t);
+      while (result == StepResult.ADVANCED) {
+        result = integrator.step();
+      }
+      double[] expected = problem.reference().atCheckpoint();
+      double ended = problem.mixedDigits(Run.state(integrator, t, y0.length), expected);
+      // One digit, from an error no smaller than the tolerance: a step end may be right by luck.
+      assertThat(problem.mixedDigits(inside, expected))
+          .as(problem.name())
+          .isGreaterThanOrEqualTo(Math.min(ended, -StrictMath.log10(tolerance)) - 1);
+    }
+  }
+
+  // Behaviour
+
+  @Test
+  void blowUpOfAResidualSystemIsReportedWhereItHappens() {
+    Implicit blowUp = new Implicit(1, (t, y, yDot, r) -> r[0] = yDot[0] - y[0] * y[0]);
+    Ode15sR integrator = new Ode15sR(new IntegratorSettings(1e-6, 1e-6));
+    StepResult result = integrator.start(blowUp, 0, new double[] {1}, new double[] {1}, 2);
+    while (result == StepResult.ADVANCED) {
+      result = integrator.step();
+    }
+    assertThat(result).isEqualTo(StepResult.FAILED);
+    assertThat(integrator.failure().time()).isBetween(0.999, 1.0001);
+    assertThat(integrator.failure().worstComponent()).isZero();
+    assertThat(integrator.statistics().evaluations()).isLessThan(2000);
+    assertThat(Run.state(integrator, integrator.time(), 1)[0]).isFinite();
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-3, 1e-6, 1e-9})
+  void leavingTheDomainOfTheResidualIsReported(double tolerance) {
+    Implicit root = new Implicit(1, (t, y, yDot, r) -> r[0] = yDot[0] + Math.sqrt(y[0]));
+    Ode15sR integrator = new Ode15sR(new IntegratorSettings(tolerance, tolerance));
+    StepResult result = integrator.start(root, 0, new double[] {1}, new double[] {-1}, 3);
+    while (result == StepResult.ADVANCED) {
+      result = integrator.step();
+    }
+    assertThat(result).isEqualTo(StepResult.FAILED);
+    assertThat(integrator.failure().time()).isBetween(1.9, 2.1);
+  }
+
+  @Test
+  void tinyFirstStepIsOutgrownWithinFifteenPercentMoreSteps() {
+    ResidualProblem problem = ResidualProblem.named("ConservedRobertson");
+    IntegratorSettings chosen = ResidualRun.settings(problem, 1e-6);
+    IntegratorSettings tiny =
+        new IntegratorSettings(
+            chosen.relativeTolerance(),
+            chosen.absoluteTolerance(),
+            chosen.maxStep(),
+            1e-30,
+            0,
+            Long.MAX_VALUE,
+            () -> false);
+    double usual = ResidualRun.of(problem, 1e-6).statistics().steps();
+    ResidualRun run = ResidualRun.of(new Ode15sR(tiny), problem);
+    assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+    assertThat((double) run.statistics().steps()).isLessThan(1.15 * usual);
+  }
+
+  @Test
+  void constantSolutionOfAResidualSystemIsExactOverAnyInterval() {
+    Implicit constant = new Implicit(3, (t, y, yDot, r) -> System.arraycopy(yDot, 0, r, 0, 3));
+    double[] y0 = {1, -2e-300, 3e300};
+    Ode15sR integrator = new Ode15sR(new IntegratorSettings(1e-6, 1e-6));
+    StepResult result = integrator.start(constant, 0, y0, new double[3], 1e300);
+    while (result == StepResult.ADVANCED) {
+      result = integrator.step();
+    }
+    assertThat(result).isEqualTo(StepResult.REACHED_END);
+    assertThat(Run.state(integrator, 1e300, 3)).isEqualTo(y0);
+    assertThat(integrator.statistics().steps()).isLessThan(400);
+  }
+
+  @Test
+  void singularStepMatrixIsNamed() {
+    // The second row says nothing about the second component.
+    Implicit silent =
+        new Implicit(
+            2,
+            (t, y, yDot, r) -> {
+              r[0] = yDot[0] - 1;
+              r[1] = 0;
+            });
+    Ode15sR integrator = new Ode15sR(new IntegratorSettings(1e-6, 1e-6));
+    StepResult result = integrator.start(silent, 0, new double[2], new double[2], 1);
+    assertThat(result).isEqualTo(StepResult.FAILED);
+    assertThat(integrator.failure().cause()).isEqualTo(IntegrationFailure.Cause.SINGULAR_MATRIX);
+    assertThat(integrator.failure().worstComponent()).isEqualTo(1);
+  }
+
+  // Consistent start
+
+  @Test
+  void consistentValuesAreLeftToTheBit() {
+    for (ResidualProblem problem : ResidualProblem.all()) {
+      Ode15sR integrator = ResidualRun.integrator(problem, 1e-6);
+      double[] y0 = problem.reference().initialState();
+      integrator.start(
+          problem, problem.start(), y0, problem.initialDerivative(), problem.reference().end());
+      double[] y = new double[y0.length];
+      double[] yDot = new double[y0.length];
+      integrator.interpolate(problem.start(), y, yDot);
+      assertThat(y).as(problem.name()).isEqualTo(y0);
+      assertThat(yDot).as(problem.name()).isEqualTo(problem.initialDerivative());
+    }
+  }
+
+  @Test
+  void accelerationsAndMultipliersAreFoundFromNothing() {
+    ResidualProblem problem = new SliderCrank();
+    Ode15sR integrator = ResidualRun.integrator(problem, 1e-6);
+    double[] expected = problem.reference().initialState();
+    double[] y0 = expected.clone();
+    y0[6] = 0;
+    y0[7] = 0;
+    StepResult result = integrator.start(problem, 0, y0, new double[8], 1);
+    assertThat(result).isEqualTo(StepResult.ADVANCED);
+    double[] y = new double[8];
+    double[] yDot = new double[8];
+    integrator.interpolate(0, y, yDot);
+    // One Newton step solves what is linear, up to the round-off of the differences.
+    assertThat(y).containsExactly(expected, within(1e-8));
+    assertThat(yDot).containsExactly(problem.initialDerivative(), within(1e-6));
+  }
+
+  @Test
+  void cubicSlopeIsFoundFromAGuessFarOff() {
+    // y'³ − 8 = 0 from y' = 100.
+    ResidualSystem cubic = new Implicit(1, (t, y, yDot, r) -> r[0] = Math.pow(yDot[0], 3) - 8);
+    Ode15sR integrator = new Ode15sR(new IntegratorSettings(1e-8, 1e-8));
+    integrator.start(cubic, 0, new double[] {1}, new double[] {100}, 1);
+    double[] yDot = new double[1];
+    integrator.interpolate(0, new double[1], yDot);
+    assertThat(yDot[0]).isCloseTo(2, within(1e-9));
+  }
+
+  @Test
+  void contradictionAtTheStartNamesTheWorstRow() {
+    // Row 1 asks for y_0 = 2 of a differential component that is 1.
+    ResidualSystem contradiction =
+        new Implicit(
+            2,
+            (t, y, yDot, r) -> {
+              r[0] = yDot[0] - y[1];
+              r[1] = y[0] - 2;
+            }) {
+          @Override
+          public Component component(int index) {
+            return index == 1 ? Component.ALGEBRAIC : Component.DIFFERENTIAL;
+          }
+        };
+    Ode15sR integrator = new Ode15sR(new IntegratorSettings(1e-6, 1e-6));
+    assertThat(integrator.start(contradiction, 0, new double[] {1, 0}, new double[2], 1))
+        .isEqualTo(StepResult.FAILED);
+    assertThat(integrator.failure().cause()).isEqualTo(IntegrationFailure.Cause.INCONSISTENT_START);
+    assertThat(integrator.failure().worstComponent()).isEqualTo(1);
+  }
+
+  @Test
+  void residualNotFiniteAtTheStartNamesTheRow() {
+    ResidualSystem broken =
+        new Implicit(
+            2,
+            (t, y, yDot, r) -> {
+              r[0] = yDot[0];
+              r[1] = Double.NaN;
+            });
+    Ode15sR integrator = new Ode15sR(new IntegratorSettings(1e-6, 1e-6));
+    assertThat(integrator.start(broken, 0, new double[2], new double[2], 1))
+        .isEqualTo(StepResult.FAILED);
+    assertThat(integrator.failure().cause()).isEqualTo(IntegrationFailure.Cause.NOT_FINITE);
+    assertThat(integrator.failure().worstComponent()).isEqualTo(1);
+  }
+}

@@ -1,0 +1,178 @@
+package org.mechservice.solver.oracle;
+
+import java.util.List;
+import org.mechservice.solver.mechanism.Cylindrical;
+import org.mechservice.solver.mechanism.Free;
+import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.Planar;
+import org.mechservice.solver.mechanism.Prismatic;
+import org.mechservice.solver.mechanism.Revolute;
+import org.mechservice.solver.mechanism.Screw;
+import org.mechservice.solver.mechanism.Spherical;
+import org.mechservice.solver.mechanism.Universal;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * The definitions of MECHML §4: what motion coordinates give, and what is zero whatever they are.
+ * Poses are those of the file's body 2 from body 1, in body 1's axes.
+ */
+final class JointEquations {
+  private JointEquations() {}
+
+  /**
+   * Returns how the coordinates move at given velocities and accelerations.
+   *
+   * @param at where the joint's positions begin in q
+   * @param vAt where its velocities begin in v and a
+   */
+  static Taylor[] coordinates(Joint joint, double[] q, int at, double[] v, double[] a, int vAt) {
+    Taylor[] moving = new Taylor[joint.type().positionCount()];
+    boolean turnsFreely = joint instanceof Spherical || joint instanceof Free;
+    if (!turnsFreely) {
+      for (int i = 0; i < moving.length; i++) {
+        moving[i] = new Taylor(q[at + i], v[vAt + i], a[vAt + i]);
+      }
+      return moving;
+    }
+    // e' = ½ (0, ω) ∘ e
+    Vector3 e = new Vector3(q[at + 1], q[at + 2], q[at + 3]);
+    Vector3 omega = new Vector3(v[vAt], v[vAt + 1], v[vAt + 2]);
+    Vector3 alpha = new Vector3(a[vAt], a[vAt + 1], a[vAt + 2]);
+    double e0d = -0.5 * omega.dot(e);
+    Vector3 ed = omega.times(q[at]).plus(omega.cross(e)).times(0.5);
+    double e0dd = -0.5 * (alpha.dot(e) + omega.dot(ed));
+    Vector3 edd =
+        alpha.times(q[at]).plus(alpha.cross(e)).plus(omega.times(e0d)).plus(omega.cross(ed));
+    moving[0] = new Taylor(q[at], e0d, e0dd);
+    TaylorVector vector = TaylorVector.of(e, ed, edd.times(0.5));
+    moving[1] = vector.x();
+    moving[2] = vector.y();
+    moving[3] = vector.z();
+    for (int i = 4; i < moving.length; i++) {
+      moving[i] = new Taylor(q[at + i], v[vAt + i - 1], a[vAt + i - 1]);
+    }
+    return moving;
+  }
+
+  /** Returns the pose that coordinates give. */
+  static TaylorPose pose(Joint joint, Taylor[] q) {
+    TaylorRotation zero = TaylorRotation.of(JointSide.of(joint).zero());
+    TaylorVector none = TaylorVector.ZERO;
+    if (joint instanceof Revolute r) {
+      return new TaylorPose(none, TaylorRotation.about(r.axis(), q[0]).times(zero));
+    }
+    if (joint instanceof Prismatic p) {
+      return new TaylorPose(along(p.axis(), q[0]), zero);
+    }
+    if (joint instanceof Cylindrical c) {
+      return new TaylorPose(
+          along(c.axis(), q[0]), TaylorRotation.about(c.axis(), q[1]).times(zero));
+    }
+    if (joint instanceof Screw h) {
+      return new TaylorPose(
+          along(h.axis(), q[0].times(h.pitch())), TaylorRotation.about(h.axis(), q[0]).times(zero));
+    }
+    if (joint instanceof Planar p) {
+      Vector3 y = p.normal().cross(p.direction());
+      return new TaylorPose(
+          along(p.direction(), q[0]).plus(along(y, q[1])),
+          TaylorRotation.about(p.normal(), q[2]).times(zero));
+    }
+    if (joint instanceof Universal u) {
+      TaylorRotation first = TaylorRotation.about(u.axis1(), q[0]);
+      return new TaylorPose(none, first.times(zero).times(TaylorRotation.about(u.axis2(), q[1])));
+    }
+    if (joint instanceof Spherical || joint instanceof Free) {
+      TaylorRotation turned =
+          TaylorRotation.ofEulerParameters(q[0], new TaylorVector(q[1], q[2], q[3]));
+      return new TaylorPose(q.length == 4 ? none : new TaylorVector(q[4], q[5], q[6]), turned);
+    }
+    return new TaylorPose(none, zero);
+  }
+
+  private static TaylorVector along(Vector3 axis, Taylor way) {
+    return TaylorVector.of(axis).times(way);
+  }
+
+  /** Returns what is zero in every pose the joint allows. */
+  static List<Taylor> conditions(Joint joint, TaylorPose pose) {
+    TaylorVector r = pose.position();
+    if (joint instanceof Free) {
+      return List.of();
+    }
+    if (joint instanceof Spherical) {
+      return List.of(r.x(), r.y(), r.z());
+    }
+    Rotation zero = JointSide.of(joint).zero();
+    if (joint instanceof Universal u) {
+      // axis 1 and axis 2 keep the angle between them
+      Taylor cosine = pose.rotation().apply(u.axis2()).dot(u.axis1());
+      double atZero = zero.apply(u.axis2()).dot(u.axis1());
+      return List.of(r.x(), r.y(), r.z(), cosine.minus(Taylor.of(atZero)));
+    }
+    TaylorRotation turned = pose.rotation().times(TaylorRotation.of(zero).transposed());
+    if (joint instanceof Prismatic p) {
+      Vector3 b = normalTo(p.axis());
+      return List.of(
+          r.dot(b), r.dot(p.axis().cross(b)), turned.y().z(), turned.z().x(), turned.x().y());
+    }
+    if (joint instanceof Revolute || joint instanceof Cylindrical || joint instanceof Screw) {
+      return aboutAxis(joint, r, turned);
+    }
+    if (joint instanceof Planar p) {
+      TaylorVector normal = turned.apply(p.normal());
+      return List.of(
+          r.dot(p.normal()),
+          normal.dot(p.direction()),
+          normal.dot(p.normal().cross(p.direction())));
+    }
+    return List.of(r.x(), r.y(), r.z(), turned.y().z(), turned.z().x(), turned.x().y());
+  }
+
+  /** Returns what is zero when a pose is the given one. */
+  static List<Taylor> differences(TaylorPose pose, TaylorPose given) {
+    TaylorVector r = pose.position().minus(given.position());
+    TaylorRotation turned = pose.rotation().times(given.rotation().transposed());
+    return List.of(r.x(), r.y(), r.z(), turned.y().z(), turned.z().x(), turned.x().y());
+  }
+
+  private static List<Taylor> aboutAxis(Joint joint, TaylorVector r, TaylorRotation turned) {
+    Vector3 axis = axis(joint);
+    Vector3 b = normalTo(axis);
+    Vector3 c = axis.cross(b);
+    TaylorVector carried = turned.apply(axis);
+    Taylor first = carried.dot(b);
+    Taylor second = carried.dot(c);
+    if (joint instanceof Revolute) {
+      return List.of(r.x(), r.y(), r.z(), first, second);
+    }
+    if (joint instanceof Screw h) {
+      TaylorVector turnedB = turned.apply(b);
+      Taylor angle = Taylor.angle(turnedB.dot(c), turnedB.dot(b));
+      // whole turns do not change the rotation
+      Taylor gap = r.dot(axis).times(1 / h.pitch()).minus(angle);
+      Taylor whole = Taylor.of(2 * Math.PI * Math.rint(gap.x() / (2 * Math.PI)));
+      return List.of(r.dot(b), r.dot(c), first, second, gap.minus(whole).times(h.pitch()));
+    }
+    return List.of(r.dot(b), r.dot(c), first, second);
+  }
+
+  private static Vector3 axis(Joint joint) {
+    if (joint instanceof Revolute r) {
+      return r.axis();
+    }
+    return joint instanceof Cylindrical c ? c.axis() : ((Screw) joint).axis();
+  }
+
+  /** Returns a unit vector normal to a unit vector. */
+  static Vector3 normalTo(Vector3 axis) {
+    Vector3 least = new Vector3(1, 0, 0);
+    if (Math.abs(axis.y()) <= Math.abs(axis.x()) && Math.abs(axis.y()) <= Math.abs(axis.z())) {
+      least = new Vector3(0, 1, 0);
+    } else if (Math.abs(axis.z()) <= Math.abs(axis.x())) {
+      least = new Vector3(0, 0, 1);
+    }
+    return axis.cross(least).normalized();
+  }
+}

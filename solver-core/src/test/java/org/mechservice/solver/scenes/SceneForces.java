@@ -1,0 +1,229 @@
+package org.mechservice.solver.scenes;
+
+import com.google.gson.JsonObject;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.mechservice.solver.expression.BodyFrame;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.mechanism.force.Bushing;
+import org.mechservice.solver.mechanism.force.Contact;
+import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.ForceTorque;
+import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.Side;
+import org.mechservice.solver.mechanism.force.SpringDamper;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+
+/** The forces of the scenes in the product's own descriptions. */
+final class SceneForces {
+  private final SceneReader scene;
+
+  SceneForces(SceneReader scene) {
+    this.scene = scene;
+  }
+
+  List<ForceElement> elements(JsonObject force) {
+    return switch (force.get("type").getAsString()) {
+      case "jointSpringDamper" -> List.of(jointSpring(force));
+      case "springDamper" -> List.of(spring(force));
+      case "belt" -> List.of(belt(force));
+      case "bushing" -> List.of(bushing(force));
+      case "plane" -> List.of(plane(force));
+      case "fpsRoad" -> road(force);
+      default -> throw new IllegalArgumentException(force.toString());
+    };
+  }
+
+  static String name(JsonObject force) {
+    return force.has("name") ? force.get("name").getAsString() : "spring";
+  }
+
+  private static Expression number(JsonObject force, String key) {
+    return Expression.of(force.get(key).getAsDouble());
+  }
+
+  private ForceElement jointSpring(JsonObject force) {
+    return new JointSpringDamper(
+        name(force),
+        new JointCoordinate(scene.jointIndex(force.get("joint").getAsString()), 0),
+        number(force, "k"),
+        number(force, "c"),
+        number(force, "q0"),
+        number(force, "tau"),
+        Side.BOTH,
+        Expression.ZERO,
+        Origin.NONE);
+  }
+
+  private ForceElement spring(JsonObject force) {
+    return new SpringDamper(
+        name(force),
+        scene.point(force, "1"),
+        scene.point(force, "2"),
+        number(force, "k"),
+        number(force, "c"),
+        number(force, "L0"),
+        number(force, "F0"),
+        Side.BOTH,
+        Expression.ZERO,
+        Origin.NONE);
+  }
+
+  private BodyPoint point(JsonObject force) {
+    return new BodyPoint(
+        scene.bodyIndex(force.get("body").getAsString()), SceneReader.vector(force, "point"));
+  }
+
+  private ForceElement belt(JsonObject force) {
+    return new SpringDamper(
+        name(force),
+        point(force),
+        new BodyPoint(BodyPoint.ROOT, SceneReader.vector(force, "anchor")),
+        number(force, "k"),
+        number(force, "c"),
+        number(force, "L0"),
+        Expression.ZERO,
+        Side.ABOVE,
+        number(force, "eps"),
+        Origin.NONE);
+  }
+
+  private ForceElement bushing(JsonObject force) {
+    BodyPoint held = point(force);
+    return new Bushing(
+        name(force),
+        new BodyFrame(BodyPoint.ROOT, SceneReader.vector(force, "target"), Rotation.IDENTITY),
+        new BodyFrame(held.body(), held.position(), Rotation.IDENTITY),
+        diagonal(SceneReader.numbers(force, "K")),
+        diagonal(SceneReader.numbers(force, "C")),
+        Collections.nCopies(6, Expression.ZERO),
+        Bushing.Law.LINEAR,
+        Origin.NONE);
+  }
+
+  private static List<Expression> diagonal(double[] first) {
+    List<Expression> matrix = new ArrayList<>(Collections.nCopies(36, Expression.ZERO));
+    for (int i = 0; i < first.length; i++) {
+      matrix.set(7 * i, Expression.of(first[i]));
+    }
+    return matrix;
+  }
+
+  private ForceElement plane(JsonObject force) {
+    Vector3 z = SceneReader.vector(force, "normal").normalized();
+    BodyFrame surface =
+        new BodyFrame(
+            BodyPoint.ROOT,
+            z.times(force.get("offset").getAsDouble()),
+            Rotation.least(new Vector3(0, 0, 1), z));
+    return new Contact(
+        name(force),
+        point(force),
+        Expression.ZERO,
+        surface,
+        Expression.ZERO,
+        number(force, "k"),
+        number(force, "c"),
+        Expression.of(1),
+        number(force, "eps"),
+        Expression.ZERO,
+        Expression.of(1),
+        Origin.NONE);
+  }
+
+  /** Road and tyre at the wheel's centre, and the car that pulls the frame (SCENES §4). */
+  private List<ForceElement> road(JsonObject force) {
+    String wheel = force.get("wheel").getAsString();
+    BodyPoint center =
+        new BodyPoint(scene.bodyIndex(wheel), SceneReader.vector(force, "pointWheel"));
+    BodyPoint frame =
+        new BodyPoint(scene.bodyIndex(force.get("frame").getAsString()), Vector3.ZERO);
+    Expression spin =
+        new Expression.CoordinateVelocity(
+            new JointCoordinate(scene.jointIndex(scene.jointOf(wheel)), 0));
+    Expression loadedRadius = number(force, "Rl");
+    Expression longitudinal =
+        times(
+            number(force, "cx"),
+            minus(times(loadedRadius, spin), new Expression.PointVelocity(center, 0)));
+    Expression none = Expression.ZERO;
+    // the force acts Rl below the centre: moment (0, 0, −Rl) × F
+    Expression moment = new Expression.Negation(times(loadedRadius, longitudinal));
+    return List.of(
+        new ForceTorque(
+            "road",
+            center,
+            ForceTorque.Axes.WORLD,
+            List.of(longitudinal, none, push(force, center), none, moment, none),
+            Origin.NONE),
+        new ForceTorque(
+            "car",
+            frame,
+            ForceTorque.Axes.WORLD,
+            List.of(pull(force), none, none, none, none, none),
+            Origin.NONE));
+  }
+
+  /** kt pos(d) + ct d' pos'(d), d = R0 − (c_z + Rl − h(c_x)). */
+  private static Expression push(JsonObject force, BodyPoint center) {
+    Expression x = new Expression.PointPosition(center, 0);
+    Expression height = Expression.ZERO;
+    Expression slope = Expression.ZERO;
+    double half = force.get("H").getAsDouble() / 2;
+    Expression width = number(force, "w");
+    for (double at : SceneReader.numbers(force, "xs")) {
+      Expression tanh =
+          new Expression.Call(
+              Function.TANH, List.of(new Expression.Quotient(minus(x, Expression.of(at)), width)));
+      height = plus(height, times(Expression.of(half), plus(Expression.of(1), tanh)));
+      Expression steepness = minus(Expression.of(1), times(tanh, tanh));
+      slope = plus(slope, new Expression.Quotient(times(Expression.of(half), steepness), width));
+    }
+    Expression d =
+        minus(
+            plus(minus(number(force, "R0"), number(force, "Rl")), height),
+            new Expression.PointPosition(center, 2));
+    Expression rate =
+        minus(
+            times(slope, new Expression.PointVelocity(center, 0)),
+            new Expression.PointVelocity(center, 2));
+    Expression eps = number(force, "eps");
+    Expression root =
+        new Expression.Call(Function.SQRT, List.of(plus(times(d, d), times(eps, eps))));
+    Expression positive = times(Expression.of(0.5), plus(d, root));
+    Expression positiveSlope =
+        times(Expression.of(0.5), plus(Expression.of(1), new Expression.Quotient(d, root)));
+    return plus(
+        times(number(force, "kt"), positive),
+        times(times(number(force, "ct"), rate), positiveSlope));
+  }
+
+  /** kd (v0 t − x) + cd (v0 − x') of the frame's guide. */
+  private Expression pull(JsonObject force) {
+    int guide = scene.jointIndex(scene.jointOf(force.get("frame").getAsString()));
+    Expression x = new Expression.CoordinatePosition(new JointCoordinate(guide, 0));
+    Expression rate = new Expression.CoordinateVelocity(new JointCoordinate(guide, 0));
+    Expression v0 = number(force, "v0");
+    return plus(
+        times(number(force, "kd"), minus(times(v0, new Expression.Time()), x)),
+        times(number(force, "cd"), minus(v0, rate)));
+  }
+
+  private static Expression plus(Expression a, Expression b) {
+    return new Expression.Sum(a, b);
+  }
+
+  private static Expression minus(Expression a, Expression b) {
+    return new Expression.Sum(a, new Expression.Negation(b));
+  }
+
+  private static Expression times(Expression a, Expression b) {
+    return new Expression.Product(a, b);
+  }
+}
