@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.UUID;
+import java.util.concurrent.ConcurrentHashMap;
 import org.mechservice.idl.LeasedHelper;
 import org.omg.BiDirPolicy.BIDIRECTIONAL_POLICY_TYPE;
 import org.omg.BiDirPolicy.BOTH;
@@ -26,6 +27,7 @@ final class ObjectAdapters {
   private final POA root;
   private final POA handedOut;
   private final Endpoint endpoint;
+  private final Map<ServiceKey, org.omg.CORBA.Object> published = new ConcurrentHashMap<>();
   private final List<CallsInHand> calls = new ArrayList<>();
 
   private ObjectAdapters(ORB orb, boolean orderedCalls) throws UserException {
@@ -94,12 +96,26 @@ final class ObjectAdapters {
               LifespanPolicyValue.PERSISTENT,
               ThreadPolicyValue.ORB_CTRL_MODEL);
       for (var entry : servants.entrySet()) {
-        named.activate_object_with_id(
-            entry.getKey().key().getBytes(StandardCharsets.US_ASCII), entry.getValue());
+        byte[] id = entry.getKey().key().getBytes(StandardCharsets.US_ASCII);
+        named.activate_object_with_id(id, entry.getValue());
+        published.put(entry.getKey(), named.id_to_reference(id));
       }
     } catch (UserException e) {
       throw new IllegalStateException("the objects cannot be published", e);
     }
+  }
+
+  /**
+   * Returns the reference of a published object.
+   *
+   * @throws IllegalStateException if it is not published
+   */
+  org.omg.CORBA.Object published(ServiceKey key) {
+    org.omg.CORBA.Object reference = published.get(key);
+    if (reference == null) {
+      throw new IllegalStateException(key + " is not published");
+    }
+    return reference;
   }
 
   /** Returns where the objects of this ORB are reached. */

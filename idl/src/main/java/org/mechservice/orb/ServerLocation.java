@@ -5,22 +5,14 @@ import org.mechservice.idl.API_VERSION;
 import org.mechservice.idl.MechServer;
 import org.mechservice.idl.MechServerHelper;
 import org.mechservice.idl.ServerInfo;
-import org.omg.CORBA.Any;
 import org.omg.CORBA.COMM_FAILURE;
 import org.omg.CORBA.ORB;
-import org.omg.CORBA.Policy;
-import org.omg.CORBA.PolicyError;
-import org.omg.CORBA.SetOverrideType;
 import org.omg.CORBA.SystemException;
 import org.omg.CORBA.TIMEOUT;
 import org.omg.CORBA.TRANSIENT;
-import org.omg.Messaging.RELATIVE_RT_TIMEOUT_POLICY_TYPE;
 
 /** Where a server is said to be, and the check that it is there. */
 final class ServerLocation {
-  private static final int ANSWER_SECONDS = 5;
-  private static final long TIME_UNITS_PER_SECOND = 10_000_000; // CORBA counts in 100 ns
-
   private final ORB orb;
   private final ServiceUrl url;
   private final Endpoint endpoint;
@@ -31,12 +23,21 @@ final class ServerLocation {
     this.endpoint = endpoint;
   }
 
-  static ServerLocation of(ORB orb, String written) {
-    ServiceUrl url = ServiceUrl.parse(written);
-    if (!url.isReference()) {
-      return new ServerLocation(orb, url, new Endpoint(url.host(), url.port()));
+  /**
+   * Finds out where a server is.
+   *
+   * @throws IllegalArgumentException with code S-006 if the reference names no address
+   * @throws ServiceUnreachableException with code S-020 if the naming service does not know
+   */
+  static ServerLocation of(ORB orb, ServiceUrl url) {
+    if (url.isName()) {
+      org.omg.CORBA.Object named =
+          NamingService.at(orb, url.host(), url.port()).resolve(url.name());
+      return of(orb, ServiceUrl.parse(orb.object_to_string(named)));
+    } else if (url.isReference()) {
+      return new ServerLocation(orb, url, Endpoint.of(orb, url.reference()));
     }
-    return new ServerLocation(orb, url, Endpoint.of(orb, url.reference()));
+    return new ServerLocation(orb, url, new Endpoint(url.host(), url.port()));
   }
 
   Endpoint endpoint() {
@@ -89,7 +90,7 @@ final class ServerLocation {
           "S-002 no server answers at " + this + "; is it running, and is the address right?", e);
     } catch (TIMEOUT e) {
       throw new ServiceUnreachableException(
-          "S-002 no answer from " + this + " within " + ANSWER_SECONDS + " s", e);
+          "S-002 no answer from " + this + " within " + Answers.SECONDS + " s", e);
     } catch (SystemException e) {
       throw new ServiceUnreachableException(
           "S-005 what answers at " + this + " is not a MechService", e);
@@ -97,24 +98,12 @@ final class ServerLocation {
   }
 
   private ServerInfo askOnce() {
-    MechServer server =
-        MechServerHelper.unchecked_narrow(
-            connect()._set_policy_override(answerInTime(), SetOverrideType.ADD_OVERRIDE));
+    MechServer server = MechServerHelper.unchecked_narrow(Answers.inTime(orb, connect()));
     try {
       return server.getInfo();
     } catch (COMM_FAILURE e) {
       // A connection of an earlier call whose other end has gone: the next call opens a new one.
       return server.getInfo();
-    }
-  }
-
-  private Policy[] answerInTime() {
-    Any time = orb.create_any();
-    time.insert_ulonglong(ANSWER_SECONDS * TIME_UNITS_PER_SECOND);
-    try {
-      return new Policy[] {orb.create_policy(RELATIVE_RT_TIMEOUT_POLICY_TYPE.value, time)};
-    } catch (PolicyError e) {
-      throw new IllegalStateException(e);
     }
   }
 

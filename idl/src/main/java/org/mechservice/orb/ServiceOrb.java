@@ -118,10 +118,12 @@ public final class ServiceOrb implements AutoCloseable {
   /**
    * Connects to a server and makes sure that it is one.
    *
-   * @param url {@code host:port}, {@code corbaloc:iiop:1.2@host:port/MechServer}, {@code IOR:...}
-   *     or the name of a file that holds an IOR; without a port, 15000 is meant
+   * @param url {@code host:port}, {@code corbaloc:iiop:1.2@host:port/MechServer}, {@code
+   *     corbaname:iiop:1.2@host:port#MechServer}, {@code IOR:...} or the name of a file that holds
+   *     an IOR; without a port, 15000 is meant
    * @throws ServiceUnreachableException if nobody answers there within seconds (S-002) or something
-   *     that is not a MechService of this API version (S-005)
+   *     that is not a MechService of this API version (S-005), or the naming service does not know
+   *     (S-020)
    * @throws IllegalArgumentException with code S-006 if the URL is none
    */
   public MechServer connect(String url) {
@@ -147,16 +149,45 @@ public final class ServiceOrb implements AutoCloseable {
     return HostRegistryHelper.unchecked_narrow(located(url).object(ServiceKey.REGISTRY));
   }
 
-  private ServerLocation located(String url) {
-    ServerLocation location = ServerLocation.of(orb, url);
-    try {
-      peers.outbound().allow(location.endpoint().host(), location.endpoint().port());
-    } catch (UnknownHostException e) {
-      throw new ServiceUnreachableException(
-          "S-002 no server at " + location + ": no such host; check the name", e);
+  private ServerLocation located(String written) {
+    ServiceUrl url = ServiceUrl.parse(written);
+    if (url.isName()) {
+      allow(url.host(), url.port());
     }
+    ServerLocation location = ServerLocation.of(orb, url);
+    allow(location.endpoint().host(), location.endpoint().port());
     location.requireService();
     return location;
+  }
+
+  private void allow(String host, int port) {
+    try {
+      peers.outbound().allow(host, port);
+    } catch (UnknownHostException e) {
+      throw new ServiceUnreachableException(
+          "S-002 no server at " + host + ":" + port + ": no such host; check the name", e);
+    }
+  }
+
+  /**
+   * Makes a published object known at a naming service, under the key's own name, in place of an
+   * earlier one.
+   *
+   * @param naming address of the naming service, {@code host:port}
+   * @return takes the name away again
+   * @throws ServiceUnreachableException with code S-020 if that is not possible
+   */
+  public Runnable bind(String naming, ServiceKey key) {
+    ServiceUrl url = ServiceUrl.parse(naming);
+    allow(url.host(), url.port());
+    NamingService service = NamingService.at(orb, url.host(), url.port());
+    service.bind(key.key(), adapters.published(key));
+    return () -> service.unbind(key.key());
+  }
+
+  /** Returns the reference of a published object as text that any ORB can read. */
+  public String ior(ServiceKey key) {
+    return orb.object_to_string(adapters.published(key));
   }
 
   /**
@@ -197,6 +228,11 @@ public final class ServiceOrb implements AutoCloseable {
   /** Returns the addresses this ORB may connect to. */
   public OutboundAllowList outbound() {
     return peers.outbound();
+  }
+
+  /** Returns how many connections others have opened to this ORB and not closed. */
+  public int connections() {
+    return peers.inbound().count();
   }
 
   /** Returns where this ORB listens, or listened before it was closed. */

@@ -12,8 +12,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Where a server is, as a user writes it: {@code host:port}, {@code host}, {@code
- * corbaloc:iiop:1.2@host:port/MechServer}, {@code IOR:...}, or the name of a file that holds one of
- * these.
+ * corbaloc:iiop:1.2@host:port/MechServer}, {@code corbaname:iiop:1.2@host:port#MechServer}, {@code
+ * IOR:...}, or the name of a file that holds one of these.
  */
 final class ServiceUrl {
   /** The port of a server that names none. */
@@ -24,18 +24,28 @@ final class ServiceUrl {
           "corbaloc:(?:iiop)?:(?:1\\.[012]@)?(\\[[0-9a-fA-F:]+]|[^:/@\\[\\]]+)(?::(\\d+))?(?:/.*)?");
   private static final Pattern SHORT =
       Pattern.compile("(\\[[0-9a-fA-F:]+]|[A-Za-z0-9._-]+)(?::(\\d{1,5}))?");
+  private static final Pattern CORBANAME =
+      Pattern.compile(
+          "corbaname:(?:iiop)?:(?:1\\.[012]@)?(\\[[0-9a-fA-F:]+]|[^:/@#\\[\\]]+)(?::(\\d+))?"
+              + "(?:/NameService)?#(.+)");
+
+  /** The port of a naming service that names none, by the CORBA specification. */
+  private static final int NAMING_PORT = 2809;
+
   private static final int LONGEST_IOR_FILE = 65536;
 
   private final String written;
   private final String stringified;
   private final String host;
   private final int port;
+  private final String name;
 
-  private ServiceUrl(String written, String stringified, String host, int port) {
+  private ServiceUrl(String written, String stringified, String host, int port, String name) {
     this.written = written;
     this.stringified = stringified;
     this.host = host;
     this.port = port;
+    this.name = name;
   }
 
   /**
@@ -47,10 +57,14 @@ final class ServiceUrl {
     String text = written.strip();
     Matcher corbaloc = CORBALOC.matcher(text);
     if (corbaloc.matches()) {
-      return at(written, corbaloc);
+      return at(written, corbaloc, DEFAULT_PORT, "");
+    }
+    Matcher corbaname = CORBANAME.matcher(text);
+    if (corbaname.matches()) {
+      return at(written, corbaname, NAMING_PORT, corbaname.group(3));
     }
     if (text.startsWith("IOR:")) {
-      return new ServiceUrl(written, text, "", 0);
+      return new ServiceUrl(written, text, "", 0, "");
     }
     String inFile = contentOfFile(text);
     if (!inFile.isEmpty()) {
@@ -58,18 +72,18 @@ final class ServiceUrl {
     }
     Matcher shorthand = SHORT.matcher(text);
     if (shorthand.matches()) {
-      return at(written, shorthand);
+      return at(written, shorthand, DEFAULT_PORT, "");
     }
     throw notAUrl(written, null);
   }
 
-  private static ServiceUrl at(String written, Matcher address) {
+  private static ServiceUrl at(String written, Matcher address, int defaultPort, String name) {
     try {
-      int port = address.group(2) == null ? DEFAULT_PORT : Integer.parseInt(address.group(2));
+      int port = address.group(2) == null ? defaultPort : Integer.parseInt(address.group(2));
       if (port < 1 || port > 65535) {
         throw notAUrl(written, null);
       }
-      return new ServiceUrl(written, "", address.group(1), port);
+      return new ServiceUrl(written, "", address.group(1), port, name);
     } catch (NumberFormatException e) {
       throw notAUrl(written, e);
     }
@@ -82,7 +96,7 @@ final class ServiceUrl {
         return "";
       }
       String content = Files.readString(file, StandardCharsets.US_ASCII).strip();
-      return content.startsWith("IOR:") || content.startsWith("corbaloc:") ? content : "";
+      return content.startsWith("IOR:") || content.startsWith("corba") ? content : "";
     } catch (InvalidPathException | IOException e) {
       return "";
     } catch (IllegalArgumentException e) {
@@ -95,7 +109,8 @@ final class ServiceUrl {
         "S-006 \""
             + written
             + "\" is not the address of a server; write HOST:PORT,"
-            + " corbaloc:iiop:1.2@HOST:PORT/MechServer, or the name of an IOR file",
+            + " corbaloc:iiop:1.2@HOST:PORT/MechServer, corbaname:iiop:1.2@HOST:PORT#MechServer,"
+            + " or the name of an IOR file",
         cause);
   }
 
@@ -107,6 +122,16 @@ final class ServiceUrl {
   /** Returns whether this is a stringified reference, whose address only an ORB can read. */
   boolean isReference() {
     return !stringified.isEmpty();
+  }
+
+  /** Returns whether this is a name at a naming service, whose address it has. */
+  boolean isName() {
+    return !name.isEmpty();
+  }
+
+  /** Returns the name at the naming service; empty if this is an address. */
+  String name() {
+    return name;
   }
 
   /** Returns the stringified reference; empty if this is an address. */

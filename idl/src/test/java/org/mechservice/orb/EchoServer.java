@@ -5,6 +5,7 @@ import java.util.function.Consumer;
 import org.mechservice.idl.API_VERSION;
 import org.mechservice.idl.DiagnosticSeqHolder;
 import org.mechservice.idl.IMechClient;
+import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.Limit;
 import org.mechservice.idl.MechServerOperations;
 import org.mechservice.idl.MechServerPOATie;
@@ -46,6 +47,14 @@ final class EchoServer implements MechServerOperations, AutoCloseable {
     return orb.endpoint().toString();
   }
 
+  Runnable bind(String naming) {
+    return orb.bind(naming, ServiceKey.SERVER);
+  }
+
+  String ior() {
+    return orb.ior(ServiceKey.SERVER);
+  }
+
   int port() {
     return orb.endpoint().port();
   }
@@ -69,6 +78,11 @@ final class EchoServer implements MechServerOperations, AutoCloseable {
   @Override
   public MechSim findSession(String sessionId) throws NotFound {
     throw new NotFound("S-011", sessionId);
+  }
+
+  @Override
+  public IMechSimRemote findSimulation(String simId) throws NotFound {
+    throw new NotFound("S-011", simId);
   }
 
   @Override

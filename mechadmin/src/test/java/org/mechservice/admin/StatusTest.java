@@ -93,7 +93,7 @@ class StatusTest {
 
   private static HostStatus host(String name) {
     HostInfo info = new HostInfo(name, "0.1.0", "10.0.0.2:7", 8, 1L << 33, 4, at(Duration.ZERO));
-    HostLoad load = new HostLoad(2, 1, 0, 0.25, 3 << 20, false);
+    HostLoad load = new HostLoad(2, 1, 0, 0.25, 3 << 20, false, new NameValue[0]);
     return new HostStatus(info, load, true, at(Duration.ZERO), "");
   }
 
@@ -101,6 +101,7 @@ class StatusTest {
     Progress progress =
         new Progress("s1", SimState.SIM_RUNNING, 0, 1.5, 0, 3, 42, 1e-3, 5, 1000, 150);
     long created = at(Duration.ofSeconds(10));
-    return new SimSummary("s1", "x", "big", model, "ann", progress, created, created);
+    return new SimSummary(
+        "s1", "x", "big", model, "ann", progress, created, created, 0, created, "");
   }
 }

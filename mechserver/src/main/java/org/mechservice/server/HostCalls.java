@@ -30,6 +30,11 @@ final class HostCalls implements AutoCloseable {
     T ask(MechSimHostOperations host) throws UserException;
   }
 
+  /** Something a host is asked that depends on what is known of it. */
+  interface QuestionToKnown<T> {
+    T ask(MechSimHostOperations host, KnownHost known) throws UserException;
+  }
+
   /**
    * What came of a call.
    *
@@ -65,10 +70,10 @@ final class HostCalls implements AutoCloseable {
   }
 
   /** Asks many hosts at once; the waits do not add up. */
-  <T> Map<KnownHost, Answer<T>> askAll(List<KnownHost> hosts, Question<T> question) {
+  <T> Map<KnownHost, Answer<T>> askAll(List<KnownHost> hosts, QuestionToKnown<T> question) {
     Map<KnownHost, Future<T>> asked = new LinkedHashMap<>();
     for (KnownHost host : hosts) {
-      asked.put(host, threads.submit(() -> question.ask(host.host())));
+      asked.put(host, threads.submit(() -> question.ask(host.host(), host)));
     }
     long deadline = System.nanoTime() + longest.toNanos();
     Map<KnownHost, Answer<T>> answers = new LinkedHashMap<>();

@@ -15,8 +15,10 @@ import java.util.concurrent.TimeUnit;
 import org.mechservice.idl.HostLoad;
 import org.mechservice.idl.HostStatus;
 import org.mechservice.idl.MechSimHostOperations;
+import org.mechservice.idl.ServiceEvent;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.OutboundAllowList;
+import org.mechservice.sim.service.Happening;
 import org.mechservice.sim.service.Journal;
 
 /**
@@ -25,10 +27,12 @@ import org.mechservice.sim.service.Journal;
  */
 final class HostDirectory implements AutoCloseable {
   private static final int DROPPED_KEPT = 20;
+  private static final int EVENTS_AT_ONCE = 1000;
 
   private final ServerTuning tuning;
   private final OutboundAllowList outbound;
   private final Journal journal;
+  private final LostRuns lostRuns;
   private final HostCalls calls;
   private final Map<String, KnownHost> hosts = new ConcurrentHashMap<>();
   private final Deque<KnownHost> dropped = new ArrayDeque<>();
@@ -39,9 +43,14 @@ final class HostDirectory implements AutoCloseable {
     this.tuning = tuning;
     this.outbound = outbound;
     this.journal = journal;
+    lostRuns = new LostRuns(journal);
     calls = new HostCalls(tuning.hostAnswer());
     long period = tuning.hostCheck().toMillis();
     var unused = clock.scheduleWithFixedDelay(this::check, period, period, TimeUnit.MILLISECONDS);
+  }
+
+  LostRuns lostRuns() {
+    return lostRuns;
   }
 
   HostCalls calls() {
@@ -59,7 +68,9 @@ final class HostDirectory implements AutoCloseable {
       dropped.removeIf(gone -> gone.name().equals(host.name()));
     }
     if (!host.own()) {
-      journal.info("host " + host.name() + " registered from " + host.endpoint());
+      journal.tell(
+          Happening.info("host-joined", "host " + host.name() + " joined from " + host.endpoint())
+              .onHost(host.name()));
     }
   }
 
@@ -72,15 +83,44 @@ final class HostDirectory implements AutoCloseable {
     return hosts.values().stream().sorted(Comparator.comparing(KnownHost::name)).toList();
   }
 
-  /** Asks all hosts for their load, at once; returns those that answered. */
+  /** What a host tells when it is asked how it is. */
+  private record News(HostLoad load, List<ServiceEvent> events) {}
+
+  /** Asks all hosts for their load and what happened, at once; returns those that answered. */
   List<KnownHost> refresh() {
-    Map<KnownHost, HostLoad> loads = askAll(MechSimHostOperations::getLoad);
-    loads.forEach(KnownHost::answered);
-    return List.copyOf(loads.keySet());
+    long askedAt = System.nanoTime();
+    Map<KnownHost, News> news =
+        askAll((host, known) -> new News(host.getLoad(), eventsOf(host, known)));
+    news.forEach(
+        (host, said) -> {
+          host.answered(said.load(), askedAt);
+          takeOver(host, said.events());
+        });
+    return List.copyOf(news.keySet());
+  }
+
+  private static List<ServiceEvent> eventsOf(MechSimHostOperations host, KnownHost known) {
+    return List.of(host.events(known.lastEvent(), EVENTS_AT_ONCE, 0));
+  }
+
+  private void takeOver(KnownHost host, List<ServiceEvent> events) {
+    synchronized (host) { // two may have asked at once
+      for (ServiceEvent event : events) {
+        if (event.seqNo > host.lastEvent()) {
+          host.tookOver(event.seqNo);
+          journal.retell(event);
+          lostRuns.follow(event);
+        }
+      }
+    }
   }
 
   /** Asks all hosts at once; who cannot be connected to is dropped. */
   <T> Map<KnownHost, T> askAll(HostCalls.Question<T> question) {
+    return askAll((host, known) -> question.ask(host));
+  }
+
+  private <T> Map<KnownHost, T> askAll(HostCalls.QuestionToKnown<T> question) {
     Map<KnownHost, T> answers = new LinkedHashMap<>();
     calls
         .askAll(all(), question)
@@ -113,7 +153,10 @@ final class HostDirectory implements AutoCloseable {
           dropped.removeLast();
         }
       }
-      journal.warn("S-019 host " + host.name() + " dropped: " + why);
+      journal.tell(
+          Happening.warning("host-lost", "S-019", "host " + host.name() + " dropped: " + why)
+              .onHost(host.name()));
+      lostRuns.lostWith(host.name());
     }
   }
 
@@ -121,7 +164,8 @@ final class HostDirectory implements AutoCloseable {
   void signOff(KnownHost host) {
     if (hosts.remove(host.name(), host)) {
       outbound.forbid(host.endpoint().host(), host.endpoint().port());
-      journal.info("host " + host.name() + " signed off");
+      journal.tell(
+          Happening.info("host-left", "host " + host.name() + " signed off").onHost(host.name()));
     }
   }
 

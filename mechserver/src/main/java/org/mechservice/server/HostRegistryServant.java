@@ -29,8 +29,10 @@ final class HostRegistryServant implements HostRegistryOperations {
 
   private final ServiceOrb orb;
   private final HostDirectory directory;
+  private final FarmLimits limits;
 
-  HostRegistryServant(ServiceOrb orb, HostDirectory directory) {
+  HostRegistryServant(ServiceOrb orb, HostDirectory directory, FarmLimits limits) {
+    this.limits = limits;
     this.orb = orb;
     this.directory = directory;
   }
@@ -44,6 +46,7 @@ final class HostRegistryServant implements HostRegistryOperations {
     call(info, host, endpoint);
     KnownHost known = new KnownHost(info, host, false, endpoint);
     directory.add(known);
+    limits.joined(known);
     return registration(known);
   }
 

@@ -1,21 +1,30 @@
 package org.mechservice.server;
 
 import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.concurrent.atomic.AtomicLong;
 import org.mechservice.idl.HostInfo;
 import org.mechservice.idl.HostLoad;
 import org.mechservice.idl.HostStatus;
 import org.mechservice.idl.MechSimHostOperations;
+import org.mechservice.idl.NameValue;
 import org.mechservice.orb.Endpoint;
 
 /** A host as its server knows it. Thread-safe. */
 final class KnownHost {
+  private static final AtomicLong JOINED = new AtomicLong();
+
   private final HostInfo info;
   private final MechSimHostOperations host;
   private final boolean own;
   private final Endpoint endpoint;
   private long renewedAt = System.nanoTime();
   private long lastSeen = System.currentTimeMillis();
-  private HostLoad load = new HostLoad(0, 0, 0, 0, 0, false);
+  private final Deque<Long> placedAt = new ArrayDeque<>();
+  private final long joined = JOINED.incrementAndGet();
+  private HostLoad load = new HostLoad(0, 0, 0, 0, 0, false, new NameValue[0]);
+  private long lastEvent;
   private boolean reachable = true;
   private String text = "";
 
@@ -56,12 +65,40 @@ final class KnownHost {
     return !own && System.nanoTime() - renewedAt > lease.toNanos();
   }
 
-  /** Notes what the host said of its load. */
-  synchronized void answered(HostLoad said) {
+  /** Returns the host's place in the order in which hosts joined. */
+  long joined() {
+    return joined;
+  }
+
+  /**
+   * Notes what the host said of its load.
+   *
+   * @param askedAt when it was asked, by {@link System#nanoTime}
+   */
+  synchronized void answered(HostLoad said, long askedAt) {
     load = said;
     reachable = true;
     text = "";
     lastSeen = System.currentTimeMillis();
+    // Sessions placed before are in what it said.
+    while (!placedAt.isEmpty() && placedAt.peekFirst() - askedAt < 0) {
+      placedAt.removeFirst();
+    }
+  }
+
+  /** Notes that a session was placed there, which the load does not show yet. */
+  synchronized void placed() {
+    placedAt.addLast(System.nanoTime());
+  }
+
+  /** Returns the number of the last event taken over from it. */
+  synchronized long lastEvent() {
+    return lastEvent;
+  }
+
+  /** Notes up to which event all were taken over. */
+  synchronized void tookOver(long event) {
+    lastEvent = event;
   }
 
   /** Notes that the host did not answer. */
@@ -81,7 +118,7 @@ final class KnownHost {
 
   /** Returns how many more simulations find a place at once; negative: so many wait. */
   synchronized int freePlaces() {
-    return info.capacity - Math.max(load.sessions, load.running + load.queued);
+    return info.capacity - Math.max(load.sessions, load.running + load.queued) - placedAt.size();
   }
 
   synchronized HostStatus status() {

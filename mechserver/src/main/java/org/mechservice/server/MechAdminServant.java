@@ -6,17 +6,19 @@ import java.util.List;
 import java.util.Optional;
 import org.mechservice.idl.HostLoad;
 import org.mechservice.idl.HostStatus;
+import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.Limit;
 import org.mechservice.idl.LogLine;
+import org.mechservice.idl.MAX_WAIT_MILLIS;
 import org.mechservice.idl.MechAdminOperations;
 import org.mechservice.idl.MechSimHostOperations;
 import org.mechservice.idl.NameValue;
-import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServerStatus;
+import org.mechservice.idl.ServiceEvent;
 import org.mechservice.idl.SimDetail;
-import org.mechservice.idl.SimEvent;
 import org.mechservice.idl.SimSummary;
+import org.mechservice.sim.service.Happening;
 import org.mechservice.sim.service.Journal;
 import org.mechservice.sim.service.Refusal;
 import org.omg.CORBA.IntHolder;
@@ -30,19 +32,22 @@ final class MechAdminServant implements MechAdminOperations {
 
   private final MechServerServant server;
   private final HostDirectory directory;
-  private final ServerTuning tuning;
+  private final Placement placement;
+  private final FarmLimits limits;
   private final Journal journal;
   private final Shutdown shutdown;
 
   MechAdminServant(
       MechServerServant server,
       HostDirectory directory,
-      ServerTuning tuning,
+      Placement placement,
+      FarmLimits limits,
       Journal journal,
       Shutdown shutdown) {
     this.server = server;
     this.directory = directory;
-    this.tuning = tuning;
+    this.placement = placement;
+    this.limits = limits;
     this.journal = journal;
     this.shutdown = shutdown;
   }
@@ -79,6 +84,7 @@ final class MechAdminServant implements MechAdminOperations {
         .askAll(MechSimHostOperations::listSimulations)
         .values()
         .forEach(ofHost -> all.addAll(List.of(ofHost)));
+    all.addAll(directory.lostRuns().summaries());
     all.sort(
         Comparator.comparingLong((SimSummary sim) -> sim.createdAt)
             .thenComparing(sim -> sim.simId));
@@ -90,14 +96,24 @@ final class MechAdminServant implements MechAdminOperations {
   }
 
   @Override
-  public SimDetail showSimulation(String simId) throws NotAvailable {
-    throw Refusal.notAvailable(
-        "details of a simulation are not in this version; listSimulations shows its progress");
+  public SimDetail showSimulation(String simId) throws NotFound {
+    return directory.askAll(host -> host.showSimulation(simId)).values().stream()
+        .findFirst()
+        .orElseThrow(() -> noSimulation(simId));
+  }
+
+  private static NotFound noSimulation(String simId) {
+    return Refusal.notFound("there is no simulation " + simId + " on a host that answers");
   }
 
   @Override
-  public SimEvent[] events(long afterSeqNo, int maxCount) throws NotAvailable {
-    throw Refusal.notAvailable("events of all sessions are not in this version; ask for the logs");
+  public ServiceEvent[] events(long afterSeqNo, int maxCount, int waitMillis) {
+    return journal
+        .events()
+        .after(
+            afterSeqNo,
+            Integer.toUnsignedLong(maxCount),
+            Math.min(Integer.toUnsignedLong(waitMillis), MAX_WAIT_MILLIS.value));
   }
 
   @Override
@@ -109,7 +125,7 @@ final class MechAdminServant implements MechAdminOperations {
         .calls()
         .ask(require(hostName).host(), host -> host.logs(since, maxCount))
         .value()
-        .orElseThrow(() -> Refusal.notFound("host " + hostName + " does not answer"));
+        .orElseThrow(() -> silent(hostName));
   }
 
   private KnownHost require(String hostName) throws NotFound {
@@ -131,22 +147,70 @@ final class MechAdminServant implements MechAdminOperations {
             .stream()
             .findFirst();
     if (killed.isEmpty()) {
-      throw Refusal.notFound("there is no simulation " + simId + " on a host that answers");
+      throw noSimulation(simId);
     }
-    journal.info("simulation " + simId + " cancelled by the operator: " + reason);
   }
 
   @Override
   public Limit[] getLimits(String hostName) throws NotFound {
-    if (!hostName.isEmpty()) {
-      require(hostName);
+    if (hostName.isEmpty()) {
+      return limits.inForce().toLimits();
     }
-    return tuning.limits().toLimits();
+    return directory
+        .calls()
+        .ask(require(hostName).host(), MechSimHostOperations::getLimits)
+        .value()
+        .orElseThrow(() -> silent(hostName));
+  }
+
+  private static NotFound silent(String hostName) {
+    return Refusal.notFound("host " + hostName + " does not answer");
   }
 
   @Override
-  public void setLimits(String hostName, Limit[] values) throws NotAvailable {
-    throw Refusal.notAvailable("changing limits is not in this version");
+  public void setLimits(String hostName, Limit[] values) throws NotFound, InvalidOption {
+    if (hostName.isEmpty()) {
+      limits.change(values);
+      return;
+    }
+    HostCalls.Answer<Boolean> answer =
+        directory
+            .calls()
+            .ask(
+                require(hostName).host(),
+                host -> {
+                  host.setLimits(values);
+                  return true;
+                });
+    if (answer.refusal().isPresent() && answer.refusal().get() instanceof InvalidOption refusal) {
+      throw refusal;
+    } else if (answer.value().isEmpty()) {
+      throw silent(hostName);
+    }
+  }
+
+  @Override
+  public String getPlacement() {
+    return placement.policy().label();
+  }
+
+  @Override
+  public void setPlacement(String policy) throws InvalidOption {
+    placement.follow(
+        PlacementPolicy.named(policy)
+            .orElseThrow(
+                () ->
+                    Refusal.option(
+                        "placement",
+                        "there is no placement \""
+                            + policy
+                            + "\"; there are "
+                            + PlacementPolicy.labels())));
+    tell("limit-set", "hosts are chosen by \"" + policy + "\" now");
+  }
+
+  private void tell(String kind, String text) {
+    journal.tell(Happening.info(kind, text));
   }
 
   @Override
@@ -162,7 +226,9 @@ final class MechAdminServant implements MechAdminOperations {
   private void setDraining(String hostName, boolean drain) throws NotFound {
     if (hostName.isEmpty()) {
       server.setDraining(drain);
-      journal.info(drain ? "takes no new sessions" : "takes new sessions again");
+      tell(
+          drain ? "drained" : "undrained",
+          drain ? "the server takes no new sessions" : "the server takes new sessions again");
       return;
     }
     boolean done =
@@ -181,7 +247,7 @@ final class MechAdminServant implements MechAdminOperations {
             .value()
             .isPresent();
     if (!done) {
-      throw Refusal.notFound("host " + hostName + " does not answer");
+      throw silent(hostName);
     }
   }
 

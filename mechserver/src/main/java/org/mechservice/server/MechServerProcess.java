@@ -16,7 +16,9 @@ import org.mechservice.orb.ListenAddress;
 import org.mechservice.orb.ServiceKey;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.sim.host.SimHost;
+import org.mechservice.sim.service.Happening;
 import org.mechservice.sim.service.Journal;
+import org.mechservice.sim.service.LimitsInForce;
 
 /** The process behind {@code mech server}, and the embedded server of the command line. */
 public final class MechServerProcess implements AutoCloseable {
@@ -34,10 +36,12 @@ public final class MechServerProcess implements AutoCloseable {
     this.orb = orb;
     Journal journal = new Journal("server");
     directory = new HostDirectory(tuning, orb.outbound(), journal);
-    server = new MechServerServant(settings.name(), directory, tuning);
+    LimitsInForce limits = new LimitsInForce(settings.host().limits());
+    Placement placement = new Placement(directory, settings.placement());
+    server = new MechServerServant(settings.name(), directory, placement, limits);
     ownHost =
-        settings.localCapacity() > 0
-            ? Optional.of(host.open(orb, settings, tuning.limits(), this::close))
+        settings.host().capacity() > 0
+            ? Optional.of(host.open(orb, settings, limits, this::close))
             : Optional.empty();
     ownHost.ifPresent(
         own ->
@@ -47,11 +51,14 @@ public final class MechServerProcess implements AutoCloseable {
                     GuardedServant.of(MechSimHostOperations.class, own, () -> {}),
                     true,
                     orb.endpoint())));
-    publish(new MechAdminServant(server, directory, tuning, journal, this::shutDown));
+    FarmLimits farmLimits = new FarmLimits(limits, directory);
+    publish(
+        new MechAdminServant(server, directory, placement, farmLimits, journal, this::shutDown),
+        new HostRegistryServant(orb, directory, farmLimits));
+    journal.tell(Happening.info("server-started", "server " + settings.name() + " has started"));
   }
 
-  private void publish(MechAdminServant admin) {
-    HostRegistryServant registry = new HostRegistryServant(orb, directory);
+  private void publish(MechAdminServant admin, HostRegistryServant registry) {
     orb.publish(
         Map.of(
             ServiceKey.SERVER,

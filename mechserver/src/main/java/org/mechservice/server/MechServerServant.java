@@ -6,6 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.API_VERSION;
 import org.mechservice.idl.DiagnosticSeqHolder;
 import org.mechservice.idl.IMechClient;
+import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.Limit;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MechServerOperations;
@@ -16,6 +17,7 @@ import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServerFailure;
 import org.mechservice.idl.ServerInfo;
 import org.mechservice.orb.ServiceVersion;
+import org.mechservice.sim.service.LimitsInForce;
 import org.mechservice.sim.service.Refusal;
 
 /** Where clients connect. */
@@ -27,15 +29,16 @@ final class MechServerServant implements MechServerOperations {
   private final String name;
   private final HostDirectory directory;
   private final Placement placement;
-  private final ServerTuning tuning;
+  private final LimitsInForce limits;
   private final long startedAt = System.currentTimeMillis();
   private final AtomicBoolean draining = new AtomicBoolean();
 
-  MechServerServant(String name, HostDirectory directory, ServerTuning tuning) {
+  MechServerServant(
+      String name, HostDirectory directory, Placement placement, LimitsInForce limits) {
     this.name = name;
     this.directory = directory;
-    this.tuning = tuning;
-    placement = new Placement(directory);
+    this.placement = placement;
+    this.limits = limits;
   }
 
   /** Takes no new sessions, or takes them again. */
@@ -72,12 +75,27 @@ final class MechServerServant implements MechServerOperations {
   }
 
   @Override
+  public IMechSimRemote findSimulation(String simId) throws NotFound {
+    Optional<IMechSimRemote> found =
+        directory.askAll(host -> host.findSimulation(simId)).values().stream().findFirst();
+    return found.orElseThrow(() -> Refusal.notFound(whatBecameOf(simId)));
+  }
+
+  private String whatBecameOf(String simId) {
+    return directory
+        .lostRuns()
+        .fateOf(simId)
+        .map(fate -> simId + ": " + fate + "; if the host comes back with its folder, try again")
+        .orElse("there is no simulation " + simId + " on a host that answers");
+  }
+
+  @Override
   public ModelFile importModel(ModelFile foreign, DiagnosticSeqHolder losses) throws NotAvailable {
     throw Refusal.notAvailable("importing other formats is not in this version; send MechML");
   }
 
   @Override
   public Limit[] limits() {
-    return tuning.limits().toLimits();
+    return limits.now().toLimits();
   }
 }

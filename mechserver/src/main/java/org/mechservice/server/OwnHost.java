@@ -2,20 +2,14 @@ package org.mechservice.server;
 
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.sim.host.SimHost;
-import org.mechservice.sim.service.HostLimits;
+import org.mechservice.sim.service.LimitsInForce;
 
 /** Opens the host inside the server's own process. */
 interface OwnHost {
   /** The host with the solver of this process. */
   OwnHost INSTALLED =
       (orb, settings, limits, shutdown) ->
-          new SimHost(
-              orb,
-              settings.name(),
-              settings.localCapacity(),
-              limits,
-              SimHost.installedSolver(),
-              shutdown);
+          new SimHost(orb, settings.host(), limits, SimHost.installedSolver(), shutdown);
 
   /**
    * Opens the host.
@@ -25,5 +19,5 @@ interface OwnHost {
    * @param limits what it allows its clients
    * @param shutdown closes the server
    */
-  SimHost open(ServiceOrb orb, ServerSettings settings, HostLimits limits, Runnable shutdown);
+  SimHost open(ServiceOrb orb, ServerSettings settings, LimitsInForce limits, Runnable shutdown);
 }

@@ -1,7 +1,10 @@
 package org.mechservice.server;
 
+import java.util.Collections;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.IMechClient;
@@ -12,21 +15,44 @@ import org.mechservice.idl.ServerFailure;
 import org.mechservice.sim.service.Refusal;
 import org.omg.CORBA.UserException;
 
-/**
- * Chooses the host of a session: the one with most free places; among equals a registered host
- * before the server's own process, then by name.
- */
+/** Chooses the host of a session, by what is known of the hosts' load: it asks none but the one. */
 final class Placement {
-  private static final Comparator<KnownHost> BEST_FIRST =
+  private static final Comparator<KnownHost> MOST_FREE_FIRST =
       Comparator.comparingInt(KnownHost::freePlaces)
           .reversed()
           .thenComparing(KnownHost::own)
           .thenComparing(KnownHost::name);
+  private static final Comparator<KnownHost> FIRST_WITH_A_PLACE =
+      Comparator.comparing((KnownHost host) -> host.freePlaces() <= 0)
+          .thenComparingLong(KnownHost::joined);
+
+  /** Clients whose last host is remembered. */
+  private static final int PINNED = 10_000;
 
   private final HostDirectory directory;
+  private final Map<String, String> lastHostOf = Collections.synchronizedMap(new LatestClients());
+  private volatile PlacementPolicy policy;
 
-  Placement(HostDirectory directory) {
+  private static final class LatestClients extends LinkedHashMap<String, String> {
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    protected boolean removeEldestEntry(Map.Entry<String, String> eldest) {
+      return size() > PINNED;
+    }
+  }
+
+  Placement(HostDirectory directory, PlacementPolicy policy) {
     this.directory = directory;
+    this.policy = policy;
+  }
+
+  PlacementPolicy policy() {
+    return policy;
+  }
+
+  void follow(PlacementPolicy other) {
+    policy = other;
   }
 
   /**
@@ -36,10 +62,8 @@ final class Placement {
    */
   MechSim anywhere(String clientName, @Nullable IMechClient client)
       throws LimitExceeded, ServerFailure {
-    List<KnownHost> candidates =
-        directory.refresh().stream().filter(KnownHost::open).sorted(BEST_FIRST).toList();
     Optional<LimitExceeded> refusal = Optional.empty();
-    for (KnownHost host : candidates) {
+    for (KnownHost host : candidates(clientName)) {
       HostCalls.Answer<MechSim> answer = open(host, clientName, client);
       if (answer.value().isPresent()) {
         return answer.value().get();
@@ -49,6 +73,20 @@ final class Placement {
     }
     throw refusal.orElseGet(
         () -> Refusal.noPlace("no host takes sessions now; start one with mech simhost"));
+  }
+
+  private List<KnownHost> candidates(String clientName) {
+    Comparator<KnownHost> order =
+        switch (policy) {
+          case ORDER -> FIRST_WITH_A_PLACE;
+          case LEAST_LOADED -> MOST_FREE_FIRST;
+          case PINNED -> {
+            String last = lastHostOf.getOrDefault(clientName, "");
+            yield Comparator.comparing((KnownHost host) -> !host.name().equals(last))
+                .thenComparing(MOST_FREE_FIRST);
+          }
+        };
+    return directory.all().stream().filter(KnownHost::open).sorted(order).toList();
   }
 
   /**
@@ -92,7 +130,10 @@ final class Placement {
       KnownHost host, String clientName, @Nullable IMechClient client) {
     HostCalls.Answer<MechSim> answer =
         directory.calls().ask(host.host(), asked -> asked.createSession(clientName, client));
-    if (!answer.failure().isEmpty()) {
+    if (answer.value().isPresent()) {
+      host.placed();
+      lastHostOf.put(clientName, host.name());
+    } else if (!answer.failure().isEmpty()) {
       directory.failed(host, answer.failure(), answer.connectionLost());
     }
     return answer;

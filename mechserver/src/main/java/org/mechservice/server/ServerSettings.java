@@ -1,11 +1,46 @@
 package org.mechservice.server;
 
+import java.nio.file.Path;
+import java.util.Optional;
+import org.mechservice.sim.host.HostOptions;
+
 /**
  * How a server process runs.
  *
- * @param name the server's name
  * @param listenAddress address to listen on
  * @param port port to listen on; 0: any free one
- * @param localCapacity simulations the server's own process runs at once; 0: hosts only
+ * @param host name of the server and of its own host, which has no capacity if only others run
+ *     simulations
+ * @param placement how hosts are chosen
+ * @param iorFile file to write the server's reference to; empty: none
+ * @param naming naming service to bind the server's reference at; empty: none
  */
-public record ServerSettings(String name, String listenAddress, int port, int localCapacity) {}
+public record ServerSettings(
+    String listenAddress,
+    int port,
+    HostOptions host,
+    PlacementPolicy placement,
+    Optional<Path> iorFile,
+    Optional<String> naming) {
+
+  /** A server nobody configured. */
+  public ServerSettings(String name, String listenAddress, int port, int localCapacity) {
+    this(listenAddress, port, new HostOptions(name, localCapacity));
+  }
+
+  /** A server that only its own host is configured of. */
+  public ServerSettings(String listenAddress, int port, HostOptions host) {
+    this(
+        listenAddress,
+        port,
+        host,
+        PlacementPolicy.LEAST_LOADED,
+        Optional.empty(),
+        Optional.empty());
+  }
+
+  /** Returns the server's name. */
+  public String name() {
+    return host.name();
+  }
+}

@@ -2,29 +2,36 @@ package org.mechservice.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.lang.reflect.Proxy;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.DiagnosticSeqHolder;
 import org.mechservice.idl.HostInfo;
 import org.mechservice.idl.HostLoad;
 import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.InvalidOption;
+import org.mechservice.idl.Limit;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.MechSimHostHelper;
 import org.mechservice.idl.MechSimHostOperations;
 import org.mechservice.idl.MechSimHostPOATie;
+import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServerStatus;
+import org.mechservice.idl.ServiceEvent;
+import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.ListenAddress;
 import org.mechservice.orb.ServiceOrb;
-import org.mechservice.sim.service.HostLimits;
 import org.omg.CORBA.IntHolder;
 
 class AdministrationTest {
@@ -109,12 +116,102 @@ class AdministrationTest {
   @Test
   void whatThisVersionDoesNotDoIsSaid() throws Exception {
     try (Farm farm = new Farm(1)) {
-      assertThatThrownBy(() -> farm.admin.showSimulation("x")).isInstanceOf(NotAvailable.class);
-      assertThatThrownBy(() -> farm.admin.events(0, 1)).isInstanceOf(NotAvailable.class);
-      assertThatThrownBy(() -> farm.admin.setLimits("", farm.admin.getLimits("")))
-          .isInstanceOf(NotAvailable.class);
       assertThatThrownBy(() -> farm.service.importModel(Pendulum.file(), new DiagnosticSeqHolder()))
           .isInstanceOf(NotAvailable.class);
+    }
+  }
+
+  @Test
+  void simulationIsShownInFull() throws Exception {
+    try (Farm farm = new Farm(0)) {
+      farm.host("h", 1);
+      IMechSimRemote run = Farm.running(farm.session("h"));
+      String simId = run.simId();
+      Eventually.holds(() -> farm.admin.showSimulation(simId).curves.length > 2);
+      SimDetail going = farm.admin.showSimulation(simId);
+      assertThat(going.summary.simId).isEqualTo(simId);
+      assertThat(going.summary.text).isEqualTo("running");
+      assertThat(going.modelText).contains("<!DOCTYPE");
+      assertThat(going.checkReportJson).startsWith("{");
+      assertThat(going.failed.code).isEmpty();
+      assertThat(going.events).isNotEmpty();
+      run.destroy();
+      SimDetail gone = farm.admin.showSimulation(simId);
+      assertThat(gone.summary.info.state).isEqualTo(SimState.SIM_CANCELLED);
+      assertThat(gone.reportJson).contains("\"outcome\":\"stopped\"");
+      assertThatThrownBy(() -> farm.admin.showSimulation("none")).isInstanceOf(NotFound.class);
+    }
+  }
+
+  @Test
+  void whatHappensOnAnyHostIsHeardOfInOrder() throws Exception {
+    try (Farm farm = new Farm(1)) {
+      farm.host("h", 1);
+      IMechSimRemote run = Farm.running(farm.session("h"));
+      run.cancel();
+      List<String> kinds = new ArrayList<>();
+      long[] last = {0};
+      Eventually.holds(
+          () -> {
+            for (ServiceEvent event : farm.admin.events(last[0], 100, 200)) {
+              assertThat(event.seqNo).isEqualTo(last[0] + 1);
+              last[0] = event.seqNo;
+              kinds.add(event.kind);
+            }
+            return kinds.contains("sim-cancelled");
+          });
+      assertThat(kinds)
+          .containsSubsequence(
+              "server-started",
+              "host-joined",
+              "session-opened",
+              "sim-queued",
+              "sim-running",
+              "sim-cancelled");
+    }
+  }
+
+  @Test
+  void limitsSetForAllHoldOnEveryHostAlsoOnThoseThatJoinLater() throws Exception {
+    try (Farm farm = new Farm(1)) {
+      farm.host("early", 1);
+      farm.admin.setLimits("", new Limit[] {new Limit("cursors", "", 3, "")});
+      farm.host("late", 1);
+      for (String host : List.of("", "own", "early", "late")) {
+        assertThat(limit(farm, host, "cursors")).as(host).isEqualTo(3);
+      }
+      farm.admin.setLimits("early", new Limit[] {new Limit("cursors", "", 5, "")});
+      assertThat(limit(farm, "early", "cursors")).isEqualTo(5);
+      assertThat(limit(farm, "late", "cursors")).isEqualTo(3);
+      for (Limit wrong : List.of(new Limit("lease", "", 0, ""), new Limit("nosuch", "", 1, ""))) {
+        for (String host : List.of("", "early")) {
+          InvalidOption refusal =
+              catchThrowableOfType(
+                  InvalidOption.class, () -> farm.admin.setLimits(host, new Limit[] {wrong}));
+          assertThat(refusal.code).isEqualTo("S-015");
+          assertThat(refusal.optionName).isEqualTo(wrong.name);
+        }
+      }
+    }
+  }
+
+  private static long limit(Farm farm, String host, String name) throws Exception {
+    return Arrays.stream(farm.admin.getLimits(host))
+        .filter(limit -> limit.name.equals(name))
+        .mapToLong(limit -> limit.value)
+        .sum();
+  }
+
+  @Test
+  void placementIsChangedWhileTheServerRuns() throws Exception {
+    try (Farm farm = new Farm(0)) {
+      assertThat(farm.admin.getPlacement()).isEqualTo("least-loaded");
+      farm.admin.setPlacement("pinned");
+      assertThat(farm.admin.getPlacement()).isEqualTo("pinned");
+      assertThatThrownBy(() -> farm.admin.setPlacement("random"))
+          .isInstanceOfSatisfying(
+              InvalidOption.class,
+              refusal -> assertThat(refusal.text).contains("order, least-loaded, pinned"));
     }
   }
 
@@ -129,7 +226,7 @@ class AdministrationTest {
                 end.await();
               }
               return method.getReturnType() == HostLoad.class
-                  ? new HostLoad(0, 0, 0, 0, 0, false)
+                  ? new HostLoad(0, 0, 0, 0, 0, false, new NameValue[0])
                   : info;
             });
   }
@@ -138,8 +235,7 @@ class AdministrationTest {
   void hostThatHangsHoldsUpNoAdministratorAndNoClient() throws Exception {
     CountDownLatch end = new CountDownLatch(1);
     ServerTuning longLease =
-        new ServerTuning(
-            Duration.ofHours(1), Duration.ofHours(1), Duration.ofMillis(300), HostLimits.DEFAULT);
+        new ServerTuning(Duration.ofHours(1), Duration.ofHours(1), Duration.ofMillis(300));
     try (Farm farm = new Farm(1, longLease);
         ServiceOrb orb = ServiceOrb.host(new ListenAddress("127.0.0.1", 0))) {
       HostInfo info = new HostInfo("hanging", "0", orb.endpoint().toString(), 1, 1, 5, 0);

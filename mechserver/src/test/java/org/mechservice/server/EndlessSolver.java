@@ -21,13 +21,7 @@ final class EndlessSolver implements Solver {
   /** A host that runs its models with this solver. */
   static final OwnHost HOST =
       (orb, settings, limits, shutdown) ->
-          new SimHost(
-              orb,
-              settings.name(),
-              settings.localCapacity(),
-              limits,
-              new EndlessSolver(),
-              shutdown);
+          new SimHost(orb, settings.host(), limits, new EndlessSolver(), shutdown);
 
   private static final long PAUSE_NANOS = 100_000;
 

@@ -12,15 +12,13 @@ import org.mechservice.idl.NameValue;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.sim.host.HostSettings;
 import org.mechservice.sim.host.SimHostProcess;
-import org.mechservice.sim.service.HostLimits;
 import org.omg.CORBA.UserException;
 
 /** A server, hosts and a client, each with an ORB of its own, in one JVM. */
 final class Farm implements AutoCloseable {
   /** Notices within a second what a real server notices within many. */
   static final ServerTuning BRISK =
-      new ServerTuning(
-          Duration.ofSeconds(1), Duration.ofMillis(200), Duration.ofSeconds(1), HostLimits.DEFAULT);
+      new ServerTuning(Duration.ofSeconds(1), Duration.ofMillis(200), Duration.ofSeconds(1));
 
   private final Deque<Runnable> parts = new ArrayDeque<>();
   final MechServerProcess server;
@@ -45,9 +43,7 @@ final class Farm implements AutoCloseable {
   SimHostProcess host(String name, int capacity) {
     SimHostProcess host =
         SimHostProcess.start(
-            new HostSettings(server.url(), name, "127.0.0.1", 0, capacity),
-            HostLimits.DEFAULT,
-            new EndlessSolver());
+            new HostSettings(server.url(), name, "127.0.0.1", 0, capacity), new EndlessSolver());
     parts.push(host::close);
     return host;
   }

@@ -19,10 +19,10 @@ import org.mechservice.idl.MechSimHostPOATie;
 import org.mechservice.orb.ListenAddress;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.ServiceUnreachableException;
+import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.HostSettings;
 import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.host.SimHostProcess;
-import org.mechservice.sim.service.HostLimits;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 
 class HostRegistryTest {
@@ -41,7 +41,7 @@ class HostRegistryTest {
     final HostRegistry registry;
 
     Careless(Farm farm, String name) {
-      host = new SimHost(orb, name, 1, HostLimits.DEFAULT, new EndlessSolver(), () -> {});
+      host = new SimHost(orb, new HostOptions(name, 1), new EndlessSolver(), () -> {});
       MechSimHostOperations operations = host;
       reference =
           MechSimHostHelper.unchecked_narrow(
@@ -82,11 +82,7 @@ class HostRegistryTest {
   @Test
   void hostWhoseConnectionFailsIsDroppedBeforeItsLeaseEnds() throws Exception {
     ServerTuning longLease =
-        new ServerTuning(
-            Duration.ofHours(1),
-            Farm.BRISK.hostCheck(),
-            Farm.BRISK.hostAnswer(),
-            HostLimits.DEFAULT);
+        new ServerTuning(Duration.ofHours(1), Farm.BRISK.hostCheck(), Farm.BRISK.hostAnswer());
     try (Farm farm = new Farm(1, longLease)) {
       try (Careless vanishing = new Careless(farm, "vanishing")) {
         vanishing.register(vanishing.host.getInfo());

@@ -26,7 +26,7 @@ import org.mechservice.idl.ResultBlockHolder;
 import org.mechservice.idl.ResultCursor;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.sim.host.SimHost;
-import org.mechservice.sim.service.HostLimits;
+import org.mechservice.sim.service.LimitsInForce;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.RunReport;
@@ -71,8 +71,8 @@ class ServiceSpeedTest {
       };
 
   private static SimHost fastHost(
-      ServiceOrb orb, ServerSettings settings, HostLimits limits, Runnable shutdown) {
-    return new SimHost(orb, settings.name(), settings.localCapacity(), limits, FAST, shutdown);
+      ServiceOrb orb, ServerSettings settings, LimitsInForce limits, Runnable shutdown) {
+    return new SimHost(orb, settings.host(), limits, FAST, shutdown);
   }
 
   @Test

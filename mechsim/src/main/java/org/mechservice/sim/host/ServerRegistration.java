@@ -1,8 +1,10 @@
 package org.mechservice.sim.host;
 
 import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.HostRegistration;
 import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.LimitExceeded;
@@ -35,26 +37,30 @@ final class ServerRegistration implements AutoCloseable {
             thread.setDaemon(true);
             return thread;
           });
-  private HostRegistration registration;
+  private volatile @Nullable HostRegistration registration;
 
-  /**
-   * Registers a host.
-   *
-   * @throws ServiceUnreachableException if the server cannot be reached
-   * @throws IllegalArgumentException if the server does not take the host; the message says why
-   */
   ServerRegistration(ServiceOrb orb, String serverUrl, SimHost host, MechSimHost reference) {
     this.orb = orb;
     this.serverUrl = serverUrl;
     this.host = host;
     this.reference = reference;
-    try {
-      registration = register();
-      renewIn(firstRenewal());
-    } catch (RuntimeException e) {
-      clock.shutdownNow();
-      throw e;
-    }
+  }
+
+  /**
+   * Registers the host.
+   *
+   * @throws ServiceUnreachableException if the server cannot be reached
+   * @throws IllegalArgumentException if the server does not take the host; the message says why
+   */
+  void begin() {
+    registration = register();
+    renew();
+  }
+
+  /** Registers the host as soon as the server can be reached. */
+  void keepTrying() {
+    LOG.info("server {} cannot be reached yet; trying again", serverUrl);
+    renewIn(RETRY_MILLIS);
   }
 
   private HostRegistration register() {
@@ -74,17 +80,22 @@ final class ServerRegistration implements AutoCloseable {
     }
   }
 
-  private long firstRenewal() {
-    return Integer.toUnsignedLong(registration.renewLease()) * 1000 / 3;
-  }
-
   private void renewIn(long millis) {
-    var unused = clock.schedule(this::renew, millis, TimeUnit.MILLISECONDS);
+    try {
+      var unused = clock.schedule(this::renew, millis, TimeUnit.MILLISECONDS);
+    } catch (RejectedExecutionException e) {
+      LOG.debug("the host is closing");
+    }
   }
 
   private void renew() {
+    HostRegistration present = registration;
+    if (present == null) {
+      registerAnew();
+      return;
+    }
     try {
-      renewIn(Integer.toUnsignedLong(registration.renewLease()) * 1000 / 3);
+      renewIn(Integer.toUnsignedLong(present.renewLease()) * 1000 / 3);
     } catch (SystemException e) {
       LOG.info("the server does not know this host any more; registering anew");
       registerAnew();
@@ -108,7 +119,10 @@ final class ServerRegistration implements AutoCloseable {
     clock.shutdownNow();
     try {
       clock.awaitTermination(CLOSING_MILLIS, TimeUnit.MILLISECONDS);
-      registration.destroy();
+      HostRegistration present = registration;
+      if (present != null) {
+        present.destroy();
+      }
     } catch (SystemException e) {
       LOG.debug("the server is gone already", e);
     } catch (InterruptedException e) {

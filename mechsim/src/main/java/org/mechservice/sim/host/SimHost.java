@@ -8,20 +8,24 @@ import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.HostInfo;
 import org.mechservice.idl.HostLoad;
 import org.mechservice.idl.IMechClient;
+import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.Limit;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.LogLine;
+import org.mechservice.idl.MAX_WAIT_MILLIS;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.MechSimHostOperations;
-import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
+import org.mechservice.idl.ServiceEvent;
 import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.ServiceVersion;
-import org.mechservice.sim.service.HostLimits;
+import org.mechservice.sim.service.Happening;
 import org.mechservice.sim.service.Journal;
+import org.mechservice.sim.service.LimitsInForce;
 import org.mechservice.sim.service.Refusal;
 import org.mechservice.sim.service.SessionTable;
 import org.mechservice.solver.api.Solver;
@@ -34,8 +38,8 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   private static final long GRACE_CHECK_MILLIS = 100;
 
   private final ServiceOrb orb;
-  private final String name;
-  private final int capacity;
+  private final HostOptions options;
+  private final LimitsInForce limits;
   private final SessionTable sessions;
   private final Journal journal;
   private final Runnable shutdown;
@@ -46,24 +50,29 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
    * Opens a host without sessions.
    *
    * @param orb serves its sessions
-   * @param name its name at the server
-   * @param capacity simulations it runs at once
-   * @param solver runs them
+   * @param solver runs simulations
    * @param shutdown closes what the host is part of
+   * @throws IllegalArgumentException with code S-114 if the spool folder cannot be used
+   */
+  public SimHost(ServiceOrb orb, HostOptions options, Solver solver, Runnable shutdown) {
+    this(orb, options, new LimitsInForce(options.limits()), solver, shutdown);
+  }
+
+  /**
+   * Opens a host that shares its limits with somebody else.
+   *
+   * @param limits in force; those of the options do not matter
    */
   public SimHost(
-      ServiceOrb orb,
-      String name,
-      int capacity,
-      HostLimits limits,
-      Solver solver,
-      Runnable shutdown) {
+      ServiceOrb orb, HostOptions options, LimitsInForce limits, Solver solver, Runnable shutdown) {
     this.orb = orb;
-    this.name = name;
-    this.capacity = capacity;
+    this.options = options;
+    this.limits = limits;
     this.shutdown = shutdown;
-    journal = new Journal(name);
-    sessions = new SessionTable(orb, name, capacity, limits, solver, journal);
+    journal = new Journal(options.name());
+    sessions =
+        new SessionTable(
+            orb, options.name(), options.capacity(), limits, options.spool(), solver, journal);
   }
 
   /** Returns the solver of this process. */
@@ -77,12 +86,12 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   public HostInfo getInfo() {
     Runtime machine = Runtime.getRuntime();
     return new HostInfo(
-        name,
+        options.name(),
         ServiceVersion.CURRENT,
         orb.endpoint().toString(),
         machine.availableProcessors(),
         machine.maxMemory(),
-        capacity,
+        options.capacity(),
         startedAt);
   }
 
@@ -95,7 +104,8 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
         sessions.count(SimState.SIM_QUEUED),
         cpuLoad(),
         machine.totalMemory() - machine.freeMemory(),
-        draining.get());
+        draining.get(),
+        sessions.statistics());
   }
 
   /** Returns the share of the machine's processors in use, 0 to 1; 0 if it is not known. */
@@ -109,7 +119,8 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   public MechSim createSession(String clientName, @Nullable IMechClient client)
       throws LimitExceeded {
     if (draining.get()) {
-      throw Refusal.noPlace("host " + name + " is being emptied and takes no new sessions");
+      throw Refusal.noPlace(
+          "host " + options.name() + " is being emptied and takes no new sessions");
     }
     return sessions.open(clientName, client);
   }
@@ -122,20 +133,28 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   }
 
   @Override
+  public IMechSimRemote findSimulation(String simId) throws NotFound, LimitExceeded {
+    return sessions.findSimulation(simId);
+  }
+
+  @Override
   public SimSummary[] listSimulations() {
     return sessions.summaries().toArray(SimSummary[]::new);
   }
 
   @Override
-  public SimDetail showSimulation(String simId) throws NotAvailable {
-    throw Refusal.notAvailable(
-        "details of a simulation are not in this version; listSimulations shows its progress");
+  public SimDetail showSimulation(String simId) throws NotFound {
+    return sessions.detail(simId).orElseThrow(() -> noSimulation(simId));
+  }
+
+  private NotFound noSimulation(String simId) {
+    return Refusal.notFound("there is no simulation " + simId + " on host " + options.name());
   }
 
   @Override
   public void killSimulation(String simId, String reason) throws NotFound {
     if (!sessions.kill(simId, reason)) {
-      throw Refusal.notFound("there is no simulation " + simId + " on host " + name);
+      throw noSimulation(simId);
     }
   }
 
@@ -144,26 +163,45 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
     return journal.since(since, maxCount);
   }
 
-  /** Returns what this host allows. */
-  public Limit[] limits() {
-    return sessions.limits().toLimits();
+  @Override
+  public ServiceEvent[] events(long afterSeqNo, int maxCount, int waitMillis) {
+    return journal
+        .events()
+        .after(
+            afterSeqNo,
+            Integer.toUnsignedLong(maxCount),
+            Math.min(Integer.toUnsignedLong(waitMillis), MAX_WAIT_MILLIS.value));
   }
 
   @Override
-  public void setLimits(Limit[] values) throws NotAvailable {
-    throw Refusal.notAvailable("changing limits is not in this version");
+  public Limit[] getLimits() {
+    return limits.now().toLimits();
+  }
+
+  @Override
+  public void setLimits(Limit[] values) throws InvalidOption {
+    limits.change(values);
+    for (Limit limit : values) {
+      tell("limit-set", "limit " + limit.name + " is " + limit.value + " now");
+    }
+  }
+
+  private void tell(String kind, String text) {
+    journal.tell(Happening.info(kind, text).onHost(options.name()));
   }
 
   @Override
   public void drain() {
-    draining.set(true);
-    journal.info("takes no new sessions");
+    if (draining.compareAndSet(false, true)) {
+      tell("drained", "takes no new sessions");
+    }
   }
 
   @Override
   public void undrain() {
-    draining.set(false);
-    journal.info("takes new sessions again");
+    if (draining.compareAndSet(true, false)) {
+      tell("undrained", "takes new sessions again");
+    }
   }
 
   @Override

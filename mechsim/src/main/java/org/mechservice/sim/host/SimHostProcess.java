@@ -1,5 +1,8 @@
 package org.mechservice.sim.host;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.mechservice.idl.MechSimHost;
@@ -9,23 +12,23 @@ import org.mechservice.idl.MechSimHostPOATie;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.ListenAddress;
 import org.mechservice.orb.ServiceOrb;
-import org.mechservice.sim.service.HostLimits;
+import org.mechservice.orb.ServiceUnreachableException;
 import org.mechservice.solver.api.Solver;
 
 /**
- * The process behind {@code mech simhost}: opens one port, registers with a server and renews until
- * it is closed.
+ * The process behind {@code mech simhost}: opens one port, registers with its servers and renews
+ * until it is closed.
  */
 public final class SimHostProcess implements AutoCloseable {
   private final ServiceOrb orb;
   private final SimHost host;
-  private final ServerRegistration registration;
+  private final List<ServerRegistration> registrations = new ArrayList<>();
   private final CountDownLatch closed = new CountDownLatch(1);
   private final AtomicBoolean closing = new AtomicBoolean();
 
-  private SimHostProcess(HostSettings settings, ServiceOrb orb, HostLimits limits, Solver solver) {
+  private SimHostProcess(HostSettings settings, ServiceOrb orb, Solver solver) {
     this.orb = orb;
-    host = new SimHost(orb, settings.name(), settings.capacity(), limits, solver, this::close);
+    host = new SimHost(orb, settings.host(), solver, this::close);
     try {
       MechSimHost reference =
           MechSimHostHelper.unchecked_narrow(
@@ -33,30 +36,52 @@ public final class SimHostProcess implements AutoCloseable {
                       new MechSimHostPOATie(
                           GuardedServant.of(MechSimHostOperations.class, host, () -> {})))
                   .reference());
-      registration = new ServerRegistration(orb, settings.serverUrl(), host, reference);
+      register(settings.serverUrls(), reference);
     } catch (RuntimeException e) {
+      registrations.forEach(ServerRegistration::close);
       host.close();
       throw e;
+    }
+  }
+
+  /** One server must be there; the others are tried again until they are. */
+  private void register(List<String> serverUrls, MechSimHost reference) {
+    Optional<ServiceUnreachableException> unreachable = Optional.empty();
+    boolean registered = false;
+    for (String url : serverUrls) {
+      ServerRegistration registration = new ServerRegistration(orb, url, host, reference);
+      registrations.add(registration);
+      try {
+        registration.begin();
+        registered = true;
+      } catch (ServiceUnreachableException e) {
+        unreachable = Optional.of(unreachable.orElse(e));
+        registration.keepTrying();
+      }
+    }
+    if (!registered && unreachable.isPresent()) {
+      throw unreachable.get();
     }
   }
 
   /**
    * Starts a host and registers it.
    *
-   * @throws org.mechservice.orb.ServiceUnreachableException if the server cannot be reached
+   * @throws org.mechservice.orb.ServiceUnreachableException if none of the servers can be reached
    * @throws org.mechservice.orb.PortInUseException if the port is taken
-   * @throws IllegalArgumentException if the address cannot be listened on (S-004), the server's is
-   *     none (S-006), or the server does not take the host (S-013); the message says why
+   * @throws IllegalArgumentException if the address cannot be listened on (S-004), a server's is
+   *     none (S-006), a server does not take the host (S-013), or the spool folder cannot be used
+   *     (S-114); the message says why
    */
   public static SimHostProcess start(HostSettings settings) {
-    return start(settings, HostLimits.DEFAULT, SimHost.installedSolver());
+    return start(settings, SimHost.installedSolver());
   }
 
-  /** Starts a host with limits and a solver of one's own. */
-  public static SimHostProcess start(HostSettings settings, HostLimits limits, Solver solver) {
+  /** Starts a host with a solver of one's own. */
+  public static SimHostProcess start(HostSettings settings, Solver solver) {
     ServiceOrb orb = ServiceOrb.host(new ListenAddress(settings.listenAddress(), settings.port()));
     try {
-      return new SimHostProcess(settings, orb, limits, solver);
+      return new SimHostProcess(settings, orb, solver);
     } catch (RuntimeException e) {
       orb.close();
       throw e;
@@ -73,11 +98,11 @@ public final class SimHostProcess implements AutoCloseable {
     closed.await();
   }
 
-  /** Signs off at the server, ends all sessions and closes the port. Idempotent. */
+  /** Signs off at the servers, ends all sessions and closes the port. Idempotent. */
   @Override
   public void close() {
     if (closing.compareAndSet(false, true)) {
-      registration.close();
+      registrations.forEach(ServerRegistration::close);
       host.close();
       orb.close();
       closed.countDown();

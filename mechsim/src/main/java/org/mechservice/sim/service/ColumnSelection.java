@@ -1,13 +1,10 @@
 package org.mechservice.sim.service;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.mechservice.idl.NotFound;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.Variable;
 
 /** Which columns of a run a cursor hands out, in which order. */
@@ -25,54 +22,34 @@ final class ColumnSelection {
    *
    * @param names names of columns or of column groups, in the order wanted; empty: all
    * @param all the run's columns
-   * @param model tells which columns form which group
    * @throws NotFound if the run has no such column or group
    */
-  static ColumnSelection of(String[] names, List<Variable> all, ModelDescription model)
-      throws NotFound {
+  static ColumnSelection of(String[] names, RunColumns all) throws NotFound {
     if (names.length == 0) {
-      return new ColumnSelection(all, IntStream.range(0, all.size()).toArray());
-    }
-    Map<String, Integer> indexOf = new LinkedHashMap<>();
-    for (int i = 0; i < all.size(); i++) {
-      indexOf.put(all.get(i).name(), i);
+      return new ColumnSelection(all.variables(), IntStream.range(0, all.count()).toArray());
     }
     List<Integer> chosen = new ArrayList<>();
     for (String name : names) {
-      Integer index = indexOf.get(name);
-      List<Integer> found = index == null ? group(name, all, model) : List.of(index);
+      int index = all.indexOf(name);
+      List<Integer> found = index < 0 ? group(name, all) : List.of(index);
       if (found.isEmpty()) {
         throw Refusal.notFound(
             "the run has no column or column group \""
                 + name
                 + "\"; its columns are "
-                + String.join(", ", indexOf.keySet()));
+                + all.variables().stream().map(Variable::name).collect(Collectors.joining(", ")));
       }
       chosen.addAll(found);
     }
     int[] indices = chosen.stream().mapToInt(Integer::intValue).toArray();
-    return new ColumnSelection(chosen.stream().map(all::get).toList(), indices);
+    return new ColumnSelection(chosen.stream().map(all.variables()::get).toList(), indices);
   }
 
-  private static List<Integer> group(String label, List<Variable> all, ModelDescription model) {
-    for (ColumnGroup group : ColumnGroup.values()) {
-      if (group.label().equals(label)) {
-        return IntStream.range(0, all.size())
-            .filter(i -> groupOf(i, all.get(i), model) == group)
-            .boxed()
-            .toList();
-      }
-    }
-    return List.of();
-  }
-
-  private static ColumnGroup groupOf(int index, Variable column, ModelDescription model) {
-    if (index <= model.stateCount()) {
-      return ColumnGroup.JOINTS;
-    } else if (model.accelerations().contains(column)) {
-      return ColumnGroup.ACCELERATIONS;
-    }
-    return column.name().startsWith("energy.") ? ColumnGroup.ENERGY : ColumnGroup.BODIES;
+  private static List<Integer> group(String label, RunColumns all) {
+    return IntStream.range(0, all.count())
+        .filter(i -> all.groups().get(i).equals(label))
+        .boxed()
+        .toList();
   }
 
   /** Returns the columns handed out. */

@@ -74,6 +74,11 @@ final class EventLog {
     return found.toArray(SimEvent[]::new);
   }
 
+  /** Returns the events of one simulation. */
+  synchronized List<SimEvent> of(String simId) {
+    return events.stream().filter(event -> event.info.simId.equals(simId)).toList();
+  }
+
   /** Lets nobody wait any more. */
   synchronized void close() {
     closed = true;

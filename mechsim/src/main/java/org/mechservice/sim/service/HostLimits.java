@@ -1,56 +1,126 @@
 package org.mechservice.sim.service;
 
-import java.time.Duration;
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.Limit;
 import org.mechservice.idl.LimitExceeded;
-import org.mechservice.idl.MAX_MECHML_BYTES;
 
-/**
- * What a host allows.
- *
- * @param lease how long a session lives without a call
- * @param sessions sessions at once
- * @param simulations simulations of one session at once
- * @param cursors open cursors of one simulation at once
- * @param modelBytes size of a model file
- * @param resultBytes size of one simulation's rows
- */
-public record HostLimits(
-    Duration lease, int sessions, int simulations, int cursors, int modelBytes, long resultBytes) {
+/** What a host allows. Immutable. */
+public final class HostLimits {
+  /** The value of what is not bounded. */
+  public static final long UNLIMITED = -1;
+
+  /** Without a lease or a count of sessions, dead clients and hostile ones would stay for ever. */
+  private static final Set<HostLimit> NEVER_UNLIMITED =
+      Set.of(HostLimit.LEASE, HostLimit.CONNECTIONS, HostLimit.MODEL_BYTES);
+
+  /** The limits of a host nobody configured. */
+  public static final HostLimits DEFAULT = new HostLimits(new EnumMap<>(HostLimit.class));
+
+  private final Map<HostLimit, Long> changed;
+
+  private HostLimits(Map<HostLimit, Long> changed) {
+    this.changed = changed;
+  }
+
+  /** Returns the value of a limit, or {@link #UNLIMITED}. */
+  public long of(HostLimit limit) {
+    return changed.getOrDefault(limit, limit.initial());
+  }
+
+  /** Returns the value of a limit, or the largest number there is. */
+  long bound(HostLimit limit) {
+    long value = of(limit);
+    return value == UNLIMITED ? Long.MAX_VALUE : value;
+  }
+
+  /** Returns the lease in the contract's unit. */
+  int leaseSeconds() {
+    return (int) Math.min(of(HostLimit.LEASE), Integer.MAX_VALUE);
+  }
 
   /**
-   * The limits of a host nobody configured. A client renews at a third of the lease, so two
-   * renewals may be lost; the counts keep one client from taking all memory; rows go to disk.
+   * Returns the same limits but one.
+   *
+   * @throws IllegalArgumentException with code S-015 if the value makes no sense
    */
-  public static final HostLimits DEFAULT =
-      new HostLimits(Duration.ofMinutes(2), 200, 64, 16, MAX_MECHML_BYTES.value, 64L << 30);
-
-  /** Returns the same limits with another lease. */
-  public HostLimits withLease(Duration other) {
-    return new HostLimits(other, sessions, simulations, cursors, modelBytes, resultBytes);
+  public HostLimits with(HostLimit limit, long value) {
+    boolean unlimited = value == UNLIMITED && !NEVER_UNLIMITED.contains(limit);
+    if (value < limit.least() && !unlimited) {
+      throw new IllegalArgumentException(
+          "S-015 limit "
+              + limit.label()
+              + " cannot be "
+              + value
+              + "; it must be at least "
+              + limit.least()
+              + " "
+              + limit.unit()
+              + (NEVER_UNLIMITED.contains(limit) ? "" : ", or -1 for unlimited"));
+    }
+    Map<HostLimit, Long> all = new EnumMap<>(HostLimit.class);
+    all.putAll(changed);
+    all.put(limit, value);
+    return new HostLimits(all);
   }
 
-  /** Returns the lease in the contract's unit, at least 1 s. */
-  int leaseSeconds() {
-    return (int) Math.max(1, lease.toSeconds());
+  /**
+   * Returns the same limits but some, given by name.
+   *
+   * @throws IllegalArgumentException with code S-015 if there is no such limit, or a value makes no
+   *     sense
+   */
+  public HostLimits with(String label, long value) {
+    return with(
+        HostLimit.named(label)
+            .orElseThrow(
+                () ->
+                    new IllegalArgumentException(
+                        "S-015 there is no limit \""
+                            + label
+                            + "\"; there are "
+                            + Arrays.stream(HostLimit.values())
+                                .map(HostLimit::label)
+                                .collect(Collectors.joining(", ")))),
+        value);
   }
 
-  static void requireBelow(int limit, int present, String name, String what) throws LimitExceeded {
-    if (present >= limit) {
-      throw Refusal.limit(
-          name, limit, present + 1L, "no more than " + limit + " " + what + " at once");
+  /**
+   * Returns the same limits but those an operator sends.
+   *
+   * @throws InvalidOption if one of them is unknown or makes no sense
+   */
+  public HostLimits with(Limit[] values) throws InvalidOption {
+    HostLimits limits = this;
+    for (Limit limit : values) {
+      try {
+        limits = limits.with(limit.name, limit.value);
+      } catch (IllegalArgumentException e) {
+        throw new InvalidOption("S-015", String.valueOf(e.getMessage()).substring(6), limit.name);
+      }
+    }
+    return limits;
+  }
+
+  /**
+   * Makes sure that there is room for one more.
+   *
+   * @throws LimitExceeded if there is not
+   */
+  void requireBelow(HostLimit limit, long present) throws LimitExceeded {
+    if (present >= bound(limit)) {
+      throw limit.refusal(of(limit), present + 1, "no more than " + of(limit) + " " + limit.text());
     }
   }
 
   /** Returns the limits as the contract lists them. */
   public Limit[] toLimits() {
-    return new Limit[] {
-      new Limit("lease", "s", leaseSeconds(), "a session lives this long without a call"),
-      new Limit("sessions", "1", sessions, "sessions on one host at once"),
-      new Limit("simulations", "1", simulations, "simulations of one session at once"),
-      new Limit("cursors", "1", cursors, "open cursors of one simulation at once"),
-      new Limit("modelBytes", "B", modelBytes, "size of a model file"),
-      new Limit("resultBytes", "B", resultBytes, "size of the rows of one simulation")
-    };
+    return Arrays.stream(HostLimit.values())
+        .map(limit -> new Limit(limit.label(), limit.unit(), of(limit), limit.text()))
+        .toArray(Limit[]::new);
   }
 }

@@ -4,16 +4,22 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import org.mechservice.idl.LogLine;
+import org.mechservice.idl.ServiceEvent;
+import org.mechservice.idl.Severity;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** What happened on a host or server lately: written to the log, and kept for administrators. */
+/**
+ * What happened on a host or server lately: written to the log, and kept for administrators as
+ * lines and as events.
+ */
 public final class Journal {
   private static final int KEPT = 1000;
 
   private final Logger log;
   private final String source;
   private final Deque<LogLine> lines = new ArrayDeque<>();
+  private final EventBook events = new EventBook();
 
   /**
    * @param source whose journal it is
@@ -23,16 +29,28 @@ public final class Journal {
     log = LoggerFactory.getLogger(Journal.class.getPackageName() + "." + source);
   }
 
-  /** Writes down something ordinary. */
-  public void info(String text) {
-    log.info(text);
-    add("INFO", text);
+  /** Returns the events. */
+  public EventBook events() {
+    return events;
   }
 
-  /** Writes down something an operator should look at. */
-  public void warn(String text) {
-    log.warn(text);
-    add("WARN", text);
+  /** Writes an event down. */
+  public void tell(Happening happening) {
+    ServiceEvent event = happening.event(source);
+    String text = EventBook.line(event);
+    if (event.level.value() == Severity._SEV_INFO) {
+      log.info(text);
+    } else {
+      log.warn(text);
+    }
+    add(EventBook.level(event.level), text);
+    events.add(event);
+  }
+
+  /** Writes an event of a host down again where a server keeps those of all its hosts. */
+  public void retell(ServiceEvent event) {
+    add(EventBook.level(event.level), event.hostName + ": " + EventBook.line(event));
+    events.add(event);
   }
 
   private synchronized void add(String level, String text) {

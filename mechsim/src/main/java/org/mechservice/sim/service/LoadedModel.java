@@ -1,5 +1,6 @@
 package org.mechservice.sim.service;
 
+import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
@@ -12,9 +13,10 @@ import org.mechservice.mechml.MechmlReader;
  *
  * @param fileName its name, for messages
  * @param sha256 SHA-256 of its bytes, lower-case hexadecimal
+ * @param text its bytes as UTF-8, for people to look at
  * @param model what it says
  */
-record LoadedModel(String fileName, String sha256, MechmlModel model) {
+record LoadedModel(String fileName, String sha256, String text, MechmlModel model) {
 
   /**
    * Reads a model file.
@@ -22,7 +24,11 @@ record LoadedModel(String fileName, String sha256, MechmlModel model) {
    * @throws MechmlException if it cannot be used
    */
   static LoadedModel read(String fileName, byte[] content) throws MechmlException {
-    return new LoadedModel(fileName, sha256(content), MechmlReader.read(fileName, content));
+    return new LoadedModel(
+        fileName,
+        sha256(content),
+        new String(content, StandardCharsets.UTF_8),
+        MechmlReader.read(fileName, content));
   }
 
   private static String sha256(byte[] content) {

@@ -2,7 +2,6 @@ package org.mechservice.sim.service;
 
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
@@ -39,7 +38,6 @@ import org.mechservice.sim.build.ModelFactory;
 import org.mechservice.sim.build.PackedJar;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.RunRequest;
-import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.simulation.SolverVersion;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -51,14 +49,22 @@ final class MechSimServant implements MechSimOperations {
   private final Session session;
   private final ModelLibrary library;
   private final RunFactory runs;
+  private final Admission admission;
   private final Runnable destroyed;
   private final SetUpTimes times = new SetUpTimes();
   private volatile Optional<LoadedModel> loaded = Optional.empty();
 
   /**
+   * @param admission decides whether one more simulation is taken
    * @param destroyed runs when the client ends the session
    */
-  MechSimServant(Session session, ModelLibrary library, RunFactory runs, Runnable destroyed) {
+  MechSimServant(
+      Session session,
+      ModelLibrary library,
+      RunFactory runs,
+      Admission admission,
+      Runnable destroyed) {
+    this.admission = admission;
     this.session = session;
     this.library = library;
     this.runs = runs;
@@ -72,23 +78,13 @@ final class MechSimServant implements MechSimOperations {
 
   @Override
   public String hostName() {
-    return session.hostName();
+    return session.host().hostName();
   }
 
   @Override
   public Diagnostic[] loadModel(ModelFile mechml, ModelFile[] userFiles)
       throws InvalidModel, LimitExceeded, NotAuthorized {
-    int limit = session.limits().modelBytes();
-    if (mechml.content.length > limit) {
-      throw Refusal.limit(
-          "modelBytes",
-          limit,
-          mechml.content.length,
-          "the model file has "
-              + mechml.content.length
-              + " bytes; this server takes at most "
-              + limit);
-    }
+    requireAllowedSize(mechml, userFiles);
     if (userFiles.length > 0) {
       throw Refusal.notAllowed("user code is not in this version; leave it out");
     }
@@ -101,6 +97,18 @@ final class MechSimServant implements MechSimOperations {
       return Wire.diagnostics(read.model().warnings());
     } catch (MechmlException e) {
       throw Refusal.model(e.diagnostics());
+    }
+  }
+
+  private void requireAllowedSize(ModelFile mechml, ModelFile[] userFiles) throws LimitExceeded {
+    long bytes = mechml.content.length;
+    for (ModelFile file : userFiles) {
+      bytes += file.content.length;
+    }
+    long most = session.limits().of(HostLimit.MODEL_BYTES);
+    if (bytes > most) {
+      throw HostLimit.MODEL_BYTES.refusal(
+          most, bytes, "the model has " + bytes + " bytes; this server takes at most " + most);
     }
   }
 
@@ -158,7 +166,7 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public IMechSimRemote createSimulation(NameValue[] options, @Nullable IMechClient client)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
-    session.requirePlaceForSimulation();
+    admission.requirePlace(session);
     LoadedModel source = requireModel();
     SimulationSettings ofFile = source.model().settings();
     RunOptions asked = RunOptions.parse(options, ofFile);
@@ -166,12 +174,10 @@ final class MechSimServant implements MechSimOperations {
         Built.orRefused(() -> library.compiled(source, asked.forRun(ofFile), times));
     Model model = compiled.newInstance();
     RunRequest request = new RunRequest(asked.settings(), asked.columns());
-    List<Variable> columns = Built.orRefused(() -> runs.columns(model, request));
-    SimulationRun run = runs.create(model, request, columns.size(), session::stateChanged);
-    RunFacts facts = RunFacts.of(session.hostName(), source, compiled.generated(), times);
-    IMechSimRemote reference =
-        session.add(
-            run, new SimulationServant(session, run, facts, model.description(), columns), client);
+    RunColumns columns = Built.orRefused(() -> runs.columns(model, request));
+    RunFacts facts = RunFacts.of(session.host().hostName(), source, compiled.generated(), times);
+    SimulationRun run = runs.create(model, request, columns, source, facts, session);
+    IMechSimRemote reference = session.add(run, client);
     session.said(run, messages(source, compiled.generated(), asked));
     return reference;
   }

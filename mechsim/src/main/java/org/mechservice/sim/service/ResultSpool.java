@@ -3,36 +3,54 @@ package org.mechservice.sim.service;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import org.jspecify.annotations.Nullable;
 
 /**
  * The rows of one run. One thread appends, any number read at any row meanwhile; however many rows
  * there are and however slowly they are read, the heap holds one buffer of them, the rest is in a
- * temporary file. The file has no name any more once it is open (where the system allows that), so
- * nothing is left of it when the process ends, however it ends.
+ * file.
  */
 final class ResultSpool implements AutoCloseable {
   private static final int BUFFER_BYTES = 1 << 16;
 
   private final int columns;
   private final int rowBytes;
-  private final ByteBuffer tail;
+  private final RowFile place;
+  private final SpoolAccount account;
+  private ByteBuffer tail;
   private @Nullable FileChannel file;
   private long rowsInFile;
   private long rows;
+  private long accounted;
   private boolean ended;
   private boolean closed;
 
   /**
    * @param columns numbers per row
+   * @param place where rows go that do not fit into memory
+   * @param account told how much there is
    */
-  ResultSpool(int columns) {
+  ResultSpool(int columns, RowFile place, SpoolAccount account) {
     this.columns = columns;
+    this.place = place;
+    this.account = account;
     rowBytes = columns * Double.BYTES;
     tail = ByteBuffer.allocate(Math.max(rowBytes, BUFFER_BYTES / rowBytes * rowBytes));
+  }
+
+  /**
+   * Returns the rows a process before this one has left.
+   *
+   * @throws IOException if they cannot be read
+   */
+  static ResultSpool left(int columns, RowFile place, SpoolAccount account) throws IOException {
+    ResultSpool spool = new ResultSpool(columns, place, account);
+    spool.rows = place.size() / spool.rowBytes;
+    spool.rowsInFile = spool.rows;
+    spool.accounted = spool.rows * spool.rowBytes;
+    account.note(spool.accounted);
+    spool.end();
+    return spool;
   }
 
   /** Returns the numbers per row. */
@@ -51,6 +69,8 @@ final class ResultSpool implements AutoCloseable {
       throw new IOException("the results were deleted");
     }
     if (tail.remaining() < rowBytes) {
+      account.take(tail.position(), rows * rowBytes);
+      accounted += tail.position();
       writeTail();
     }
     for (int column = 0; column < columns; column++) {
@@ -61,7 +81,7 @@ final class ResultSpool implements AutoCloseable {
   }
 
   private void writeTail() throws IOException {
-    FileChannel channel = file == null ? createFile() : file;
+    FileChannel channel = file == null ? place.open() : file;
     file = channel;
     tail.flip();
     long position = rowsInFile * rowBytes;
@@ -72,19 +92,36 @@ final class ResultSpool implements AutoCloseable {
     rowsInFile = rows;
   }
 
-  private static FileChannel createFile() throws IOException {
-    Path path = Files.createTempFile("mechservice-", ".rows");
-    return FileChannel.open(
-        path,
-        StandardOpenOption.READ,
-        StandardOpenOption.WRITE,
-        StandardOpenOption.DELETE_ON_CLOSE);
+  /**
+   * Writes everything to where it outlives the process, if it shall.
+   *
+   * @throws IOException if that is not possible
+   */
+  synchronized void secure() throws IOException {
+    if (place.lasting() && !closed) {
+      writeTail();
+      if (file != null) {
+        file.force(true);
+      }
+    }
   }
 
   /** Declares that no row will follow. */
   synchronized void end() {
-    ended = true;
-    notifyAll();
+    if (!ended) {
+      ended = true;
+      tail = trimmed(tail);
+      if (place.lasting()) {
+        // There can be thousands of ended runs, and there are not as many file descriptors.
+        closeFile();
+      }
+      notifyAll();
+    }
+  }
+
+  /** Ended runs are kept by the hundred, so they keep no more memory than their rows need. */
+  private static ByteBuffer trimmed(ByteBuffer buffer) {
+    return ByteBuffer.allocate(buffer.position()).put(buffer.flip());
   }
 
   /** Returns the number of rows so far. */
@@ -139,7 +176,7 @@ final class ResultSpool implements AutoCloseable {
       }
       channel = file;
     }
-    if (channel != null) {
+    if (fromFile > 0) {
       readFile(channel, bytes, first * rowBytes, fromFile * rowBytes);
     }
     double[] values = new double[bytes.capacity() / Double.BYTES];
@@ -147,7 +184,18 @@ final class ResultSpool implements AutoCloseable {
     return values;
   }
 
-  private static void readFile(FileChannel channel, ByteBuffer bytes, long position, int length)
+  private void readFile(@Nullable FileChannel open, ByteBuffer bytes, long position, int length)
+      throws IOException {
+    if (open != null) {
+      readChannel(open, bytes, position, length);
+    } else {
+      try (FileChannel again = place.open()) {
+        readChannel(again, bytes, position, length);
+      }
+    }
+  }
+
+  private static void readChannel(FileChannel channel, ByteBuffer bytes, long position, int length)
       throws IOException {
     bytes.limit(length);
     while (bytes.hasRemaining()) {
@@ -157,11 +205,17 @@ final class ResultSpool implements AutoCloseable {
     }
   }
 
-  /** Deletes the rows. */
+  /** Gives the rows up; what shall outlive the process stays on disk. */
   @Override
   public synchronized void close() {
     closed = true;
     notifyAll();
+    account.giveBack(accounted);
+    accounted = 0;
+    closeFile();
+  }
+
+  private void closeFile() {
     if (file != null) {
       try {
         file.close();
@@ -170,6 +224,16 @@ final class ResultSpool implements AutoCloseable {
       } finally {
         file = null;
       }
+    }
+  }
+
+  /** Deletes the rows. */
+  void delete() {
+    close();
+    try {
+      place.delete();
+    } catch (IOException e) {
+      throw new java.io.UncheckedIOException(e);
     }
   }
 }

@@ -3,7 +3,6 @@ package org.mechservice.sim.service;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.UUID;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.solver.api.ExplicitModel;
@@ -11,25 +10,29 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
-import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.simulation.Simulation;
 
 /** Makes simulations that a host's queue runs. */
 final class RunFactory {
   private final Solver solver;
   private final RunQueue queue;
-  private final HostLimits limits;
+  private final RunStore store;
+  private final Path disk;
 
-  RunFactory(Solver solver, RunQueue queue, HostLimits limits) {
+  /**
+   * @param disk where the rows go
+   */
+  RunFactory(Solver solver, RunQueue queue, RunStore store, Path disk) {
     this.solver = solver;
     this.queue = queue;
-    this.limits = limits;
+    this.store = store;
+    this.disk = disk;
   }
 
   /** Returns the columns of a run. */
-  List<Variable> columns(Model model, RunRequest request) {
+  RunColumns columns(Model model, RunRequest request) {
     if (model instanceof ExplicitModel explicit) {
-      return Simulation.columns(explicit, request.columns());
+      return RunColumns.of(groups -> Simulation.columns(explicit, groups), request.columns());
     }
     throw new IllegalArgumentException(
         "S-061 model \"" + model.description().name() + "\" has no explicit form y' = f(t, y)");
@@ -38,37 +41,51 @@ final class RunFactory {
   /**
    * Makes a simulation.
    *
+   * @param model used by it alone
+   * @param session whose it is
    * @throws LimitExceeded if its rows would be more than the host or its disk takes
    */
   SimulationRun create(
-      Model model, RunRequest request, int columns, SimulationRun.Listener listener)
+      Model model,
+      RunRequest request,
+      RunColumns columns,
+      LoadedModel source,
+      RunFacts facts,
+      Session session)
       throws LimitExceeded {
-    requireRoomForRows(request.settings(), columns);
-    return new SimulationRun(
-        UUID.randomUUID().toString(), solver, model, request, columns, queue, listener);
+    requireRoomForRows(request.settings(), columns.count());
+    RunIdentity identity =
+        new RunIdentity(
+            UUID.randomUUID().toString(),
+            session.id(),
+            session.host().hostName(),
+            session.owner(),
+            model.description().name(),
+            source.fileName(),
+            source.text(),
+            System.currentTimeMillis());
+    RunPlan plan = new RunPlan(identity, new ModelRun(solver, model, request), columns, facts);
+    return new SimulationRun(plan, queue, store, session::stateChanged);
   }
 
   private void requireRoomForRows(RunSettings settings, int columns) throws LimitExceeded {
     double rows = (settings.tEnd() - settings.tStart()) / settings.tStep() + 2;
-    double bytes = rows * columns * Double.BYTES;
-    long most = Math.min(limits.resultBytes(), freeDisk());
-    if (bytes > most) {
-      throw Refusal.limit(
-          "resultBytes",
-          most,
-          (long) bytes,
-          "the run would put out "
-              + (long) rows
-              + " rows of "
-              + columns
-              + " columns, more than this host keeps; make t-step larger or choose fewer columns");
-    }
+    store
+        .account()
+        .require(
+            rows * columns * Double.BYTES,
+            freeDisk(),
+            "the run would put out "
+                + (long) rows
+                + " rows of "
+                + columns
+                + " columns, more than this host keeps; make t-step larger or choose fewer"
+                + " columns");
   }
 
-  private static long freeDisk() {
+  private long freeDisk() {
     try {
-      return Files.getFileStore(Path.of(System.getProperty("java.io.tmpdir", ".")))
-          .getUsableSpace();
+      return Files.getFileStore(disk).getUsableSpace();
     } catch (IOException e) {
       return Long.MAX_VALUE; // not known: the run itself will find out
     }

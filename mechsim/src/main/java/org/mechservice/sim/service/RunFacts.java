@@ -7,7 +7,6 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import org.mechservice.orb.ServiceVersion;
 import org.mechservice.sim.build.GeneratedModel;
-import org.mechservice.solver.api.RunReport;
 
 /**
  * What the service knows of a run beyond the solver's report.
@@ -26,27 +25,40 @@ record RunFacts(
     return new RunFacts(host, loaded.sha256(), generated.formulationReason(), ofRemoteRun);
   }
 
-  /** Returns the run report as one flat JSON object; a number that is not finite is null. */
-  String json(RunReport report) {
-    JsonObject json = new JsonObject();
-    Map<String, Object> all = new LinkedHashMap<>(report.asMap());
+  /**
+   * Returns the run report as one flat JSON object; a number that is not finite is null.
+   *
+   * @param ofSolver the solver's report
+   * @param verdict how the service saw the run end
+   */
+  String json(Map<String, Object> ofSolver, RunVerdict verdict) {
+    Map<String, Object> all = new LinkedHashMap<>(ofSolver);
+    verdict
+        .failure()
+        .ifPresent(
+            failure -> {
+              all.put("outcome", "failed");
+              all.put("failure", failure.message());
+            });
     all.put("where", "remote, host " + host);
     all.put("modelSha256", modelSha256);
     all.put("formulationReason", formulationReason);
     all.putAll(times);
     all.put("serverVersion", ServiceVersion.CURRENT);
-    all.forEach(
-        (key, value) -> {
-          if (value instanceof Double number) {
-            json.add(key, Double.isFinite(number) ? new JsonPrimitive(number) : JsonNull.INSTANCE);
-          } else if (value instanceof Long number) {
-            json.addProperty(key, number);
-          } else if (value instanceof Boolean flag) {
-            json.addProperty(key, flag);
-          } else {
-            json.addProperty(key, value.toString());
-          }
-        });
+    JsonObject json = new JsonObject();
+    all.forEach((key, value) -> add(json, key, value));
     return json.toString();
+  }
+
+  private static void add(JsonObject json, String key, Object value) {
+    if (value instanceof Double number) {
+      json.add(key, Double.isFinite(number) ? new JsonPrimitive(number) : JsonNull.INSTANCE);
+    } else if (value instanceof Long number) {
+      json.addProperty(key, number);
+    } else if (value instanceof Boolean flag) {
+      json.addProperty(key, flag);
+    } else {
+      json.addProperty(key, value.toString());
+    }
   }
 }

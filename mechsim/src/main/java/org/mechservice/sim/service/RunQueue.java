@@ -3,15 +3,18 @@ package org.mechservice.sim.service;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import org.mechservice.idl.LimitExceeded;
 
 /** Runs simulations, as many at once as the host's capacity; the others wait in order. */
 final class RunQueue implements AutoCloseable {
   private final ThreadPoolExecutor threads;
+  private final LimitsInForce limits;
 
   /**
    * @param capacity simulations at once
    */
-  RunQueue(int capacity) {
+  RunQueue(int capacity, LimitsInForce limits) {
+    this.limits = limits;
     threads =
         new ThreadPoolExecutor(
             Math.max(1, capacity),
@@ -25,6 +28,17 @@ final class RunQueue implements AutoCloseable {
               return thread;
             });
     threads.allowCoreThreadTimeOut(true);
+  }
+
+  /**
+   * Makes sure that one more can wait.
+   *
+   * @throws LimitExceeded if too many wait already
+   */
+  void requireRoom() throws LimitExceeded {
+    if (threads.getActiveCount() >= threads.getMaximumPoolSize()) {
+      limits.now().requireBelow(HostLimit.QUEUE, threads.getQueue().size());
+    }
   }
 
   void submit(Runnable run) {

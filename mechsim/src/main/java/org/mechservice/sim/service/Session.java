@@ -4,8 +4,9 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.UUID;
-import java.util.concurrent.Executor;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.Diagnostic;
 import org.mechservice.idl.IMechClient;
@@ -15,11 +16,11 @@ import org.mechservice.idl.IMechSimRemoteOperations;
 import org.mechservice.idl.IMechSimRemotePOATie;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.Progress;
+import org.mechservice.idl.Severity;
 import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.ActiveObject;
 import org.mechservice.orb.GuardedServant;
-import org.mechservice.orb.ServiceOrb;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 import org.omg.PortableServer.Servant;
 
@@ -28,55 +29,57 @@ import org.omg.PortableServer.Servant;
  * objects renews.
  */
 final class Session {
+  /** Kinds of events, by state. */
+  private static final String[] KINDS = {
+    "sim-created",
+    "sim-queued",
+    "sim-running",
+    "sim-paused",
+    "sim-done",
+    "sim-failed",
+    "sim-cancelled"
+  };
+
   private final String id = UUID.randomUUID().toString();
   private final String owner;
   private final @Nullable IMechClient client;
-  private final String hostName;
-  private final HostLimits limits;
-  private final ServiceOrb orb;
+  private final HostServices host;
   private final EventLog events = new EventLog();
   private final ClientNotifier notifier;
   private final Map<SimulationRun, Hosted> simulations = new HashMap<>();
   private final List<ActiveObject> own = new ArrayList<>();
+  private final List<HostedServant> takenUp = new ArrayList<>();
   private volatile long renewedAt = System.nanoTime();
   private boolean ended;
 
   /** A simulation with its reference and who hears of it. */
   private record Hosted(
-      SimulationServant servant,
-      ActiveObject object,
-      @Nullable IMechClient listener,
-      long createdAt) {}
+      SimulationServant servant, ActiveObject object, @Nullable IMechClient listener) {}
 
   /**
    * @param client called back; null: nobody
-   * @param callbacks threads that call the client back
    */
-  Session(
-      String owner,
-      @Nullable IMechClient client,
-      String hostName,
-      HostLimits limits,
-      ServiceOrb orb,
-      Executor callbacks) {
+  Session(String owner, @Nullable IMechClient client, HostServices host) {
     this.owner = owner;
     this.client = client;
-    this.hostName = hostName;
-    this.limits = limits;
-    this.orb = orb;
-    notifier = new ClientNotifier(callbacks);
+    this.host = host;
+    notifier = new ClientNotifier(host.callbacks());
   }
 
   String id() {
     return id;
   }
 
-  String hostName() {
-    return hostName;
+  String owner() {
+    return owner;
+  }
+
+  HostServices host() {
+    return host;
   }
 
   HostLimits limits() {
-    return limits;
+    return host.limits().now();
   }
 
   EventLog events() {
@@ -90,13 +93,13 @@ final class Session {
 
   /** Returns what is left of the lease, ms; negative if it is over. */
   long leaseLeftMillis() {
-    return limits.lease().toMillis() - (System.nanoTime() - renewedAt) / 1_000_000;
+    return limits().of(HostLimit.LEASE) * 1000 - (System.nanoTime() - renewedAt) / 1_000_000;
   }
 
   /** Makes one of the session's objects callable until it or the session ends. */
   synchronized ActiveObject activate(Servant servant) {
     requireAlive();
-    return orb.activate(servant);
+    return host.orb().activate(servant);
   }
 
   /** Makes the session itself callable. */
@@ -113,8 +116,7 @@ final class Session {
   }
 
   synchronized void requirePlaceForSimulation() throws LimitExceeded {
-    HostLimits.requireBelow(
-        limits.simulations(), simulations.size(), "simulations", "simulations of one session");
+    limits().requireBelow(HostLimit.SIMULATIONS, simulations.size());
   }
 
   /**
@@ -122,26 +124,62 @@ final class Session {
    *
    * @param listener called back about it; null: the session's own client
    */
-  synchronized IMechSimRemote add(
-      SimulationRun run, SimulationServant servant, @Nullable IMechClient listener) {
-    ActiveObject object =
-        activate(
-            new IMechSimRemotePOATie(
-                GuardedServant.of(IMechSimRemoteOperations.class, servant, this::renew)));
-    simulations.put(
-        run,
-        new Hosted(
-            servant, object, listener == null ? client : listener, System.currentTimeMillis()));
+  synchronized IMechSimRemote add(SimulationRun run, @Nullable IMechClient listener) {
+    SimulationServant servant = new SimulationServant(this, run);
+    ActiveObject object = activate(guarded(servant));
+    simulations.put(run, new Hosted(servant, object, listener == null ? client : listener));
     return IMechSimRemoteHelper.unchecked_narrow(object.reference());
   }
 
-  /** Tells the client, and writes down, that a simulation changed its state. */
+  private IMechSimRemotePOATie guarded(HostedServant servant) {
+    return new IMechSimRemotePOATie(
+        GuardedServant.of(IMechSimRemoteOperations.class, servant, this::renew));
+  }
+
+  /**
+   * Takes up a run that has ended.
+   *
+   * @param destroyed runs when the client gives it up
+   */
+  IMechSimRemote takeUp(KeptRun run, Runnable destroyed) {
+    EndedRunServant servant = new EndedRunServant(this, run, destroyed);
+    ActiveObject object = activateSelf(guarded(servant));
+    synchronized (this) {
+      takenUp.add(servant);
+    }
+    return IMechSimRemoteHelper.unchecked_narrow(object.reference());
+  }
+
+  /** Returns the reference of a simulation of this session. */
+  synchronized Optional<IMechSimRemote> find(String simId) {
+    return simulations.entrySet().stream()
+        .filter(entry -> entry.getKey().simId().equals(simId))
+        .map(entry -> IMechSimRemoteHelper.unchecked_narrow(entry.getValue().object().reference()))
+        .findFirst();
+  }
+
+  /** Tells the client and the operator, and writes down, that a simulation changed its state. */
   void stateChanged(SimulationRun run, SimState state, String text) {
     events.status(run.progress(), text);
+    host.journal().tell(happening(run, state, text));
     IMechClient listener = listenerOf(run);
     if (listener != null) {
       notifier.status(listener, run.simId(), state, text);
     }
+  }
+
+  private Happening happening(SimulationRun run, SimState state, String text) {
+    boolean failed = state.value() == SimState._SIM_FAILED;
+    boolean coded = failed && text.matches("(?s)[MNS]-\\d{3} .*");
+    return new Happening(
+        KINDS[state.value()],
+        failed ? Severity.SEV_WARNING : Severity.SEV_INFO,
+        coded ? text.substring(0, 5) : "",
+        host.hostName(),
+        id,
+        run.simId(),
+        owner,
+        "simulation of " + run.identity().modelName() + ": " + (coded ? text.substring(6) : text));
   }
 
   /** Tells the client, and writes down, how far a simulation is. */
@@ -175,29 +213,18 @@ final class Session {
 
   /** Returns the simulations as administrators see them. */
   List<SimSummary> summaries() {
-    Map<SimulationRun, Hosted> present;
-    synchronized (this) {
-      present = Map.copyOf(simulations);
-    }
-    List<SimSummary> summaries = new ArrayList<>();
-    present.forEach((run, hosted) -> summaries.add(summary(run, hosted)));
-    return summaries;
-  }
-
-  private SimSummary summary(SimulationRun run, Hosted hosted) {
-    return new SimSummary(
-        run.simId(),
-        id,
-        hostName,
-        run.modelName(),
-        owner,
-        run.progress(),
-        hosted.createdAt(),
-        System.currentTimeMillis() + leaseLeftMillis());
+    long leaseEnd = System.currentTimeMillis() + leaseLeftMillis();
+    return runs().stream().map(run -> run.summary(leaseEnd)).toList();
   }
 
   /** Ends a simulation, its cursors and its rows. */
   void destroy(SimulationRun run) {
+    if (close(run)) {
+      run.destroy();
+    }
+  }
+
+  private boolean close(SimulationRun run) {
     Hosted hosted;
     synchronized (this) {
       hosted = simulations.remove(run);
@@ -205,17 +232,33 @@ final class Session {
     if (hosted != null) {
       hosted.object().close();
       hosted.servant().closeCursors();
-      run.destroy();
     }
+    return hosted != null;
   }
 
   /** Ends the session with all it owns. Idempotent. */
   void end() {
+    end(SimulationRun::destroy);
+  }
+
+  /** Ends the session without its client's wish: what its runs have put out is kept for a while. */
+  void expire() {
+    end(SimulationRun::leave);
+  }
+
+  private void end(Consumer<SimulationRun> each) {
+    List<HostedServant> others;
     synchronized (this) {
       ended = true;
       own.forEach(ActiveObject::close);
+      others = List.copyOf(takenUp);
     }
-    runs().forEach(this::destroy);
+    others.forEach(HostedServant::closeCursors);
+    for (SimulationRun run : runs()) {
+      if (close(run)) {
+        each.accept(run);
+      }
+    }
     events.close();
   }
 }

@@ -1,6 +1,8 @@
 package org.mechservice.sim.service;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -10,14 +12,19 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.Diagnostic;
 import org.mechservice.idl.IMechClient;
+import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.MechSimHelper;
 import org.mechservice.idl.MechSimOperations;
 import org.mechservice.idl.MechSimPOATie;
+import org.mechservice.idl.NameValue;
+import org.mechservice.idl.NotFound;
+import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.ActiveObject;
@@ -26,51 +33,62 @@ import org.mechservice.orb.ServiceOrb;
 import org.mechservice.solver.api.Solver;
 
 /**
- * The sessions of one host. Ends those whose lease is over, tells clients how their runs get on, at
- * most ten times a second each, and runs as many simulations at once as it has capacity.
+ * The sessions of one host. Ends those whose lease is over and runs that have used up what they
+ * may, tells clients how their runs get on, at most ten times a second each, and runs as many
+ * simulations at once as it has capacity.
  */
 public final class SessionTable implements AutoCloseable {
   private static final long TICK_MILLIS = 100;
+  private static final long EXPIRY_SECONDS = 10;
   private static final long CLOSING_MILLIS = 5000;
 
-  private record Entry(Session session, MechSim reference) {}
+  /** A session with its reference; one that only holds runs taken up again has none. */
+  private record Entry(Session session, Optional<MechSim> reference) {}
 
-  private final ServiceOrb orb;
-  private final String hostName;
-  private final HostLimits limits;
-  private final Journal journal;
+  private final HostServices host;
   private final RunQueue queue;
   private final RunFactory runs;
   private final ModelLibrary library = new ModelLibrary();
-  private final ExecutorService callbacks = Executors.newCachedThreadPool(named("callback"));
+  private final ExecutorService callbacks;
   private final ScheduledExecutorService clock =
       Executors.newSingleThreadScheduledExecutor(named("clock"));
   private final Map<String, Entry> sessions = new ConcurrentHashMap<>();
+  private final Admission admission;
+  private final AtomicLong opened = new AtomicLong();
 
   /**
-   * Opens an empty table.
+   * Opens a table, with the runs an earlier process has left in the folder.
    *
    * @param orb serves the sessions
    * @param hostName the host's name at its server
    * @param capacity simulations run at once
+   * @param limits what the host allows
+   * @param spool folder in which ended runs outlive the process; empty: they do not
    * @param solver runs them
    * @param journal where sessions are written down
+   * @throws IllegalArgumentException with code S-114 if the folder cannot be used
    */
   public SessionTable(
       ServiceOrb orb,
       String hostName,
       int capacity,
-      HostLimits limits,
+      LimitsInForce limits,
+      Optional<Path> spool,
       Solver solver,
       Journal journal) {
-    this.journal = journal;
-    this.orb = orb;
-    this.hostName = hostName;
-    this.limits = limits;
-    queue = new RunQueue(capacity);
-    runs = new RunFactory(solver, queue, limits);
+    RunStore store = new RunStore(spool, limits);
+    callbacks = Executors.newCachedThreadPool(named("callback"));
+    host = new HostServices(orb, hostName, limits, journal, store, callbacks);
+    queue = new RunQueue(capacity, limits);
+    runs =
+        new RunFactory(
+            solver, queue, store, spool.orElse(Path.of(System.getProperty("java.io.tmpdir", "."))));
+    admission = new Admission(limits, this::allSessions);
     var unused =
         clock.scheduleWithFixedDelay(this::tick, TICK_MILLIS, TICK_MILLIS, TimeUnit.MILLISECONDS);
+    unused =
+        clock.scheduleWithFixedDelay(
+            store::expire, EXPIRY_SECONDS, EXPIRY_SECONDS, TimeUnit.SECONDS);
   }
 
   private static ThreadFactory named(String name) {
@@ -79,6 +97,10 @@ public final class SessionTable implements AutoCloseable {
       thread.setDaemon(true);
       return thread;
     };
+  }
+
+  private Collection<Session> allSessions() {
+    return sessions.values().stream().map(Entry::session).toList();
   }
 
   /**
@@ -90,25 +112,47 @@ public final class SessionTable implements AutoCloseable {
    */
   public MechSim open(String owner, @Nullable IMechClient client) throws LimitExceeded {
     synchronized (sessions) {
-      HostLimits.requireBelow(limits.sessions(), sessions.size(), "sessions", "sessions");
-      Session session = new Session(owner, client, hostName, limits, orb, callbacks);
+      Session session = admitted(owner, client);
       MechSimServant servant =
-          new MechSimServant(session, library, runs, () -> end(session, "destroyed"));
+          new MechSimServant(
+              session, library, runs, admission, () -> end(session, "was ended by its client"));
       ActiveObject object =
           session.activateSelf(
               new MechSimPOATie(
                   GuardedServant.of(MechSimOperations.class, servant, session::renew)));
       MechSim reference = MechSimHelper.unchecked_narrow(object.reference());
-      sessions.put(session.id(), new Entry(session, reference));
-      journal.info("session " + session.id() + " of \"" + owner + "\" opened");
+      sessions.put(session.id(), new Entry(session, Optional.of(reference)));
+      opened.incrementAndGet();
+      tell(session, "session-opened", "was opened");
       return reference;
     }
+  }
+
+  private Session admitted(String owner, @Nullable IMechClient client) throws LimitExceeded {
+    host.limits().now().requireBelow(HostLimit.SESSIONS, sessions.size());
+    host.limits().now().requireBelow(HostLimit.CONNECTIONS, host.orb().connections());
+    return new Session(owner, client, host);
+  }
+
+  private void tell(Session session, String kind, String what) {
+    host.journal()
+        .tell(
+            Happening.info(kind, "the session of \"" + session.owner() + "\" " + what)
+                .onHost(host.hostName())
+                .inSession(session.id(), session.owner()));
   }
 
   private void end(Session session, String why) {
     if (sessions.remove(session.id()) != null) {
       session.end();
-      journal.info("session " + session.id() + " " + why);
+      tell(session, "session-ended", why);
+    }
+  }
+
+  private void expire(Session session, String why) {
+    if (sessions.remove(session.id()) != null) {
+      session.expire();
+      tell(session, "session-ended", why);
     }
   }
 
@@ -119,12 +163,52 @@ public final class SessionTable implements AutoCloseable {
       return Optional.empty();
     }
     found.session().renew();
-    return Optional.of(found.reference());
+    return found.reference();
+  }
+
+  /**
+   * Returns a simulation, of a session that is alive or one that has ended and is kept.
+   *
+   * @throws NotFound if there is no such simulation, or no longer
+   * @throws LimitExceeded if there are too many sessions to take it up
+   */
+  public IMechSimRemote findSimulation(String simId) throws NotFound, LimitExceeded {
+    for (Session session : allSessions()) {
+      Optional<IMechSimRemote> found = session.find(simId);
+      if (found.isPresent()) {
+        session.renew();
+        return found.get();
+      }
+    }
+    KeptRun kept =
+        host.store()
+            .find(simId)
+            .orElseThrow(() -> Refusal.notFound("there is no simulation " + simId));
+    synchronized (sessions) {
+      Session session = admitted(kept.run().identity().owner(), null);
+      IMechSimRemote reference =
+          session.takeUp(kept, () -> end(session, "was ended by its client"));
+      sessions.put(session.id(), new Entry(session, Optional.empty()));
+      tell(session, "session-opened", "was opened to take up simulation " + simId);
+      return reference;
+    }
   }
 
   /** Returns how many sessions there are. */
   public int count() {
     return sessions.size();
+  }
+
+  /** Returns how much there was and is, by name, for operators. */
+  public NameValue[] statistics() {
+    return Wire.nameValues(
+        Map.of(
+            "spoolBytes", Long.toString(host.store().account().used()),
+            "connections", Integer.toString(host.orb().connections()),
+            "sessionsOpened", Long.toString(opened.get()),
+            "completed", Long.toString(host.store().completed()),
+            "failed", Long.toString(host.store().failed()),
+            "cancelled", Long.toString(host.store().cancelled())));
   }
 
   /** Returns how many simulations are in one of these states. */
@@ -134,14 +218,28 @@ public final class SessionTable implements AutoCloseable {
   }
 
   private List<SimulationRun> allRuns() {
-    return sessions.values().stream().flatMap(entry -> entry.session().runs().stream()).toList();
+    return allSessions().stream().flatMap(session -> session.runs().stream()).toList();
   }
 
-  /** Returns all simulations as administrators see them. */
+  /** Returns all simulations, also those that ended lately, as administrators see them. */
   public List<SimSummary> summaries() {
     List<SimSummary> summaries = new ArrayList<>();
-    sessions.values().forEach(entry -> summaries.addAll(entry.session().summaries()));
+    allSessions().forEach(session -> summaries.addAll(session.summaries()));
+    summaries.addAll(host.store().summaries());
     return summaries;
+  }
+
+  /** Returns everything about a simulation, if there is one. */
+  public Optional<SimDetail> detail(String simId) {
+    for (Session session : allSessions()) {
+      for (SimulationRun run : session.runs()) {
+        if (run.simId().equals(simId)) {
+          long leaseEnd = System.currentTimeMillis() + session.leaseLeftMillis();
+          return Optional.of(RunDetail.of(run.afterwards(), leaseEnd, session.events().of(simId)));
+        }
+      }
+    }
+    return host.store().known(simId).map(run -> RunDetail.of(run, 0, List.of()));
   }
 
   /**
@@ -151,18 +249,10 @@ public final class SessionTable implements AutoCloseable {
    * @return whether there is such a simulation
    */
   public boolean kill(String simId, String reason) {
-    for (Entry entry : sessions.values()) {
-      for (SimulationRun run : entry.session().runs()) {
+    for (Session session : allSessions()) {
+      for (SimulationRun run : session.runs()) {
         if (run.simId().equals(simId)) {
-          entry
-              .session()
-              .said(
-                  run,
-                  new Diagnostic[] {
-                    Wire.information("S-018", "cancelled by the operator: " + reason)
-                  });
-          run.cancel();
-          journal.info("simulation " + simId + " cancelled by the operator: " + reason);
+          kill(session, run, reason);
           return true;
         }
       }
@@ -170,19 +260,26 @@ public final class SessionTable implements AutoCloseable {
     return false;
   }
 
-  /** Returns what this host allows. */
-  public HostLimits limits() {
-    return limits;
+  private void kill(Session session, SimulationRun run, String reason) {
+    String text = "cancelled by the operator: " + reason;
+    session.said(run, new Diagnostic[] {Wire.information("S-018", text)});
+    run.cancel();
+    host.journal()
+        .tell(
+            Happening.warning("sim-killed", "S-018", text)
+                .onHost(host.hostName())
+                .inSession(session.id(), session.owner())
+                .ofSimulation(run.simId()));
   }
 
   private void tick() {
     try {
-      for (Entry entry : sessions.values()) {
-        Session session = entry.session();
+      HostLimits limits = host.limits().now();
+      for (Session session : allSessions()) {
         if (session.leaseLeftMillis() < 0) {
-          end(session, "not renewed, ended");
+          expire(session, "was not renewed and has ended");
         } else {
-          session.runs().forEach(run -> tell(session, run));
+          session.runs().forEach(run -> look(session, run, limits));
         }
       }
     } catch (RuntimeException e) {
@@ -190,7 +287,8 @@ public final class SessionTable implements AutoCloseable {
     }
   }
 
-  private static void tell(Session session, SimulationRun run) {
+  private static void look(Session session, SimulationRun run, HostLimits limits) {
+    run.checkLimits(limits);
     run.tellHold();
     if (run.hasProgressed()) {
       session.progressed(run);
@@ -201,16 +299,18 @@ public final class SessionTable implements AutoCloseable {
   @Override
   public void close() {
     clock.shutdownNow();
-    sessions.values().forEach(entry -> end(entry.session(), "ended with its host"));
+    allSessions().forEach(session -> expire(session, "has ended with its host"));
     queue.close();
     library.close();
-    callbacks.shutdown();
+    host.journal().events().close();
     try {
       queue.awaitEnd(CLOSING_MILLIS);
+      callbacks.shutdown();
       callbacks.awaitTermination(CLOSING_MILLIS, TimeUnit.MILLISECONDS);
       clock.awaitTermination(CLOSING_MILLIS, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
+    host.store().close();
   }
 }

@@ -1,23 +1,22 @@
 package org.mechservice.sim.service;
 
 import java.io.IOException;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
+import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.InvalidState;
+import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MAX_WAIT_MILLIS;
 import org.mechservice.idl.Progress;
 import org.mechservice.idl.SimState;
-import org.mechservice.orb.GuardedServant;
-import org.mechservice.orb.ServiceVersion;
+import org.mechservice.idl.SimSummary;
 import org.mechservice.solver.api.Failure;
-import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunReport;
-import org.mechservice.solver.api.RunRequest;
-import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
 
 /**
@@ -32,62 +31,65 @@ final class SimulationRun implements Runnable, ResultSink {
 
   private static final long HOLD_CHECK_MILLIS = 20;
 
-  private final String simId;
-  private final Solver solver;
-  private final Model model;
-  private final RunRequest request;
+  private final RunPlan plan;
   private final RunQueue queue;
+  private final RunStore store;
   private final Listener listener;
   private final ResultSpool spool;
   private final RunControl control = new RunControl();
+  private final RunCurves curves = new RunCurves();
+  private final RunColumnsWatch watch;
+  private final double[] lastState;
 
   private SimState phase = SimState.SIM_CREATED;
-  private final double[] lastState;
   private double lastTime;
+  private String text = "";
   private long startedAt;
   private long endedAt;
-  private Optional<RunReport> report = Optional.empty();
+  private long startedNanos;
+  private long endedNanos;
+  private @Nullable RunBudget budget;
+  private @Nullable RunLimitException limitReached;
+  private Optional<RunVerdict> verdict = Optional.empty();
   private boolean destroyed;
+  private boolean left;
   private boolean holdTold;
   private long stepsTold = -1;
 
-  /**
-   * @param columns numbers per row
-   */
-  SimulationRun(
-      String simId,
-      Solver solver,
-      Model model,
-      RunRequest request,
-      int columns,
-      RunQueue queue,
-      Listener listener) {
-    this.simId = simId;
-    this.solver = solver;
-    this.model = model;
-    this.request = request;
+  SimulationRun(RunPlan plan, RunQueue queue, RunStore store, Listener listener) {
+    this.plan = plan;
     this.queue = queue;
+    this.store = store;
     this.listener = listener;
-    spool = new ResultSpool(columns);
-    lastState = new double[model.description().stateCount()];
-    lastTime = request.settings().tStart();
-    model.initialState(lastState);
+    spool = store.newRows(plan.identity().simId(), plan.columns().count());
+    watch = new RunColumnsWatch(plan.columns());
+    lastState = new double[plan.task().description().stateCount()];
+    lastTime = settings().tStart();
+    plan.task().initialState(lastState);
   }
 
   String simId() {
-    return simId;
+    return plan.identity().simId();
+  }
+
+  RunIdentity identity() {
+    return plan.identity();
+  }
+
+  RunColumns columns() {
+    return plan.columns();
   }
 
   ResultSpool spool() {
     return spool;
   }
 
-  String modelName() {
-    return model.description().name();
+  List<Variable> states() {
+    return plan.task().description().states();
   }
 
-  List<Variable> states() {
-    return model.description().states();
+  private RunSettings settings() {
+    return plan.task().settings();
   }
 
   /** Returns the state; a run that is held is paused. */
@@ -102,11 +104,16 @@ final class SimulationRun implements Runnable, ResultSink {
         || phase == SimState.SIM_CANCELLED;
   }
 
-  /** Lets the run begin as soon as there is room. */
-  synchronized void start() throws InvalidState {
+  /**
+   * Lets the run begin as soon as there is room.
+   *
+   * @throws LimitExceeded if too many wait already
+   */
+  synchronized void start() throws InvalidState, LimitExceeded {
     if (phase != SimState.SIM_CREATED) {
       throw Refusal.state(state(), "the simulation was started before; create another one");
     }
+    queue.requireRoom();
     become(SimState.SIM_QUEUED, "waiting for a place");
     queue.submit(this);
   }
@@ -125,14 +132,14 @@ final class SimulationRun implements Runnable, ResultSink {
   }
 
   /** Takes one accepted step, starting the run if need be, and holds it again. */
-  void stepOnce() throws InvalidState, InterruptedException {
+  void stepOnce() throws InvalidState, LimitExceeded, InterruptedException {
     control.step();
     startIfNew();
     awaitHeld();
   }
 
   /** Lets the run go on, starting it if need be, until a step reaches a time, s. */
-  void runTo(double time) throws InvalidState {
+  void runTo(double time) throws InvalidState, LimitExceeded {
     if (!Double.isFinite(time)) {
       throw Refusal.state(state(), "runTo needs a finite time; " + time + " is none");
     }
@@ -140,7 +147,7 @@ final class SimulationRun implements Runnable, ResultSink {
     startIfNew();
   }
 
-  private synchronized void startIfNew() throws InvalidState {
+  private synchronized void startIfNew() throws InvalidState, LimitExceeded {
     if (phase == SimState.SIM_CREATED) {
       start();
     } else {
@@ -183,8 +190,43 @@ final class SimulationRun implements Runnable, ResultSink {
     synchronized (this) {
       destroyed = true;
       if (ended()) {
-        spool.close();
+        giveUp();
       }
+    }
+  }
+
+  private void giveUp() {
+    if (startedAt != 0) {
+      store.delete(afterwards(), spool);
+    } else {
+      spool.delete();
+    }
+  }
+
+  /** Ends the run like {@link #destroy}, but what it has put out is kept for a while. */
+  void leave() {
+    cancel();
+    synchronized (this) {
+      if (ended() && startedAt != 0) {
+        store.keep(afterwards(), spool);
+      } else if (ended()) {
+        spool.delete();
+      } else {
+        left = true;
+      }
+    }
+  }
+
+  /** Ends the run if it has used up what a run may use. */
+  synchronized void checkLimits(HostLimits limits) {
+    if (budget != null && phase == SimState.SIM_RUNNING && limitReached == null) {
+      budget
+          .exceeded(limits, control.held())
+          .ifPresent(
+              limit -> {
+                limitReached = limit;
+                control.stop();
+              });
     }
   }
 
@@ -194,83 +236,61 @@ final class SimulationRun implements Runnable, ResultSink {
       if (ended()) {
         return;
       }
-      startedAt = System.nanoTime();
+      startedAt = System.currentTimeMillis();
+      startedNanos = System.nanoTime();
+      budget = new RunBudget();
       become(SimState.SIM_RUNNING, "running");
     }
-    RunReport result = solve();
+    RunVerdict result = kept(compute());
     synchronized (this) {
-      report = Optional.of(result);
-      if (result.outcome() instanceof Outcome.Failed failed) {
-        finish(SimState.SIM_FAILED, failed.failure().message());
-      } else if (result.outcome() instanceof Outcome.Stopped) {
-        finish(SimState.SIM_CANCELLED, "cancelled at t=" + result.timeReached() + " s");
-      } else {
-        finish(SimState.SIM_DONE, "done");
-      }
+      verdict = Optional.of(result);
+      finish(result.state(), result.text(lastTime));
     }
   }
 
-  private RunReport solve() {
+  private RunVerdict compute() {
     try {
-      return solver.run(model, request, this, control);
-    } catch (IllegalArgumentException e) {
-      return broken(coded("S-008", String.valueOf(e.getMessage())));
+      store.began(afterwards());
     } catch (IOException e) {
-      return broken(coded("S-014", "the results cannot be kept: " + e.getMessage()));
-    } catch (RuntimeException | OutOfMemoryError | StackOverflowError e) {
-      String incident = GuardedServant.record("run " + simId, e);
-      return broken(coded("S-001", "the server failed unexpectedly, incident " + incident));
+      return new RunVerdict(Optional.empty(), new Outcome.Stopped()).failed(e, control);
+    }
+    RunVerdict result = RunVerdict.of(plan.task(), simId(), this, control);
+    synchronized (this) {
+      endedAt = System.currentTimeMillis();
+      endedNanos = System.nanoTime();
+      return limitReached == null ? result : result.stoppedAt(limitReached, control);
     }
   }
 
-  /** The solver's messages begin with their code; others get the code given here. */
-  private Failure coded(String code, String message) {
-    boolean hasCode = message.matches("(?s)[MNS]-\\d{3} .*");
-    return new Failure(
-        hasCode ? message.substring(0, 5) : code,
-        hasCode ? message.substring(6) : message,
-        lastTime(),
-        control.stepSize(),
-        control.order(),
-        "",
-        "");
+  /** A run has not ended well before its rows and its report are where they shall stay. */
+  private RunVerdict kept(RunVerdict result) {
+    try {
+      store.ended(afterwards(result), spool);
+      return result;
+    } catch (IOException e) {
+      return result.failed(e, control);
+    }
   }
 
-  private RunReport broken(Failure failure) {
-    return new RunReport(
-        new Outcome.Failed(failure),
-        modelName(),
-        model.description().formulation(),
-        request.settings(),
-        control.steps(),
-        0,
-        0,
-        spool.rows(),
-        lastTime(),
-        (System.nanoTime() - startedAt()) * 1e-9,
-        OptionalDouble.empty(),
-        OptionalDouble.empty(),
-        false,
-        ServiceVersion.CURRENT);
-  }
-
-  private synchronized long startedAt() {
-    return startedAt;
-  }
-
-  private void finish(SimState end, String text) {
-    endedAt = System.nanoTime();
+  private void finish(SimState end, String how) {
+    if (endedAt == 0) {
+      endedAt = System.currentTimeMillis();
+      endedNanos = System.nanoTime();
+    }
     // In this order: who has read the last row finds the state and the events of the end.
-    become(end, text);
+    become(end, how);
     spool.end();
     if (destroyed) {
-      spool.close();
+      giveUp();
+    } else if (left) {
+      store.keep(afterwards(), spool);
     }
   }
 
-  private void become(SimState next, String text) {
+  private void become(SimState next, String how) {
     phase = next;
-    listener.stateChanged(this, next, text);
+    text = how;
+    listener.stateChanged(this, next, how);
   }
 
   @Override
@@ -287,12 +307,8 @@ final class SimulationRun implements Runnable, ResultSink {
       lastTime = values[0];
       System.arraycopy(values, 1, lastState, 0, lastState.length);
     }
+    watch.row(values);
     spool.append(values);
-  }
-
-  /** Returns the time of the last row, or of the start, s. */
-  synchronized double lastTime() {
-    return lastTime;
   }
 
   /**
@@ -305,28 +321,104 @@ final class SimulationRun implements Runnable, ResultSink {
     return lastState.clone();
   }
 
-  /** Returns the report; empty until the run has ended, and if it never began. */
-  synchronized Optional<RunReport> report() {
-    return report;
+  /** Returns the report as JSON; empty until the run has ended, and if it never began. */
+  synchronized Optional<String> report() {
+    return verdict.map(this::report);
+  }
+
+  private String report(RunVerdict result) {
+    return plan.facts()
+        .json(result.report().map(done -> done.asMap()).orElseGet(this::brokenOff), result);
+  }
+
+  private Map<String, Object> brokenOff() {
+    Map<String, Object> map = new LinkedHashMap<>();
+    map.put("scene", plan.identity().modelName());
+    map.put("outcome", "failed");
+    map.put("formulation", plan.task().description().formulation());
+    map.put("integrator", settings().integrator());
+    map.put("relativeTolerance", settings().relativeTolerance());
+    map.put("absoluteTolerance", settings().absoluteTolerance());
+    map.put("steps", control.steps());
+    map.put("rows", spool.rows());
+    map.put("simulatedTime", reached() - settings().tStart());
+    map.put("wallTime", wallSeconds());
+    return map;
+  }
+
+  private double reached() {
+    return Double.isNaN(control.time()) ? settings().tStart() : control.time();
+  }
+
+  private double wallSeconds() {
+    long end = endedNanos == 0 ? System.nanoTime() : endedNanos;
+    return startedNanos == 0 ? 0 : (end - startedNanos) * 1e-9;
+  }
+
+  /** Returns why the run failed, if it did. */
+  synchronized Optional<Failure> failure() {
+    return verdict.flatMap(RunVerdict::failure);
+  }
+
+  /** Returns what is left of the run but its rows. */
+  synchronized EndedRun afterwards() {
+    return afterwards(null);
+  }
+
+  private synchronized EndedRun afterwards(@Nullable RunVerdict result) {
+    Progress last = progress();
+    Optional<RunVerdict> known = result == null ? verdict : Optional.of(result);
+    known.ifPresent(ended -> last.state = ended.state());
+    return new EndedRun(
+        plan.identity(),
+        plan.columns(),
+        states(),
+        last,
+        startedAt,
+        endedAt,
+        known.map(ended -> ended.text(lastTime)).orElse(text),
+        known.map(this::report).orElse(""),
+        known.flatMap(RunVerdict::failure).map(Wire::failure),
+        curves.all());
   }
 
   /** Returns how far the run is. */
   synchronized Progress progress() {
-    double start = request.settings().tStart();
-    double reached = Double.isNaN(control.time()) ? start : control.time();
-    double wall = startedAt == 0 ? 0 : ((ended() ? endedAt : System.nanoTime()) - startedAt) * 1e-9;
+    double start = settings().tStart();
+    double wall = wallSeconds();
     return new Progress(
-        simId,
+        simId(),
         state(),
         phase == SimState.SIM_QUEUED ? queue.positionOf(this) : 0,
-        reached,
+        reached(),
         start,
-        request.settings().tEnd(),
+        settings().tEnd(),
         control.steps(),
         control.stepSize(),
         control.order(),
-        wall > 0 ? (reached - start) / wall : 0,
+        wall > 0 ? (reached() - start) / wall : 0,
         spool.rows());
+  }
+
+  /**
+   * Returns it as administrators see it.
+   *
+   * @param leaseEnd when its session's lease ends; UTC, ms since 1970-01-01
+   */
+  synchronized SimSummary summary(long leaseEnd) {
+    RunIdentity who = plan.identity();
+    return new SimSummary(
+        who.simId(),
+        who.sessionId(),
+        who.hostName(),
+        who.modelName(),
+        who.owner(),
+        progress(),
+        who.createdAt(),
+        startedAt,
+        endedAt,
+        leaseEnd,
+        text);
   }
 
   /** Tells the listener if the run was held, or let go, since it was told last. */
@@ -334,8 +426,8 @@ final class SimulationRun implements Runnable, ResultSink {
     boolean held = state() == SimState.SIM_PAUSED;
     if (phase == SimState.SIM_RUNNING && held != holdTold) {
       holdTold = held;
-      listener.stateChanged(
-          this, state(), held ? "paused at t=" + control.time() + " s" : "running");
+      text = held ? "paused at t=" + control.time() + " s" : "running";
+      listener.stateChanged(this, state(), text);
     }
   }
 
@@ -344,6 +436,9 @@ final class SimulationRun implements Runnable, ResultSink {
     long steps = control.steps();
     boolean progressed = phase == SimState.SIM_RUNNING && steps != stepsTold;
     stepsTold = steps;
+    if (progressed) {
+      curves.sample(control, watch.energyDrift(), watch.residual());
+    }
     return progressed;
   }
 }

@@ -1,11 +1,7 @@
 package org.mechservice.sim.service;
 
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
 import org.mechservice.idl.Channel;
 import org.mechservice.idl.FailureRecord;
-import org.mechservice.idl.IMechSimRemoteOperations;
 import org.mechservice.idl.InvalidState;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.NameValue;
@@ -14,41 +10,19 @@ import org.mechservice.idl.NotFound;
 import org.mechservice.idl.Parameter;
 import org.mechservice.idl.Progress;
 import org.mechservice.idl.ResultCursor;
-import org.mechservice.idl.ResultCursorHelper;
-import org.mechservice.idl.ResultCursorOperations;
-import org.mechservice.idl.ResultCursorPOATie;
-import org.mechservice.idl.SimState;
-import org.mechservice.orb.ActiveObject;
-import org.mechservice.orb.GuardedServant;
-import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.RunReport;
-import org.mechservice.solver.api.Variable;
 import org.omg.CORBA.DoubleHolder;
-import org.omg.CORBA.OBJECT_NOT_EXIST;
 import org.omg.CORBA.TRANSIENT;
 
 /** One simulation of a session, as clients see it. */
-final class SimulationServant implements IMechSimRemoteOperations {
+final class SimulationServant implements HostedServant {
   private final Session session;
   private final SimulationRun run;
-  private final RunFacts facts;
-  private final ModelDescription description;
-  private final List<Variable> columns;
-  private final Map<ResultCursorServant, ActiveObject> cursors = new HashMap<>();
-  private boolean ended;
+  private final Cursors cursors;
 
-  SimulationServant(
-      Session session,
-      SimulationRun run,
-      RunFacts facts,
-      ModelDescription description,
-      List<Variable> columns) {
+  SimulationServant(Session session, SimulationRun run) {
     this.session = session;
     this.run = run;
-    this.facts = facts;
-    this.description = description;
-    this.columns = columns;
+    cursors = new Cursors(session, run.spool(), run.columns());
   }
 
   @Override
@@ -57,7 +31,7 @@ final class SimulationServant implements IMechSimRemoteOperations {
   }
 
   @Override
-  public void start() throws InvalidState {
+  public void start() throws InvalidState, LimitExceeded {
     run.start();
   }
 
@@ -81,7 +55,14 @@ final class SimulationServant implements IMechSimRemoteOperations {
       run.stepOnce();
     } catch (InterruptedException e) {
       throw closing();
+    } catch (LimitExceeded e) {
+      throw tooManyWait(e);
     }
+  }
+
+  /** The contract knows limits of a start, not of a step that implies one. */
+  private InvalidState tooManyWait(LimitExceeded refusal) {
+    return new InvalidState(refusal.code, refusal.text, run.state());
   }
 
   private static TRANSIENT closing() {
@@ -91,7 +72,11 @@ final class SimulationServant implements IMechSimRemoteOperations {
 
   @Override
   public void runTo(double untilTime) throws InvalidState {
-    run.runTo(untilTime);
+    try {
+      run.runTo(untilTime);
+    } catch (LimitExceeded e) {
+      throw tooManyWait(e);
+    }
   }
 
   @Override
@@ -132,48 +117,16 @@ final class SimulationServant implements IMechSimRemoteOperations {
 
   @Override
   public ResultCursor openResults(String[] channelNames) throws NotFound, LimitExceeded {
-    ColumnSelection selection = ColumnSelection.of(channelNames, columns, description);
-    synchronized (cursors) {
-      if (ended) {
-        throw new OBJECT_NOT_EXIST("the simulation was destroyed");
-      }
-      HostLimits limits = session.limits();
-      HostLimits.requireBelow(limits.cursors(), cursors.size(), "cursors", "cursors of one run");
-      ResultCursorServant cursor =
-          new ResultCursorServant(run.spool(), selection, this::renewLease, this::close);
-      ActiveObject object =
-          session.activate(
-              new ResultCursorPOATie(
-                  GuardedServant.of(ResultCursorOperations.class, cursor, session::renew)));
-      cursors.put(cursor, object);
-      return ResultCursorHelper.unchecked_narrow(object.reference());
-    }
+    return cursors.open(channelNames);
   }
 
-  private void close(ResultCursorServant cursor) {
-    synchronized (cursors) {
-      ActiveObject object = cursors.remove(cursor);
-      if (object != null) {
-        object.close();
-      }
-    }
-  }
-
-  /** Ends all cursors; there will be no new ones. */
-  void closeCursors() {
-    synchronized (cursors) {
-      ended = true;
-      cursors.values().forEach(ActiveObject::close);
-      cursors.clear();
-    }
+  @Override
+  public void closeCursors() {
+    cursors.close();
   }
 
   @Override
   public String report() throws InvalidState {
-    return facts.json(requireReport());
-  }
-
-  private RunReport requireReport() throws InvalidState {
     if (!run.ended()) {
       throw Refusal.state(run.state(), "the simulation has not ended: there is no report yet");
     }
@@ -184,11 +137,9 @@ final class SimulationServant implements IMechSimRemoteOperations {
 
   @Override
   public FailureRecord failure() throws InvalidState {
-    if (run.state() != SimState.SIM_FAILED
-        || !(requireReport().outcome() instanceof Outcome.Failed failed)) {
-      throw Refusal.state(run.state(), "the simulation has not failed");
-    }
-    return Wire.failure(failed.failure());
+    return run.failure()
+        .map(Wire::failure)
+        .orElseThrow(() -> Refusal.state(run.state(), "the simulation has not failed"));
   }
 
   @Override

@@ -4,42 +4,45 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.NotFound;
-import org.mechservice.solver.api.JointType;
-import org.mechservice.solver.api.JointVariables;
-import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Variable;
 
 class ColumnSelectionTest {
-  private static final ModelDescription MODEL =
-      new ModelDescription(
-          "m",
-          "DTR",
-          List.of(new JointVariables("j1", JointType.R), new JointVariables("j2", JointType.P)),
-          new RunSettings(0, 1, 1, "DE", 1e-3, 1e-3));
+  private static final RunColumns ALL =
+      RunColumns.of(
+          ColumnSelectionTest::columnsOf,
+          EnumSet.of(
+              ColumnGroup.JOINTS,
+              ColumnGroup.ACCELERATIONS,
+              ColumnGroup.BODIES,
+              ColumnGroup.ENERGY));
 
   /** t j1.q j2.q j1.v j2.v j1.a j2.a b.x energy.kinetic. */
-  private static final List<Variable> ALL = all();
-
-  private static List<Variable> all() {
-    List<Variable> all = new ArrayList<>();
-    all.add(new Variable("t", "s"));
-    all.addAll(MODEL.states());
-    all.addAll(MODEL.accelerations());
-    all.add(new Variable("b.x", "m"));
-    all.add(new Variable("energy.kinetic", "J"));
-    return all;
+  private static List<Variable> columnsOf(Set<ColumnGroup> groups) {
+    List<String> names = new ArrayList<>(List.of("t", "j1.q", "j2.q", "j1.v", "j2.v"));
+    if (groups.contains(ColumnGroup.ACCELERATIONS)) {
+      names.addAll(List.of("j1.a", "j2.a"));
+    }
+    if (groups.contains(ColumnGroup.BODIES)) {
+      names.add("b.x");
+    }
+    if (groups.contains(ColumnGroup.ENERGY)) {
+      names.add("energy.kinetic");
+    }
+    return names.stream().map(name -> new Variable(name, "1")).toList();
   }
 
   private static double[] picked(String... names) throws NotFound {
-    double[] rows = new double[2 * ALL.size()];
+    double[] rows = new double[2 * ALL.count()];
     for (int i = 0; i < rows.length; i++) {
       rows[i] = i;
     }
-    return ColumnSelection.of(names, ALL, MODEL).pick(rows, ALL.size());
+    return ColumnSelection.of(names, ALL).pick(rows, ALL.count());
   }
 
   @Test

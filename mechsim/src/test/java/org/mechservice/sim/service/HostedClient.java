@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.MechSim;
@@ -18,6 +19,7 @@ import org.mechservice.idl.ResultBlockHolder;
 import org.mechservice.idl.ResultCursor;
 import org.mechservice.orb.ListenAddress;
 import org.mechservice.orb.ServiceOrb;
+import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.SimHost;
 import org.mechservice.solver.api.Solver;
 import org.omg.CORBA.UserException;
@@ -35,7 +37,11 @@ final class HostedClient implements AutoCloseable {
   final SimHost host;
 
   HostedClient(Solver solver, HostLimits limits, int capacity) {
-    host = new SimHost(hostOrb, "here", capacity, limits, solver, shutDown::countDown);
+    this(solver, new HostOptions("here", capacity, limits, Optional.empty()));
+  }
+
+  HostedClient(Solver solver, HostOptions options) {
+    host = new SimHost(hostOrb, options, solver, shutDown::countDown);
   }
 
   static HostedClient with(Solver solver) {

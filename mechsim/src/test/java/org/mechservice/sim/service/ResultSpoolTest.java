@@ -29,6 +29,11 @@ class ResultSpoolTest {
     return values;
   }
 
+  private static ResultSpool spool() {
+    return new ResultSpool(
+        COLUMNS, RowFile.temporary(), new SpoolAccount(new LimitsInForce(HostLimits.DEFAULT)));
+  }
+
   private static void assertRows(double[] values, long first, int count) {
     assertThat(values).hasSize(count * COLUMNS);
     for (int i = 0; i < values.length; i++) {
@@ -39,7 +44,7 @@ class ResultSpoolTest {
   @Test
   void rowsComeBackFromAnyPlaceWhetherInTheFileOrNot() throws IOException {
     Random random = new Random(SEED);
-    try (ResultSpool spool = new ResultSpool(COLUMNS)) {
+    try (ResultSpool spool = spool()) {
       for (int row = 0; row < MANY_ROWS; row++) {
         spool.append(row(row));
       }
@@ -55,7 +60,7 @@ class ResultSpoolTest {
   @Test
   void readersFollowTheWriterAndMissNothing() throws Exception {
     ExecutorService readers = Executors.newFixedThreadPool(3);
-    try (ResultSpool spool = new ResultSpool(COLUMNS)) {
+    try (ResultSpool spool = spool()) {
       Future<?> slow = readers.submit(() -> follow(spool, 1));
       Future<?> medium = readers.submit(() -> follow(spool, 100));
       Future<?> greedy = readers.submit(() -> follow(spool, 100_000));
@@ -86,7 +91,7 @@ class ResultSpoolTest {
   @Test
   void waitingEndsWithTheLastRow() throws Exception {
     ExecutorService reader = Executors.newSingleThreadExecutor();
-    try (ResultSpool spool = new ResultSpool(COLUMNS)) {
+    try (ResultSpool spool = spool()) {
       Future<Boolean> ended =
           reader.submit(
               () -> {
@@ -104,7 +109,7 @@ class ResultSpoolTest {
   void rowsNobodyReadsTakeNoHeap() throws IOException {
     Runtime machine = Runtime.getRuntime();
     int rows = 4_000_000 / COLUMNS; // 32 MB
-    try (ResultSpool spool = new ResultSpool(COLUMNS)) {
+    try (ResultSpool spool = spool()) {
       System.gc();
       long before = machine.totalMemory() - machine.freeMemory();
       double[] row = row(1);
@@ -121,7 +126,7 @@ class ResultSpoolTest {
 
   @Test
   void deletedRowsAreGone() throws IOException {
-    ResultSpool spool = new ResultSpool(COLUMNS);
+    ResultSpool spool = spool();
     for (int row = 0; row < MANY_ROWS; row++) {
       spool.append(row(row));
     }

@@ -64,7 +64,7 @@ class SessionContractTest {
 
   @Test
   void modelThatIsTooLargeIsRefusedUnread() throws UserException {
-    HostLimits limits = new HostLimits(HostLimits.DEFAULT.lease(), 5, 5, 5, 1000, Long.MAX_VALUE);
+    HostLimits limits = HostLimits.DEFAULT.with(HostLimit.MODEL_BYTES, 1000);
     try (HostedClient there = new HostedClient(PacedSolver.endless(), limits, 1)) {
       LimitExceeded refusal = catchThrowableOfType(LimitExceeded.class, there::session);
       assertThat(refusal.limitName).isEqualTo("modelBytes");
@@ -212,7 +212,7 @@ class SessionContractTest {
   @Test
   void sessionsAndSimulationsAreLimited() throws UserException {
     HostLimits limits =
-        new HostLimits(HostLimits.DEFAULT.lease(), 1, 1, 1, 1 << 20, Long.MAX_VALUE);
+        HostLimits.DEFAULT.with(HostLimit.SESSIONS, 1).with(HostLimit.SIMULATIONS, 1);
     try (HostedClient there = new HostedClient(PacedSolver.endless(), limits, 1)) {
       MechSim session = there.session();
       session.createSimulation(AS_IN_FILE, null);

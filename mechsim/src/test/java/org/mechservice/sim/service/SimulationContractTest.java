@@ -303,7 +303,7 @@ class SimulationContractTest {
       run.destroy();
       assertThatThrownBy(run::getProgress).isInstanceOf(OBJECT_NOT_EXIST.class);
       assertThatThrownBy(left::channels).isInstanceOf(OBJECT_NOT_EXIST.class);
-      assertThat(there.host.listSimulations()).isEmpty();
+      assertThat(there.host.getLoad().running).isZero();
     }
   }
 
@@ -311,7 +311,7 @@ class SimulationContractTest {
   void cursorsOfOneRunAreLimited() throws UserException {
     try (HostedClient there = HostedClient.with(new PacedSolver(3, 0))) {
       IMechSimRemote run = there.simulation();
-      for (int i = 0; i < HostLimits.DEFAULT.cursors(); i++) {
+      for (int i = 0; i < HostLimits.DEFAULT.of(HostLimit.CURSORS); i++) {
         run.openResults(ALL);
       }
       LimitExceeded refusal = catchThrowableOfType(LimitExceeded.class, () -> run.openResults(ALL));

@@ -1,0 +1,170 @@
+package org.mechservice.sim.service;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParseException;
+import com.google.gson.JsonParser;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.idl.FailureRecord;
+import org.mechservice.idl.Progress;
+import org.mechservice.idl.SimState;
+import org.mechservice.idl.StepTried;
+import org.mechservice.solver.api.Variable;
+
+/** An ended run as it stands on disk, beside its rows. Its curves are not kept. */
+final class EndedRunJson {
+  private static final int VERSION = 1;
+
+  private EndedRunJson() {}
+
+  static String write(EndedRun run) {
+    JsonObject json = new JsonObject();
+    json.addProperty("version", VERSION);
+    RunIdentity identity = run.identity();
+    json.addProperty("simId", identity.simId());
+    json.addProperty("sessionId", identity.sessionId());
+    json.addProperty("hostName", identity.hostName());
+    json.addProperty("owner", identity.owner());
+    json.addProperty("modelName", identity.modelName());
+    json.addProperty("fileName", identity.fileName());
+    json.addProperty("modelText", identity.modelText());
+    json.addProperty("createdAt", identity.createdAt());
+    json.add("columns", variables(run.columns().variables()));
+    JsonArray groups = new JsonArray();
+    run.columns().groups().forEach(groups::add);
+    json.add("groups", groups);
+    json.add("states", variables(run.states()));
+    json.add("progress", progress(run.progress()));
+    json.addProperty("startedAt", run.startedAt());
+    json.addProperty("endedAt", run.endedAt());
+    json.addProperty("text", run.text());
+    json.addProperty("report", run.report());
+    run.failure().ifPresent(failure -> json.add("failure", failure(failure)));
+    return json.toString();
+  }
+
+  private static JsonArray variables(List<Variable> variables) {
+    JsonArray array = new JsonArray();
+    for (Variable variable : variables) {
+      array.add(variable.name());
+      array.add(variable.unit());
+    }
+    return array;
+  }
+
+  private static JsonObject progress(Progress progress) {
+    JsonObject json = new JsonObject();
+    json.addProperty("state", progress.state.value());
+    json.addProperty("simTime", progress.simTime);
+    json.addProperty("startTime", progress.startTime);
+    json.addProperty("endTime", progress.endTime);
+    json.addProperty("stepsDone", progress.stepsDone);
+    json.addProperty("stepSize", progress.stepSize);
+    json.addProperty("stepOrder", progress.stepOrder);
+    json.addProperty("realTimeFactor", progress.realTimeFactor);
+    json.addProperty("rowsReady", progress.rowsReady);
+    return json;
+  }
+
+  private static JsonObject failure(FailureRecord failure) {
+    JsonObject json = new JsonObject();
+    json.addProperty("code", failure.code);
+    json.addProperty("text", failure.text);
+    json.addProperty("simTime", failure.simTime);
+    json.addProperty("stepSize", failure.stepSize);
+    json.addProperty("stepOrder", failure.stepOrder);
+    json.addProperty("part", failure.part);
+    json.addProperty("advice", failure.advice);
+    return json;
+  }
+
+  /**
+   * Reads what {@link #write} wrote.
+   *
+   * @throws JsonParseException if it is something else
+   */
+  static EndedRun read(String text) {
+    try {
+      JsonObject json = JsonParser.parseString(text).getAsJsonObject();
+      if (json.get("version").getAsInt() != VERSION) {
+        throw new JsonParseException("version " + json.get("version"));
+      }
+      List<String> groups = new ArrayList<>();
+      json.getAsJsonArray("groups").forEach(group -> groups.add(group.getAsString()));
+      String simId = string(json, "simId");
+      return new EndedRun(
+          identity(json),
+          new RunColumns(variables(json.getAsJsonArray("columns")), groups),
+          variables(json.getAsJsonArray("states")),
+          progress(simId, json.getAsJsonObject("progress")),
+          json.get("startedAt").getAsLong(),
+          json.get("endedAt").getAsLong(),
+          string(json, "text"),
+          string(json, "report"),
+          Optional.ofNullable(json.getAsJsonObject("failure")).map(EndedRunJson::failure),
+          List.of());
+    } catch (IllegalStateException
+        | NullPointerException
+        | ClassCastException
+        | UnsupportedOperationException
+        | NumberFormatException
+        | IndexOutOfBoundsException e) {
+      throw new JsonParseException("not the record of a run", e);
+    }
+  }
+
+  private static RunIdentity identity(JsonObject json) {
+    return new RunIdentity(
+        string(json, "simId"),
+        string(json, "sessionId"),
+        string(json, "hostName"),
+        string(json, "owner"),
+        string(json, "modelName"),
+        string(json, "fileName"),
+        string(json, "modelText"),
+        json.get("createdAt").getAsLong());
+  }
+
+  private static String string(JsonObject json, String name) {
+    return json.get(name).getAsString();
+  }
+
+  private static List<Variable> variables(JsonArray array) {
+    List<Variable> variables = new ArrayList<>();
+    for (int i = 0; i < array.size(); i += 2) {
+      JsonElement unit = array.get(i + 1);
+      variables.add(new Variable(array.get(i).getAsString(), unit.getAsString()));
+    }
+    return variables;
+  }
+
+  private static Progress progress(String simId, JsonObject json) {
+    return new Progress(
+        simId,
+        SimState.from_int(json.get("state").getAsInt()),
+        0,
+        json.get("simTime").getAsDouble(),
+        json.get("startTime").getAsDouble(),
+        json.get("endTime").getAsDouble(),
+        json.get("stepsDone").getAsLong(),
+        json.get("stepSize").getAsDouble(),
+        json.get("stepOrder").getAsInt(),
+        json.get("realTimeFactor").getAsDouble(),
+        json.get("rowsReady").getAsLong());
+  }
+
+  private static FailureRecord failure(JsonObject json) {
+    return new FailureRecord(
+        string(json, "code"),
+        string(json, "text"),
+        json.get("simTime").getAsDouble(),
+        json.get("stepSize").getAsDouble(),
+        json.get("stepOrder").getAsInt(),
+        string(json, "part"),
+        string(json, "advice"),
+        new StepTried[0]);
+  }
+}

@@ -1,0 +1,164 @@
+package org.mechservice.sim.service;
+
+import org.mechservice.idl.Channel;
+import org.mechservice.idl.FailureRecord;
+import org.mechservice.idl.InvalidState;
+import org.mechservice.idl.LimitExceeded;
+import org.mechservice.idl.NameValue;
+import org.mechservice.idl.NotAvailable;
+import org.mechservice.idl.NotFound;
+import org.mechservice.idl.Parameter;
+import org.mechservice.idl.Progress;
+import org.mechservice.idl.ResultCursor;
+import org.mechservice.solver.api.Variable;
+import org.omg.CORBA.DoubleHolder;
+import org.omg.CORBA.OBJECT_NOT_EXIST;
+
+/** A run that ended before, taken up again: its rows, its report, and nothing to steer. */
+final class EndedRunServant implements HostedServant {
+  private final Session session;
+  private final KeptRun kept;
+  private final Cursors cursors;
+  private final Runnable destroyed;
+
+  /**
+   * @param destroyed runs when the client gives it up; the run is kept all the same
+   */
+  EndedRunServant(Session session, KeptRun kept, Runnable destroyed) {
+    this.session = session;
+    this.kept = kept;
+    this.destroyed = destroyed;
+    cursors = new Cursors(session, kept.rows(), kept.run().columns());
+  }
+
+  private InvalidState hasEnded(String what) {
+    return Refusal.state(
+        kept.run().progress().state, "the simulation has ended: it cannot be " + what);
+  }
+
+  @Override
+  public String simId() {
+    return kept.run().identity().simId();
+  }
+
+  @Override
+  public void start() throws InvalidState {
+    throw hasEnded("started");
+  }
+
+  @Override
+  public void pause() throws InvalidState {
+    throw hasEnded("paused");
+  }
+
+  @Override
+  public void resume() throws InvalidState {
+    throw hasEnded("resumed");
+  }
+
+  @Override
+  public void stepOnce() throws InvalidState {
+    throw hasEnded("continued");
+  }
+
+  @Override
+  public void runTo(double untilTime) throws InvalidState {
+    throw hasEnded("continued");
+  }
+
+  @Override
+  public void cancel() {
+    // Nothing is left to be cancelled.
+  }
+
+  @Override
+  public Progress getProgress() {
+    return kept.run().progress();
+  }
+
+  @Override
+  public Channel[] stateChannels() {
+    return Wire.channels(kept.run().states());
+  }
+
+  /** The state of the last row. */
+  @Override
+  public double[] getStates(DoubleHolder simTime) throws InvalidState {
+    double[] values = lastRow();
+    double[] state = new double[kept.run().states().size()];
+    for (int i = 0; i < state.length; i++) {
+      Variable wanted = kept.run().states().get(i);
+      state[i] = values[kept.run().columns().indexOf(wanted.name())];
+    }
+    simTime.value = values[0];
+    return state;
+  }
+
+  private double[] lastRow() throws InvalidState {
+    try {
+      double[] values = kept.rows().read(Math.max(0, kept.rows().rows() - 1), 1);
+      if (values.length == 0) {
+        throw hasEnded("asked for a state: it has put out no row");
+      }
+      return values;
+    } catch (java.io.IOException e) {
+      throw new OBJECT_NOT_EXIST("the results are not kept any more");
+    }
+  }
+
+  @Override
+  public Parameter[] parameters() {
+    return new Parameter[0];
+  }
+
+  @Override
+  public void setParameters(NameValue[] values) throws InvalidState {
+    throw hasEnded("changed");
+  }
+
+  @Override
+  public ResultCursor openResults(String[] channelNames) throws NotFound, LimitExceeded {
+    return cursors.open(channelNames);
+  }
+
+  @Override
+  public String report() throws InvalidState {
+    if (kept.run().report().isEmpty()) {
+      throw Refusal.state(kept.run().progress().state, "there is no report: " + kept.run().text());
+    }
+    return kept.run().report();
+  }
+
+  @Override
+  public FailureRecord failure() throws InvalidState {
+    return kept.run()
+        .failure()
+        .orElseThrow(
+            () -> Refusal.state(kept.run().progress().state, "the simulation has not failed"));
+  }
+
+  @Override
+  public byte[] checkpoint() throws NotAvailable {
+    throw Refusal.notAvailable("checkpoints are not in this version");
+  }
+
+  @Override
+  public void restore(byte[] checkpointFile) throws InvalidState {
+    throw hasEnded("restored");
+  }
+
+  @Override
+  public int renewLease() {
+    return session.limits().leaseSeconds();
+  }
+
+  @Override
+  public void destroy() {
+    destroyed.run();
+  }
+
+  @Override
+  public void closeCursors() {
+    cursors.close();
+  }
+}

@@ -1,0 +1,90 @@
+package org.mechservice.sim.service;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import java.util.Locale;
+import org.mechservice.idl.ServiceEvent;
+import org.mechservice.idl.Severity;
+
+/** The latest events of a host or server, numbered, for operators who ask again and again. */
+public final class EventBook {
+  private static final int KEPT = 5000;
+
+  private final Deque<ServiceEvent> events = new ArrayDeque<>();
+  private long lastSeqNo;
+  private boolean closed;
+
+  /**
+   * Adds an event.
+   *
+   * @param event its number and, if it has none, its time are set
+   */
+  public synchronized void add(ServiceEvent event) {
+    lastSeqNo++;
+    event.seqNo = lastSeqNo;
+    if (event.happenedAt == 0) {
+      event.happenedAt = System.currentTimeMillis();
+    }
+    events.addLast(event);
+    if (events.size() > KEPT) {
+      events.removeFirst();
+    }
+    notifyAll();
+  }
+
+  /**
+   * Returns what happened after an event, waiting until there is something.
+   *
+   * @param afterSeqNo number of the last event already known
+   * @param maxCount most events to return
+   * @param millis longest wait, ms
+   */
+  public synchronized ServiceEvent[] after(long afterSeqNo, long maxCount, long millis) {
+    awaitAfter(afterSeqNo, millis);
+    List<ServiceEvent> found = new ArrayList<>();
+    for (ServiceEvent event : events) {
+      if (event.seqNo > afterSeqNo && found.size() < maxCount) {
+        found.add(event);
+      }
+    }
+    return found.toArray(ServiceEvent[]::new);
+  }
+
+  private void awaitAfter(long afterSeqNo, long millis) {
+    long deadline = System.nanoTime() + millis * 1_000_000;
+    try {
+      while (lastSeqNo <= afterSeqNo && !closed) {
+        long left = (deadline - System.nanoTime() + 999_999) / 1_000_000;
+        if (left <= 0) {
+          return;
+        }
+        wait(left);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  /** Lets nobody wait any more. */
+  public synchronized void close() {
+    closed = true;
+    notifyAll();
+  }
+
+  /** Returns the word for a severity in logs. */
+  static String level(Severity severity) {
+    return switch (severity.value()) {
+      case Severity._SEV_ERROR -> "ERROR";
+      case Severity._SEV_WARNING -> "WARN";
+      default -> "INFO";
+    };
+  }
+
+  /** Returns an event as one line for people. */
+  static String line(ServiceEvent event) {
+    return String.format(
+        Locale.ROOT, "%s%s", event.code.isEmpty() ? "" : event.code + " ", event.text);
+  }
+}

@@ -1,0 +1,22 @@
+package org.mechservice.sim.service;
+
+import java.util.concurrent.Executor;
+import org.mechservice.orb.ServiceOrb;
+
+/**
+ * What the sessions of a host share.
+ *
+ * @param orb serves their objects
+ * @param hostName the host's name at its server
+ * @param limits what the host allows now
+ * @param journal where what happens is written down
+ * @param store where ended runs go
+ * @param callbacks threads that call clients back
+ */
+record HostServices(
+    ServiceOrb orb,
+    String hostName,
+    LimitsInForce limits,
+    Journal journal,
+    RunStore store,
+    Executor callbacks) {}

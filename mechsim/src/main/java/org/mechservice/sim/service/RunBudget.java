@@ -1,0 +1,61 @@
+package org.mechservice.sim.service;
+
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * What time a run has taken. Asked from time to time by the clock of its host, which ends the run
+ * when it is more than allowed.
+ */
+final class RunBudget {
+  private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+  private static final double SECOND = 1e-9;
+
+  private final long threadId;
+  private final long cpuAtStart;
+  private long askedAt = System.nanoTime();
+  private long busyNanos;
+
+  /** Begins to count, in the thread of the run. */
+  RunBudget() {
+    threadId = Thread.currentThread().getId();
+    cpuAtStart = cpuNanos();
+  }
+
+  private long cpuNanos() {
+    return THREADS.isThreadCpuTimeSupported() ? THREADS.getThreadCpuTime(threadId) : -1;
+  }
+
+  /**
+   * Returns the limit that is reached, if one is.
+   *
+   * @param held whether the run is paused, which costs it nothing
+   */
+  synchronized Optional<RunLimitException> exceeded(HostLimits limits, boolean held) {
+    long now = System.nanoTime();
+    if (!held) {
+      busyNanos += now - askedAt;
+    }
+    askedAt = now;
+    double cpu = Math.max(0, cpuNanos() - cpuAtStart) * SECOND;
+    if (busyNanos * SECOND > limits.bound(HostLimit.WALL_TIME)) {
+      return over(HostLimit.WALL_TIME, "time", limits);
+    } else if (cpu > limits.bound(HostLimit.CPU_TIME)) {
+      return over(HostLimit.CPU_TIME, "processor time", limits);
+    }
+    return Optional.empty();
+  }
+
+  private static Optional<RunLimitException> over(HostLimit limit, String what, HostLimits limits) {
+    return Optional.of(
+        new RunLimitException(
+            limit,
+            String.format(
+                Locale.ROOT,
+                "the run has used up the %d s of %s that this host allows one run",
+                limits.of(limit),
+                what)));
+  }
+}

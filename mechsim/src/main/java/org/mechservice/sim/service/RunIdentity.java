@@ -1,0 +1,29 @@
+package org.mechservice.sim.service;
+
+/**
+ * What a run is called and whose it is.
+ *
+ * @param simId its identity, unguessable
+ * @param sessionId of the session that asked for it
+ * @param hostName host it runs on
+ * @param owner client that asked for it
+ * @param modelName name of its model
+ * @param fileName name of the model's file
+ * @param modelText the model's file; empty if it is not kept
+ * @param createdAt UTC, ms since 1970-01-01
+ */
+record RunIdentity(
+    String simId,
+    String sessionId,
+    String hostName,
+    String owner,
+    String modelName,
+    String fileName,
+    String modelText,
+    long createdAt) {
+
+  /** Returns the same without the model's text. */
+  RunIdentity withoutText() {
+    return new RunIdentity(simId, sessionId, hostName, owner, modelName, fileName, "", createdAt);
+  }
+}

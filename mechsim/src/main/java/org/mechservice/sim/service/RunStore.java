@@ -1,0 +1,232 @@
+package org.mechservice.sim.service;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.Deque;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicLong;
+import org.mechservice.idl.FailureRecord;
+import org.mechservice.idl.Progress;
+import org.mechservice.idl.SimState;
+import org.mechservice.idl.SimSummary;
+import org.mechservice.idl.StepTried;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The runs of a host that have ended: those whose rows are kept although their session is gone, and
+ * the latest of all others, for administrators. With a folder, what has ended is on disk before
+ * anybody is told so, and outlives the process.
+ */
+final class RunStore implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(RunStore.class);
+
+  /** Each may hold a file open. */
+  private static final int KEPT_WITHOUT_FOLDER = 500;
+
+  private static final int REMEMBERED = 1000;
+  private static final int LONG_TEXT = 1 << 18;
+
+  private final Optional<SpoolFolder> folder;
+  private final LimitsInForce limits;
+  private final SpoolAccount account;
+  private final Map<String, KeptRun> kept = new ConcurrentHashMap<>();
+  private final Deque<EndedRun> remembered = new ArrayDeque<>();
+  private final AtomicLong completed = new AtomicLong();
+  private final AtomicLong failed = new AtomicLong();
+  private final AtomicLong cancelled = new AtomicLong();
+
+  /**
+   * Opens a store, with what an earlier process has left in the folder.
+   *
+   * @param folder where runs outlive the process; empty: nowhere
+   * @throws IllegalArgumentException with code S-114 if the folder cannot be used
+   */
+  RunStore(Optional<Path> folder, LimitsInForce limits) {
+    this.folder = folder.map(SpoolFolder::open);
+    this.limits = limits;
+    account = new SpoolAccount(limits);
+    this.folder.ifPresent(this::takeUp);
+  }
+
+  private void takeUp(SpoolFolder left) {
+    try {
+      for (EndedRun run : left.readAll()) {
+        RowFile place = left.rows(run.identity().simId());
+        ResultSpool rows = ResultSpool.left(run.columns().count(), place, account);
+        EndedRun found = run;
+        if (run.endedAt() == 0) {
+          found = cutOff(run, rows);
+          left.write(found);
+        }
+        keep(found, rows);
+      }
+    } catch (IOException e) {
+      throw new IllegalArgumentException("S-114 the spool folder cannot be read: " + e, e);
+    }
+  }
+
+  /** A run of a process that did not live to write down its end. */
+  private static EndedRun cutOff(EndedRun run, ResultSpool rows) throws IOException {
+    Progress last = run.progress();
+    last.state = SimState.SIM_FAILED;
+    last.rowsReady = rows.rows();
+    if (rows.rows() > 0) {
+      last.simTime = rows.read(rows.rows() - 1, 1)[0];
+    }
+    String text = "the run was cut off by the end of its host; its rows up to then are kept";
+    FailureRecord failure =
+        new FailureRecord(
+            "S-112", text, last.simTime, 0, 0, "", "Start it again.", new StepTried[0]);
+    return new EndedRun(
+        run.identity(),
+        run.columns(),
+        run.states(),
+        last,
+        run.startedAt(),
+        System.currentTimeMillis(),
+        "S-112 " + text,
+        "",
+        Optional.of(failure),
+        List.of());
+  }
+
+  SpoolAccount account() {
+    return account;
+  }
+
+  /** Returns an empty place for the rows of a run. */
+  ResultSpool newRows(String simId, int columns) {
+    RowFile place = folder.map(spool -> spool.rows(simId)).orElseGet(RowFile::temporary);
+    return new ResultSpool(columns, place, account);
+  }
+
+  /** Notes that a run has begun, so that a crash does not make it disappear. */
+  void began(EndedRun run) throws IOException {
+    if (folder.isPresent()) {
+      folder.get().write(run);
+    }
+  }
+
+  /** Notes that a run has ended; afterwards, what shall outlive the process does. */
+  void ended(EndedRun run, ResultSpool rows) throws IOException {
+    count(run.progress().state);
+    rows.secure();
+    if (folder.isPresent()) {
+      folder.get().write(run);
+    }
+  }
+
+  private void count(SimState state) {
+    switch (state.value()) {
+      case SimState._SIM_DONE -> completed.incrementAndGet();
+      case SimState._SIM_FAILED -> failed.incrementAndGet();
+      default -> cancelled.incrementAndGet();
+    }
+  }
+
+  long completed() {
+    return completed.get();
+  }
+
+  long failed() {
+    return failed.get();
+  }
+
+  long cancelled() {
+    return cancelled.get();
+  }
+
+  /** Keeps an ended run whose session is gone. */
+  void keep(EndedRun run, ResultSpool rows) {
+    long end = run.endedAt() == 0 ? System.currentTimeMillis() : run.endedAt();
+    long retention = limits.now().bound(HostLimit.RETENTION);
+    long until = retention > Long.MAX_VALUE / 2000 ? Long.MAX_VALUE : end + retention * 1000;
+    kept.put(run.identity().simId(), new KeptRun(run, rows, until));
+    if (folder.isEmpty() && kept.size() > KEPT_WITHOUT_FOLDER) {
+      kept.values().stream()
+          .min(Comparator.comparingLong((KeptRun other) -> other.run().endedAt()))
+          .ifPresent(this::drop);
+    }
+  }
+
+  /** Returns a run that is kept. */
+  Optional<KeptRun> find(String simId) {
+    return Optional.ofNullable(kept.get(simId));
+  }
+
+  /** Deletes a run whose client does not need it any more, remembering that there was one. */
+  void delete(EndedRun run, ResultSpool rows) {
+    remember(run);
+    remove(run.identity().simId(), rows);
+  }
+
+  private void remove(String simId, ResultSpool rows) {
+    try {
+      if (folder.isPresent()) {
+        folder.get().delete(simId);
+      }
+      rows.delete();
+    } catch (IOException | UncheckedIOException e) {
+      LOG.warn("S-114 run {} cannot be deleted: {}", simId, e.toString());
+    }
+  }
+
+  private void remember(EndedRun run) {
+    EndedRun remains = run.identity().modelText().length() > LONG_TEXT ? run.withoutText() : run;
+    synchronized (remembered) {
+      remembered.addFirst(remains);
+      if (remembered.size() > REMEMBERED) {
+        remembered.removeLast();
+      }
+    }
+  }
+
+  /** Deletes what has been kept long enough. */
+  void expire() {
+    long now = System.currentTimeMillis();
+    kept.values().stream().filter(run -> run.until() < now).forEach(this::drop);
+  }
+
+  private void drop(KeptRun run) {
+    if (kept.remove(run.run().identity().simId(), run)) {
+      delete(run.run(), run.rows());
+    }
+  }
+
+  /** Returns what is known of an ended run, kept or not. */
+  Optional<EndedRun> known(String simId) {
+    Optional<EndedRun> stillKept = find(simId).map(KeptRun::run);
+    if (stillKept.isPresent()) {
+      return stillKept;
+    }
+    synchronized (remembered) {
+      return remembered.stream().filter(run -> run.identity().simId().equals(simId)).findFirst();
+    }
+  }
+
+  /** Returns all ended runs as administrators see them. */
+  List<SimSummary> summaries() {
+    List<SimSummary> summaries = new ArrayList<>();
+    kept.values().forEach(run -> summaries.add(run.run().summary(run.until())));
+    synchronized (remembered) {
+      remembered.forEach(run -> summaries.add(run.summary(0)));
+    }
+    return summaries;
+  }
+
+  /** Gives up what does not outlive the process. */
+  @Override
+  public void close() {
+    kept.values().forEach(run -> run.rows().close());
+    kept.clear();
+    folder.ifPresent(SpoolFolder::close);
+  }
+}

@@ -1,0 +1,35 @@
+package org.mechservice.sim.service;
+
+import java.io.IOException;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.RunSettings;
+
+/** The computing of one run: here, or in a process of its own. It is done once. */
+interface RunTask {
+  /** Returns what the model says of itself. */
+  ModelDescription description();
+
+  /** Returns when the run starts and ends, and how it is integrated. */
+  RunSettings settings();
+
+  /**
+   * Returns the state at the start.
+   *
+   * @param y overwritten
+   */
+  void initialState(double[] y);
+
+  /**
+   * Computes.
+   *
+   * @param sink takes the rows
+   * @param control steers and watches
+   * @throws IllegalArgumentException if the settings do not fit the model
+   * @throws RunLimitException if the run needs more than it is allowed
+   * @throws IOException if a row cannot be kept
+   */
+  RunReport run(ResultSink sink, RunControl control) throws IOException;
+}
