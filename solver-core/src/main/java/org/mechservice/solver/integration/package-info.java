@@ -48,6 +48,9 @@
  * <tr><td>{@link org.mechservice.solver.integration.Ode15s}</td><td>numerical or backward
  * differentiation, implicit</td><td>1-5</td><td>1-4, and linear equations</td><td>max(rtol |y_i|,
  * atol_i), every component</td><td>ends there exactly</td><td>stiff</td></tr>
+ * <tr><td>{@link org.mechservice.solver.integration.Ode15sR}</td><td>the same, for F(t, y, y') =
+ * 0</td><td>1-5</td><td>1-4, and linear equations</td><td>the same, differential components
+ * alone</td><td>ends there exactly</td><td>mass matrices, algebraic equations of index 1</td></tr>
  * </table>
  *
  * <p>Adams methods need few evaluations when f is smooth and digits are many, and do worst when f
@@ -94,12 +97,33 @@
  * allow the longest step. Since a new step means a new factorisation and rewritten differences, it
  * is taken up only after k + 2 equal ones.
  *
+ * <h2>Events, jumps, manifolds</h2>
+ *
+ * {@link org.mechservice.solver.integration.EventIntegration} looks for changes of sign of {@link
+ * org.mechservice.solver.integration.EventFunctions} in the steps of any method, on the
+ * interpolated solution, and lets the state or the equations be changed there. A right-hand side
+ * that jumps at known places says so by {@link org.mechservice.solver.integration.PiecewiseSystem}:
+ * steps end there and nothing is evaluated across. Jumps that are not declared are narrowed down.
+ * Components that follow from others ({@link org.mechservice.solver.integration.CompletedSystem})
+ * are in the history but in no test; a solution on a manifold ({@link
+ * org.mechservice.solver.integration.ProjectedSystem}) is moved back onto it inside every step.
+ *
+ * <h2>Saving an integration</h2>
+ *
+ * Between two steps the whole history can be {@linkplain
+ * org.mechservice.solver.integration.Integrator#save saved} as bytes and {@linkplain
+ * org.mechservice.solver.integration.Integrator#resume taken up} by a new integrator, which goes on
+ * with the same bits. A problem that depends on more than t and y is to be a {@link
+ * org.mechservice.solver.integration.SavedSystem}.
+ *
  * <h2>What the tolerance means</h2>
  *
  * The error of each step is held below the tolerance, not the error at the end: what errors become
  * on their way is up to the problem. On the usual test problems the end has one to three digits
  * fewer than asked for; on stable ones none. To judge a result, integrate again with a tenth of the
- * tolerance. Give each component an absolute tolerance at which it is negligible.
+ * tolerance. Give each component an absolute tolerance at which it is negligible. In the
+ * {@linkplain org.mechservice.solver.integration.IntegratorSettings.Mode#ACCURATE accurate mode} a
+ * smaller tolerance is used inside, so that as a rule the end has the digits asked for but one.
  *
  * <h2>What can go wrong</h2>
  *
