@@ -74,7 +74,7 @@ abstract class BackwardMethod implements Integrator {
     toleranceFactor = settings.toleranceFactor();
     this.formulas = formulas;
     mode = settings.mode();
-    control = new BackwardOrderControl(formulas);
+    control = new BackwardOrderControl(formulas, mode == Mode.TUNED);
   }
 
   /**
@@ -104,6 +104,9 @@ abstract class BackwardMethod implements Integrator {
   private void prepare(StepEquations equations, double t0, double tEnd) {
     int n = equations.manifold().dimension();
     this.equations = equations;
+    if (mode == Mode.TUNED) {
+      equations.follow(equations.sparingRules());
+    }
     this.tEnd = tEnd;
     differences = new BackwardDifferences(n);
     firstStep = new FirstStep(n);
@@ -315,7 +318,7 @@ abstract class BackwardMethod implements Integrator {
     writtenSize = h;
     writtenOrder = k;
     control.rescaled();
-    equations.outdate();
+    equations.changeStep();
   }
 
   private double hGamma() {
@@ -381,7 +384,7 @@ abstract class BackwardMethod implements Integrator {
     if (progress.notFiniteTooOften()) {
       return Optional.of(Cause.NOT_FINITE);
     }
-    if (!inaccurate && equations.renew()) {
+    if (!inaccurate && equations.renew(hGamma())) {
       return Optional.empty();
     }
     double smallest = bounds.smallest(progress.time());

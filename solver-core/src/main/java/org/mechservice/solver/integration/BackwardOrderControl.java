@@ -8,6 +8,10 @@ package org.mechservice.solver.integration;
  * since a change costs a factorisation and spoils the differences, step and order stay as they are
  * for at least k + 2 steps, and longer unless a longer step is to be had. Shampine and Reichelt
  * 1997, §2; the safety factors are those of the program described there.
+ *
+ * <p>Near the imaginary axis the formulas of high order are not stable, which shows in differences
+ * that grow with their order. If asked to heed that, the order is lowered at once and not raised as
+ * long as it lasts.
  */
 final class BackwardOrderControl {
   /** Safety factors of a step after an accepted one, by change of order. */
@@ -26,7 +30,13 @@ final class BackwardOrderControl {
 
   private static final double RETRY_AGAIN = 0.5;
 
+  /** Sizes of a step whose order was lowered because the differences grow. */
+  private static final double SMALLEST_LOWERED = 0.5;
+
+  private static final double GROWTH_AT_ORDER_2 = 2;
+
   private final BackwardFormulas formulas;
+  private final boolean heedsGrowth;
   private int highestOrder;
   private boolean rising;
   private int order;
@@ -34,8 +44,12 @@ final class BackwardOrderControl {
   private boolean failedBefore;
   private double error;
 
-  BackwardOrderControl(BackwardFormulas formulas) {
+  /**
+   * @param heedsGrowth whether differences that grow with their order lower it
+   */
+  BackwardOrderControl(BackwardFormulas formulas, boolean heedsGrowth) {
     this.formulas = formulas;
+    this.heedsGrowth = heedsGrowth;
   }
 
   /**
@@ -106,6 +120,9 @@ final class BackwardOrderControl {
   /** Chooses the order after an accepted step and returns the factor for the step. */
   double accept(BackwardDifferences differences, ErrorNorm norm) {
     int k = order;
+    if (heedsGrowth && differencesGrow(differences, norm)) {
+      return lower(errorOf(k - 1, differences, norm));
+    }
     equalSteps = Math.min(equalSteps + 1, k + 2);
     if (equalSteps < k + 2) {
       return 1;
@@ -118,7 +135,7 @@ final class BackwardOrderControl {
         order = k - 1;
       }
     }
-    if (k < highestOrder) {
+    if (k < highestOrder && mayRise(differences, norm)) {
       double above = growth(errorOf(k + 1, differences, norm), k + 1, SAFETY_ABOVE);
       if (above > best || (rising && k == 1 && above == LARGEST_GROWTH)) {
         best = above;
@@ -126,6 +143,34 @@ final class BackwardOrderControl {
       }
     }
     return best;
+  }
+
+  /**
+   * Returns whether the differences of an accepted step do not fall with their order, as they do
+   * where the formula is stable and the solution smooth. Brenan, Campbell and Petzold 1996, ch. 5.
+   */
+  private boolean differencesGrow(BackwardDifferences differences, ErrorNorm norm) {
+    if (order == 1) {
+      return false;
+    }
+    double highest = norm.of(differences.accepted(order + 1));
+    double below = norm.of(differences.accepted(order));
+    return order == 2
+        ? GROWTH_AT_ORDER_2 * below <= highest
+        : Math.max(below, norm.of(differences.accepted(order - 1))) <= highest;
+  }
+
+  private double lower(double errorBelow) {
+    order--;
+    equalSteps = 0;
+    double factor = passing(errorBelow, order) / SAFETY_SAME;
+    return Math.min(1, Math.max(SMALLEST_LOWERED, factor));
+  }
+
+  /** Returns whether the next difference is smaller, or nobody asks. */
+  private boolean mayRise(BackwardDifferences differences, ErrorNorm norm) {
+    return !heedsGrowth
+        || norm.of(differences.accepted(order + 2)) < norm.of(differences.accepted(order + 1));
   }
 
   /** Error of the accepted step had its order been j. */

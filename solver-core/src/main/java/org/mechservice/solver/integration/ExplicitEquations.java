@@ -185,6 +185,11 @@ final class ExplicitEquations extends StepEquations {
   }
 
   @Override
+  IterationRules sparingRules() {
+    return IterationRules.SPARING;
+  }
+
+  @Override
   boolean solutionMayJump() {
     return false;
   }

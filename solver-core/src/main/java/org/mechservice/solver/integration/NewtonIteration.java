@@ -7,9 +7,10 @@ package org.mechservice.solver.integration;
  *
  * <p>With the rate ρ at which ‖δ‖ falls, the error left after an iteration is about ‖δ‖ ρ / (1 −
  * ρ). It is accepted below half the tolerance; after the first iteration, where only a rate of
- * earlier steps is known, below a twentieth. A rate above 0.9, or one too slow for four iterations,
- * ends it. A rate is trusted only as long as the factors it was measured with: kept longer it would
- * let steps pass that have not converged. Shampine and Reichelt 1997, §2.
+ * earlier steps is known, below a twentieth, or what {@link IterationRules} say. A rate above 0.9,
+ * or one too slow for four iterations, ends it. A rate is trusted only as long as the factors it
+ * was measured with: kept longer it would let steps pass that have not converged. Shampine and
+ * Reichelt 1997, §2.
  */
 final class NewtonIteration {
   private static final int ITERATIONS = 4;
@@ -17,7 +18,6 @@ final class NewtonIteration {
   /** Error left, in units of the tolerance, that is accepted. */
   private static final double ACCURACY = 0.5;
 
-  private static final double ACCURACY_BY_OLD_RATE = 0.05;
   private static final double SLOWEST_RATE = 0.9;
 
   /** Share of the rate that is remembered from iteration to iteration. */
@@ -28,8 +28,14 @@ final class NewtonIteration {
 
   private final double[] change;
 
+  private IterationRules rules = IterationRules.PUBLISHED;
+
   private double rate;
   private boolean rateKnown;
+
+  /** Number of steps in a row accepted without measuring the rate. */
+  private int stepsByOldRate;
+
   private boolean begun;
   private int iteration;
   private double lastSize;
@@ -37,6 +43,16 @@ final class NewtonIteration {
 
   NewtonIteration(int dimension) {
     change = new double[dimension];
+  }
+
+  /** Goes by other rules from now on. */
+  void follow(IterationRules rules) {
+    this.rules = rules;
+  }
+
+  /** Expects no faster convergence than at a rate: the factors are those of a similar matrix. */
+  void expectRate(double slowest) {
+    rate = Math.max(rate, slowest);
   }
 
   /** Forgets the rate: the matrix was factored anew. */
@@ -114,17 +130,34 @@ final class NewtonIteration {
 
   private boolean converged(double size) {
     if (size <= negligible) {
+      if (rules.learnsAtRoundOff() && iteration > 1) {
+        learnRate(size);
+      }
       return true;
     }
     if (iteration == 1) {
-      return rateKnown && errorLeft(size) <= ACCURACY_BY_OLD_RATE;
+      return convergedByOldRate(size);
     }
     if (diverges(size)) {
       return false;
     }
+    learnRate(size);
+    return errorLeft(size) <= ACCURACY;
+  }
+
+  private boolean convergedByOldRate(double size) {
+    boolean converged =
+        rateKnown
+            && stepsByOldRate < rules.stepsByOldRate()
+            && errorLeft(size) <= rules.accuracyByOldRate();
+    stepsByOldRate += converged ? 1 : 0;
+    return converged;
+  }
+
+  private void learnRate(double size) {
     rate = Math.max(rateKnown ? MEMORY * rate : 0, size / lastSize);
     rateKnown = true;
-    return errorLeft(size) <= ACCURACY;
+    stepsByOldRate = 0;
   }
 
   private boolean hopeless(double size) {
@@ -164,5 +197,6 @@ final class NewtonIteration {
   void transfer(StateTransfer state) {
     rate = state.number(rate);
     rateKnown = state.flag(rateKnown);
+    stepsByOldRate = state.integer(stepsByOldRate);
   }
 }

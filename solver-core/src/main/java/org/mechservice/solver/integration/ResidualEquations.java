@@ -246,6 +246,11 @@ final class ResidualEquations extends StepEquations {
   }
 
   @Override
+  IterationRules sparingRules() {
+    return IterationRules.LEARNING;
+  }
+
+  @Override
   boolean solutionMayJump() {
     return true;
   }

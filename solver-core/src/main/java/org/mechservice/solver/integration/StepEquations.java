@@ -19,8 +19,12 @@ abstract class StepEquations {
 
   private boolean current;
 
-  /** Whether the factors are those of the present h, k and derivatives. */
+  private IterationRules rules = IterationRules.PUBLISHED;
+
+  /** Whether there are factors with the present derivatives, and whether h or k has changed. */
   private boolean factored;
+
+  private boolean stepChanged;
 
   private double factoredHGamma;
 
@@ -150,19 +154,44 @@ abstract class StepEquations {
     return attempt;
   }
 
-  /** Forgets the factors: h or k has changed. */
-  final void outdate() {
+  /** Returns the rules that spare most without losing accuracy. */
+  abstract IterationRules sparingRules();
+
+  /** Goes by other rules from now on. */
+  final void follow(IterationRules rules) {
+    this.rules = rules;
+    newton.follow(rules);
+  }
+
+  private void outdate() {
     factored = false;
   }
 
-  /** Factors the matrix unless that is done. */
+  /** Takes note that h or k has changed. */
+  final void changeStep() {
+    stepChanged = true;
+  }
+
+  /** Factors the matrix unless there are factors that will do. */
   final Attempt factor(double hGamma) {
-    if (factored) {
+    if (factored && (!stepChanged || close(hGamma))) {
+      stepChanged = false;
       return Attempt.PASSED;
     }
+    stepChanged = false;
     newton.forgetRate();
     factored = factorAnew(hGamma);
     return factored ? Attempt.PASSED : Attempt.SINGULAR_MATRIX;
+  }
+
+  /** Returns whether the matrix has hardly changed; then the iteration is the slower for it. */
+  private boolean close(double hGamma) {
+    double change = Math.abs(hGamma / factoredHGamma - 1);
+    if (!(change <= rules.closeRatio())) {
+      return false;
+    }
+    newton.expectRate(change / (1 + hGamma / factoredHGamma));
+    return true;
   }
 
   /** Factors the matrix, for another use than the next iteration; returns whether it is regular. */
@@ -177,6 +206,12 @@ abstract class StepEquations {
   final void solveLinear(double hGamma, double[] residual) {
     substitute(hGamma, residual);
     solutions++;
+    if (hGamma != factoredHGamma) {
+      double part = 2 / (1 + hGamma / factoredHGamma);
+      for (int l = 0; l < residual.length; l++) {
+        residual[l] *= part;
+      }
+    }
   }
 
   /** Returns whether an iteration is under way that was stopped. */
@@ -221,8 +256,15 @@ abstract class StepEquations {
     outdate();
   }
 
-  /** Asks for new derivatives unless they are of the present point; returns whether it did. */
-  final boolean renew() {
+  /**
+   * Asks for new factors unless they are those of the present step, else for new derivatives unless
+   * they are of the present point; returns whether it did.
+   */
+  final boolean renew(double hGamma) {
+    if (factored && hGamma != factoredHGamma) {
+      outdate();
+      return true;
+    }
     if (current) {
       return false;
     }
@@ -274,6 +316,7 @@ abstract class StepEquations {
     wanted = state.flag(wanted);
     current = state.flag(current);
     factored = state.flag(factored);
+    stepChanged = state.flag(stepChanged);
     factoredHGamma = state.number(factoredHGamma);
     linearisations = state.integer(linearisations);
     factorisations = state.integer(factorisations);

@@ -49,8 +49,9 @@
  * differentiation, implicit</td><td>1-5</td><td>1-4, and linear equations</td><td>max(rtol |y_i|,
  * atol_i), every component</td><td>ends there exactly</td><td>stiff</td></tr>
  * <tr><td>{@link org.mechservice.solver.integration.Ode15sR}</td><td>the same, for F(t, y, y') =
- * 0</td><td>1-5</td><td>1-4, and linear equations</td><td>the same, differential components
- * alone</td><td>ends there exactly</td><td>mass matrices, algebraic equations of index 1</td></tr>
+ * 0</td><td>1-5</td><td>1-4 of F, and linear equations</td><td>the same, algebraic components not
+ * tested</td><td>ends there exactly</td><td>mass matrices, multipliers, implicit equations of index
+ * 1</td></tr>
  * </table>
  *
  * <p>Adams methods need few evaluations when f is smooth and digits are many, and do worst when f
@@ -96,6 +97,13 @@
  * backward difference and estimates the error; the neighbouring differences tell which order would
  * allow the longest step. Since a new step means a new factorisation and rewritten differences, it
  * is taken up only after k + 2 equal ones.
+ *
+ * <p>A system in residual form, F(t, y, y') = 0, is solved with the same formulas, which give y' at
+ * the new point in terms of y: the iteration matrix is h γ<sup>−1</sup> ∂F/∂y + ∂F/∂y', of which
+ * both parts are kept. Components whose derivative does not appear in F, such as multipliers, are
+ * found with the others but are in no test: they only have to be finite. Such a system starts from
+ * values that obey its equations; the derivatives and the algebraic components are corrected until
+ * they do, the rest stays as given.
  *
  * <h2>Events, jumps, manifolds</h2>
  *

@@ -1,0 +1,93 @@
+package org.mechservice.solver.integration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.mechservice.solver.integration.IntegratorSettings.Mode;
+import org.mechservice.solver.integration.suite.DampedOscillator;
+import org.mechservice.solver.integration.suite.StiffChain;
+import org.mechservice.solver.integration.suite.SuiteProblem;
+
+/** The tuned mode does what every integrator does, with less work. */
+class Ode15sTunedTest extends IntegratorContract {
+  @Override
+  Integrator create(IntegratorSettings settings) {
+    return new Ode15s(settings.withMode(Mode.TUNED));
+  }
+
+  /** As in the standard mode. */
+  @Override
+  double accumulation() {
+    return 1000;
+  }
+
+  @Override
+  double notFiniteReduction() {
+    return 0.3;
+  }
+
+  /** Where steps are long, differences that do not fall keep the order down. */
+  @Override
+  double toleranceOfOrders() {
+    return 1e-5;
+  }
+
+  private static Run run(SuiteProblem problem, double tolerance, Mode mode) {
+    return Run.of(new Ode15s(Run.settings(problem, tolerance).withMode(mode)), problem);
+  }
+
+  @Test
+  void orderFallsNearTheImaginaryAxis() {
+    // Eigenvalues −10 ± 100i: left to themselves, orders 4 and 5 take 4900 evaluations.
+    Run run = run(new DampedOscillator(), 1e-6, Mode.TUNED);
+    assertThat(run.statistics().evaluations()).isLessThanOrEqualTo(1300);
+  }
+
+  @Test
+  void linearProblemsTakeOneIterationPerStep() {
+    IntegrationStatistics cost = run(new StiffChain(), 1e-6, Mode.TUNED).statistics();
+    // And a second one after each factorisation, when the rate is not yet known, and now and then.
+    double steps = cost.steps() + cost.rejectedSteps();
+    assertThat((double) cost.solutions()).isLessThan(1.15 * steps);
+  }
+
+  @Test
+  void evaluationsAtTheSameErrorAreAnEighthFewer() {
+    // Log of the evaluations at the digits reached, on the average over tolerances and problems.
+    double saved = 0;
+    int problems = 0;
+    for (String name :
+        new String[] {"Robertson", "Hires", "StiffVanDerPol", "Brusselator", "StiffChain"}) {
+      SuiteProblem problem = SuiteProblem.named(name);
+      saved += evaluationsPerDigits(problem, Mode.FAITHFUL);
+      saved -= evaluationsPerDigits(problem, Mode.TUNED);
+      problems++;
+    }
+    assertThat(saved / problems).isGreaterThan(StrictMath.log(8.0 / 7));
+  }
+
+  /** Mean of ln f − (ln 10 / 3.5) (digits − 6): nearly the same whatever the tolerance. */
+  private static double evaluationsPerDigits(SuiteProblem problem, Mode mode) {
+    double sum = 0;
+    int runs = 0;
+    for (int k = 4; k <= 9; k++) {
+      Run run = run(problem, StrictMath.pow(10, -k), mode);
+      double digits = problem.reference().mixedDigits(run.atEnd(), problem.reference().atEnd());
+      double evaluations = run.statistics().evaluations();
+      sum += StrictMath.log(evaluations) - StrictMath.log(10) / 3.5 * (digits - 6);
+      runs++;
+    }
+    return sum / runs;
+  }
+
+  @Test
+  void aFifthOfTheFactorisationsIsSaved() {
+    double faithful = 0;
+    double tuned = 0;
+    for (SuiteProblem problem : SuiteProblem.stiff()) {
+      faithful += run(problem, 1e-6, Mode.FAITHFUL).statistics().factorisations();
+      tuned += run(problem, 1e-6, Mode.TUNED).statistics().factorisations();
+    }
+    assertThat(tuned).isLessThan(0.8 * faithful);
+  }
+}
