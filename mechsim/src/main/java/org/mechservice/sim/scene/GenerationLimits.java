@@ -12,6 +12,7 @@ import org.mechservice.solver.mechanism.Output;
 import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /** What a model file may hold that no code is generated for: refused by name, never left out. */
 public final class GenerationLimits {
@@ -34,8 +35,7 @@ public final class GenerationLimits {
               + model.mechanism().name()
               + "\" has "
               + String.join("; ", beyond)
-              + ". In this version code is generated for open chains under gravity, run by"
-              + " <dynamic>");
+              + ". In this version code is generated for open chains, run by <dynamic>");
     }
   }
 
@@ -51,7 +51,12 @@ public final class GenerationLimits {
       beyond.add("absolute tolerances by class of state");
     }
     add(beyond, "constraints", mechanism.closures().stream().map(LoopClosure::name));
-    add(beyond, "forces", mechanism.forces().stream().map(ForceElement::name));
+    add(
+        beyond,
+        "user forces",
+        mechanism.forces().stream()
+            .filter(UserForceElement.class::isInstance)
+            .map(ForceElement::name));
     add(beyond, "tunable parameters", mechanism.parameters().stream().map(Parameter::name));
     add(beyond, "outputs", model.outputs().stream().map(Output::name));
     add(beyond, "events", settings.events().stream().map(Event::name));
