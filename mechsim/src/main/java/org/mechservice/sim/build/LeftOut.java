@@ -56,7 +56,9 @@ final class LeftOut {
     if (mechanism.motions().isEmpty()) {
       add("prescribed motions", "no joint is driven");
     }
-    add("force elements", "the scene has no forces but gravity");
+    if (mechanism.forces().isEmpty()) {
+      add("force elements", "the scene has no forces but gravity");
+    }
     add("events", "the scene has none");
     add("outputs of its own", "the scene has none");
   }

@@ -11,6 +11,7 @@ import org.mechservice.sim.build.dynamics.ArticulatedBodyEquations;
 import org.mechservice.sim.build.dynamics.EnergyEquations;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.build.dynamics.PoseEquations;
+import org.mechservice.sim.build.dynamics.PowerEquations;
 import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.ModelPlan;
@@ -21,6 +22,7 @@ import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -89,6 +91,8 @@ public final class ModelFactory {
             options.columns().contains(ColumnGroup.BODIES)
                 ? Optional.of(PoseEquations.derive(links))
                 : Optional.empty(),
+            PowerEquations.power(links),
+            forceValues(links, options),
             notes(choice, derivative, leftOut));
     return new GeneratedModel(
         ModelPlan.of(written),
@@ -97,6 +101,13 @@ public final class ModelFactory {
         choice.reason(),
         derivative.operationCount(),
         leftOut);
+  }
+
+  private static Optional<ModelClass.ForceValues> forceValues(Links links, BuildOptions options) {
+    List<Variable> columns = ForceColumns.of(links.mechanism());
+    return columns.isEmpty() || !options.columns().contains(ColumnGroup.FORCES)
+        ? Optional.empty()
+        : Optional.of(new ModelClass.ForceValues(columns, PowerEquations.values(links)));
   }
 
   private static ModelDescription description(

@@ -89,7 +89,8 @@ final class ModelJars {
       EnumSet.of(ColumnGroup.JOINTS, ColumnGroup.ACCELERATIONS, ColumnGroup.ENERGY);
 
   /** Groups that a model can be built with. */
-  private static final Set<ColumnGroup> ON_DEMAND = EnumSet.of(ColumnGroup.BODIES);
+  private static final Set<ColumnGroup> ON_DEMAND =
+      EnumSet.of(ColumnGroup.BODIES, ColumnGroup.FORCES);
 
   /** Returns the column groups the model can put out. */
   private static String columns(CompiledModel model) {

@@ -3,9 +3,11 @@ package org.mechservice.sim.build;
 import java.util.List;
 import java.util.stream.Stream;
 import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.force.ForceElement;
 
 /** What names a generated class can carry. */
 final class ModelNames {
@@ -21,11 +23,13 @@ final class ModelNames {
   static void requireUsable(Mechanism mechanism) {
     List<String> joints = mechanism.joints().stream().map(Joint::name).toList();
     List<String> bodies = mechanism.bodies().stream().map(Body::name).toList();
-    Stream.of(List.of(mechanism.name()), joints, bodies)
+    List<String> forces = mechanism.forces().stream().map(ForceElement::name).toList();
+    Stream.of(List.of(mechanism.name()), joints, bodies, forces)
         .flatMap(List::stream)
         .forEach(ModelNames::requirePrintable);
     requireShort("joints", joints);
     requireShort("bodies", bodies);
+    requireShort("forces", ForceColumns.of(mechanism).stream().map(Variable::name).toList());
     requireShort("model", List.of(mechanism.name()));
   }
 

@@ -12,6 +12,7 @@ import org.mechservice.solver.mechanism.Output;
 import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /**
  * What a model file may hold that this version does not simulate, refused by name, never left out;
@@ -63,7 +64,12 @@ public final class GenerationLimits {
       beyond.add("formulation " + choice.formulation());
     }
     add(beyond, "constraints", mechanism.closures().stream().map(LoopClosure::name));
-    add(beyond, "forces", mechanism.forces().stream().map(ForceElement::name));
+    add(
+        beyond,
+        "user forces",
+        mechanism.forces().stream()
+            .filter(UserForceElement.class::isInstance)
+            .map(ForceElement::name));
     add(beyond, "tunable parameters", mechanism.parameters().stream().map(Parameter::name));
     return beyond;
   }

@@ -47,6 +47,9 @@ public final class Program {
    */
   public record Guard(Scalar pivot, Scalar bound, int result, String meaning) {}
 
+  /** An input that is replaced before the program is complete. */
+  public static final int PLACEHOLDER = TIME - 1;
+
   private final Expressions expressions = new Expressions();
   private final List<Section> sections = new ArrayList<>();
   private final Map<Scalar, String> names = new HashMap<>();

@@ -39,6 +39,11 @@ public record ScalarVector(Scalar x, Scalar y, Scalar z) {
     return new ScalarVector(x.plus(other.x), y.plus(other.y), z.plus(other.z));
   }
 
+  /** Returns this − other. */
+  public ScalarVector minus(ScalarVector other) {
+    return new ScalarVector(x.minus(other.x), y.minus(other.y), z.minus(other.z));
+  }
+
   /** Returns factor · this. */
   public ScalarVector times(Scalar factor) {
     return new ScalarVector(x.times(factor), y.times(factor), z.times(factor));

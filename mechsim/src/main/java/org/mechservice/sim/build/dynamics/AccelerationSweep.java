@@ -21,18 +21,36 @@ final class AccelerationSweep {
   private final Coordinates coordinates;
   private final InertiaSweep inertias;
   private final Added[] added;
+  private final boolean putOut;
 
   AccelerationSweep(
-      Program program, Links mechanism, Coordinates coordinates, InertiaSweep inertias) {
+      Program program,
+      Links mechanism,
+      Coordinates coordinates,
+      InertiaSweep inertias,
+      boolean putOut) {
     this.program = program;
     this.expressions = program.expressions();
     this.links = mechanism.links();
     this.coordinates = coordinates;
     this.inertias = inertias;
     this.added = new Added[links.size()];
+    this.putOut = putOut;
   }
 
-  /** Sweeps from the root to the leaves and puts the joint accelerations out. */
+  /** Returns the angular acceleration that joint accelerations add to a link. */
+  ScalarVector alpha(int link) {
+    return added[link].alpha();
+  }
+
+  /** Returns the acceleration that joint accelerations add to a link's origin. */
+  ScalarVector acceleration(int link) {
+    return added[link].acceleration();
+  }
+
+  /**
+   * Sweeps from the root to the leaves and puts the joint accelerations out, if they are wanted.
+   */
   void sweep() {
     for (int i = 0; i < added.length; i++) {
       Link link = links.get(i);
@@ -61,6 +79,9 @@ final class AccelerationSweep {
         program.named("qdd_" + link.jointLabel(), rates[k]);
       }
       added[i] = after(freedoms.get(k), added[i], rates[k]);
+    }
+    if (!putOut) {
+      return;
     }
     if (link.isBall()) {
       putOutBall(link, new ScalarVector(rates[0], rates[1], rates[2]));

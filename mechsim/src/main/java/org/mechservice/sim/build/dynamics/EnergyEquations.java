@@ -12,7 +12,7 @@ import org.mechservice.solver.spatial.InertiaTensor;
 
 /**
  * Kinetic energy ½ Σ (m v·v + ω·I ω) over the centres of mass and potential energy −Σ m g·p of an
- * open chain, p from the world origin.
+ * open chain, p from the world origin, with that of springs.
  *
  * <p>Positions are not needed for that: the direction of gravity goes outwards in body axes, and
  * with it the height of each joint.
@@ -67,6 +67,7 @@ public final class EnergyEquations {
       program.named("T_" + link.bodyLabel(), kinetic);
       program.named("U_" + link.bodyLabel(), potential);
     }
+    potential = potential.plus(new AppliedForces(program, mechanism, coordinates).potential());
     program.section("Kinetic and potential energy.", "energy");
     program.output(0, kinetic);
     program.output(1, potential);

@@ -35,24 +35,28 @@ final class InertiaSweep {
   private final InertiaBound[] boundsAtStart;
   private final ArticulatedInertia[] inertias;
   private final Wrench[] wrenches;
+  private final boolean checked;
   private final List<List<Wrench>> shares = new ArrayList<>();
   private final List<List<Scalar>> atRest = new ArrayList<>();
 
   /**
    * @param wrenches what each body needs; overwritten with what all beyond it need
    * @param jointForces what acts in the joints
+   * @param checked whether the program checks pivots
    */
   InertiaSweep(
       Program program,
       Links mechanism,
       Coordinates coordinates,
       Wrench[] wrenches,
-      JointForces jointForces) {
+      JointForces jointForces,
+      boolean checked) {
     this.program = program;
     this.expressions = program.expressions();
     this.links = mechanism.links();
     this.coordinates = coordinates;
     this.jointForces = jointForces;
+    this.checked = checked;
     this.bounds = InertiaBound.of(expressions, links, this::slid);
     this.boundsAtStart = InertiaBound.of(expressions, links, this::slidAtStart);
     this.inertias = new ArticulatedInertia[links.size()];
@@ -91,12 +95,22 @@ final class InertiaSweep {
     return atRest.get(link);
   }
 
+  /** Returns what a link and all beyond it answer to an acceleration, its own freedoms locked. */
+  ArticulatedInertia inertia(int link) {
+    return inertias[link];
+  }
+
+  /** Returns the wrench that a link and all beyond it need while the link does not accelerate. */
+  Wrench wrench(int link) {
+    return wrenches[link];
+  }
+
   private boolean inwards(int i, Link link) {
     program.section("Sweep 2, inwards: " + link.title() + ".\n" + equation(link), link.bodyLabel());
     named(link, inertias[i]);
     if (!link.isDriven()) {
       List<Freedom> freedoms = Freedom.of(link);
-      ScalarVector forces = jointForces.of(link);
+      ScalarVector forces = jointForces.of(i);
       for (int k = 0; k < freedoms.size(); k++) {
         Freedom freedom = freedoms.get(k);
         boolean passedOn = link.parent() != Links.ROOT || k + 1 < freedoms.size();
@@ -160,7 +174,7 @@ final class InertiaSweep {
     Scalar bound = all.times(SINGULAR);
     boolean known = pivot.isConstant() && bound.isConstant();
     boolean always = pivot.isZero() || (known && pivot.value() <= bound.value());
-    if (always || !known) {
+    if (checked && (always || !known)) {
       String meaning = "no inertia beyond the joint";
       program.guard(new Program.Guard(pivot, bound, link.stateJoint(), meaning));
     }

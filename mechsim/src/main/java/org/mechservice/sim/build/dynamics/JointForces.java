@@ -9,5 +9,5 @@ interface JointForces {
    * the third alone counts, N·m or N; of one with Euler parameters all three are moments on the
    * link, N·m.
    */
-  ScalarVector of(Link link);
+  ScalarVector of(int link);
 }

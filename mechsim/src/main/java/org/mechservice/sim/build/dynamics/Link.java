@@ -20,6 +20,7 @@ import org.mechservice.solver.spatial.Vector3;
  * @param kind how it moves
  * @param joint index of the joint in the mechanism
  * @param stateJoint index of the joint among those that have states; −1 for a driven joint
+ * @param component its first velocity among those of the joint
  * @param position index of the link's first coordinate in the state [q; v]; −1 for a driven link
  * @param velocity index of its first velocity in the state [q; v]; −1 for a driven link
  * @param motion its coordinate as a function of time, if it is driven
@@ -44,6 +45,7 @@ public record Link(
     LinkKind kind,
     int joint,
     int stateJoint,
+    int component,
     int position,
     int velocity,
     Optional<Expression> motion,

@@ -100,6 +100,7 @@ final class LinkLayout {
         tree.kind[i],
         joint,
         stateJoint[joint],
+        tree.component[i],
         driven ? -1 : tree.positionAt[i],
         driven ? -1 : tree.statePositionCount + tree.velocityAt[i],
         driven ? Optional.of(motion(joint, tree.component[i])) : Optional.empty(),

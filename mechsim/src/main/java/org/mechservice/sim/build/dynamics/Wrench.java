@@ -16,6 +16,10 @@ record Wrench(ScalarVector moment, ScalarVector force) {
     return new Wrench(moment.plus(other.moment), force.plus(other.force));
   }
 
+  Wrench minus(Wrench other) {
+    return new Wrench(moment.minus(other.moment), force.minus(other.force));
+  }
+
   /** Returns factor · this. */
   Wrench times(double factor) {
     return new Wrench(

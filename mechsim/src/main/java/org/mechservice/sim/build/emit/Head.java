@@ -9,8 +9,10 @@ import java.util.List;
  * @param arguments where the program's inputs come from, in the order of the parameters
  * @param output name of the last parameter, the array of outputs
  * @param returnsResult whether the method returns the result of the guard that failed
+ * @param isPublic whether it is a method of the model's interfaces
  */
-record Head(String name, List<Argument> arguments, String output, boolean returnsResult) {
+record Head(
+    String name, List<Argument> arguments, String output, boolean returnsResult, boolean isPublic) {
   /**
    * A parameter.
    *

@@ -12,8 +12,10 @@ public final class JavaText {
   /** Simple names the generated source uses, or that are imported everywhere. */
   private static final Set<String> TAKEN =
       Set.of(
+          "ArrayList",
           "Arrays",
           "BodyPoses",
+          "ColumnGroup",
           "Energies",
           "ExplicitModel",
           "List",
@@ -23,6 +25,8 @@ public final class JavaText {
           "Math",
           "Object",
           "Override",
+          "PowerInput",
+          "ResultColumns",
           "RunSettings",
           "SinCos",
           "StrictMath",
@@ -30,6 +34,7 @@ public final class JavaText {
           "Powers",
           "String",
           "System",
+          "Variable",
           "De",
           "Ode113",
           "Integrator",

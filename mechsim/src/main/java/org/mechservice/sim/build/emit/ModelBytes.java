@@ -3,8 +3,6 @@ package org.mechservice.sim.build.emit;
 import java.util.Arrays;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.api.BodyPoses;
-import org.mechservice.solver.api.Energies;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.RunSettings;
 import org.objectweb.asm.ClassTooLargeException;
@@ -36,12 +34,8 @@ final class ModelBytes {
 
   /** Returns the class file. */
   byte[] bytes() {
-    String[] interfaces = new String[plan.poses().isPresent() ? 3 : 2];
-    interfaces[0] = Type.getInternalName(ExplicitModel.class);
-    interfaces[1] = Type.getInternalName(Energies.class);
-    if (plan.poses().isPresent()) {
-      interfaces[2] = Type.getInternalName(BodyPoses.class);
-    }
+    String[] interfaces =
+        plan.interfaces().stream().map(Type::getInternalName).toArray(String[]::new);
     int access = Opcodes.ACC_PUBLIC | Opcodes.ACC_FINAL | Opcodes.ACC_SUPER;
     classFile.visit(Opcodes.V17, access, className, null, OBJECT, interfaces);
     constructor();
@@ -51,6 +45,16 @@ final class ModelBytes {
     if (plan.poses().isPresent()) {
       bodies();
       method(plan.poses().get(), (code, parameters) -> {}, ModelBytes::chooseSigns);
+    }
+    ForceColumnBytes forces = new ForceColumnBytes(classFile, className);
+    if (plan.power().isPresent()) {
+      forces.power();
+      method(plan.power().get());
+    }
+    if (plan.forces().isPresent()) {
+      forces.columns(plan.forceNames(), plan.forceUnits());
+      forces.values(plan.forceCount());
+      method(plan.forces().get());
     }
     classFile.visitEnd();
     return checked();
@@ -98,14 +102,25 @@ final class ModelBytes {
     code.visitVarInsn(Opcodes.ALOAD, 0);
     code.visitMethodInsn(Opcodes.INVOKESPECIAL, OBJECT, "<init>", "()V", false);
     if (slots > 0) {
-      int access = Opcodes.ACC_PRIVATE | Opcodes.ACC_FINAL;
-      classFile.visitField(access, Parameters.WORKSPACE, "[D", null, null).visitEnd();
-      code.visitVarInsn(Opcodes.ALOAD, 0);
-      new NumberCode(code).push(slots);
-      code.visitIntInsn(Opcodes.NEWARRAY, Opcodes.T_DOUBLE);
-      code.visitFieldInsn(Opcodes.PUTFIELD, className, Parameters.WORKSPACE, "[D");
+      array(code, Parameters.WORKSPACE, slots);
+    }
+    if (plan.power().isPresent()) {
+      array(code, "power", 1);
+    }
+    if (plan.forces().isPresent()) {
+      array(code, "forces", plan.forceCount());
     }
     end(code, Opcodes.RETURN);
+  }
+
+  /** {@code private final double[] name = new double[length]}. */
+  private void array(MethodVisitor code, String name, int length) {
+    int access = Opcodes.ACC_PRIVATE | Opcodes.ACC_FINAL;
+    classFile.visitField(access, name, "[D", null, null).visitEnd();
+    code.visitVarInsn(Opcodes.ALOAD, 0);
+    new NumberCode(code).push(length);
+    code.visitIntInsn(Opcodes.NEWARRAY, Opcodes.T_DOUBLE);
+    code.visitFieldInsn(Opcodes.PUTFIELD, className, name, "[D");
   }
 
   private void describe() {

@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -17,6 +18,8 @@ import org.mechservice.solver.mechanism.Mechanism;
  * @param derivative program from [q; v] to [q'; v']
  * @param energy program from [q; v] to kinetic and potential energy
  * @param poses program from [q; v] to the poses of the bodies, if they are asked for
+ * @param power program from [q; v] to the power of what has no potential energy, if there is any
+ * @param forces values of forces, if they are asked for
  * @param notes further paragraphs of the class comment, for people
  */
 public record ModelClass(
@@ -25,7 +28,17 @@ public record ModelClass(
     Program derivative,
     Program energy,
     Optional<Program> poses,
+    Optional<Program> power,
+    Optional<ForceValues> forces,
     List<String> notes) {
+  /**
+   * Values that forces put out.
+   *
+   * @param columns names and units
+   * @param program from [q; v] to the values
+   */
+  public record ForceValues(List<Variable> columns, Program program) {}
+
   /** The package of generated models. */
   public static final String PACKAGE = "org.mechservice.model";
 

@@ -5,10 +5,17 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import java.util.function.Function;
 import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.api.BodyPoses;
+import org.mechservice.solver.api.Energies;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.PowerInput;
+import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.Variable;
 
 /**
  * The class of a model, planned: one plan, from which source and class file are printed. Both
@@ -18,10 +25,12 @@ public final class ModelPlan implements WrittenClass {
   /** States whose start values stand together when methods are laid out. */
   private static final int SECTION_OF_START = 100;
 
-  private static final Head INITIAL_STATE = new Head("initialState", List.of(), "y", false);
-  private static final Head DERIVATIVE = ofState("derivative", "yDot", true);
-  private static final Head ENERGY = ofState("energy", "energy", false);
-  private static final Head POSES = ofState("poses", "poses", false);
+  private static final Head INITIAL_STATE = new Head("initialState", List.of(), "y", false, true);
+  private static final Head DERIVATIVE = ofState("derivative", "yDot", true, true);
+  private static final Head ENERGY = ofState("energy", "energy", false, true);
+  private static final Head POSES = ofState("poses", "poses", false, true);
+  private static final Head POWER = ofState("sumPower", "power", false, false);
+  private static final Head FORCES = ofState("forces", "forces", false, false);
 
   /**
    * A program with the method that runs it.
@@ -35,6 +44,8 @@ public final class ModelPlan implements WrittenClass {
   private final Part start;
   private final List<Part> programs = new ArrayList<>();
   private final Optional<Part> poses;
+  private final Optional<Part> power;
+  private final Optional<Part> forces;
 
   private ModelPlan(ModelClass content) {
     this.content = content;
@@ -42,12 +53,14 @@ public final class ModelPlan implements WrittenClass {
     programs.add(new Part(DERIVATIVE, Planner.plan(content.derivative())));
     programs.add(new Part(ENERGY, Planner.plan(content.energy())));
     this.poses = content.poses().map(program -> new Part(POSES, Planner.plan(program)));
+    this.power = content.power().map(program -> new Part(POWER, Planner.plan(program)));
+    this.forces = content.forces().map(values -> new Part(FORCES, Planner.plan(values.program())));
   }
 
-  private static Head ofState(String name, String output, boolean returnsResult) {
+  private static Head ofState(String name, String output, boolean returnsResult, boolean isPublic) {
     List<Head.Argument> arguments =
         List.of(new Head.Argument("t", false, Program.TIME), new Head.Argument("y", true, 0));
-    return new Head(name, arguments, output, returnsResult);
+    return new Head(name, arguments, output, returnsResult, isPublic);
   }
 
   /** Plans a model's class. */
@@ -105,21 +118,71 @@ public final class ModelPlan implements WrittenClass {
     return poses;
   }
 
+  /** Returns the program of the power of what has no potential energy, if there is any. */
+  Optional<Part> power() {
+    return power;
+  }
+
+  /** Returns the program of the values of forces, if they are asked for. */
+  Optional<Part> forces() {
+    return forces;
+  }
+
+  private List<Part> all() {
+    List<Part> all = new ArrayList<>(programs);
+    poses.ifPresent(all::add);
+    power.ifPresent(all::add);
+    forces.ifPresent(all::add);
+    return all;
+  }
+
   /** Returns the length of workspace the class needs. */
   int slots() {
-    int slots = poses.isPresent() ? poses.get().plan().slots() : 0;
-    for (Part part : programs) {
+    int slots = 0;
+    for (Part part : all()) {
       slots = Math.max(slots, part.plan().slots());
     }
     return slots;
   }
 
+  /** Returns the interfaces the class implements, in order. */
+  List<Class<?>> interfaces() {
+    List<Class<?>> interfaces = new ArrayList<>();
+    interfaces.add(ExplicitModel.class);
+    interfaces.add(Energies.class);
+    poses.ifPresent(part -> interfaces.add(BodyPoses.class));
+    power.ifPresent(part -> interfaces.add(PowerInput.class));
+    forces.ifPresent(part -> interfaces.add(ResultColumns.class));
+    return interfaces;
+  }
+
+  /** Returns the number of columns of forces. */
+  int forceCount() {
+    return content.forces().map(values -> values.columns().size()).orElse(0);
+  }
+
+  /** Returns names of the columns of forces, one a line. */
+  String forceNames() {
+    return columns(Variable::name);
+  }
+
+  /** Returns their units, one a line. */
+  String forceUnits() {
+    return columns(Variable::unit);
+  }
+
+  private String columns(Function<Variable, String> what) {
+    List<String> texts = new ArrayList<>();
+    content
+        .forces()
+        .ifPresent(values -> values.columns().forEach(column -> texts.add(what.apply(column))));
+    return String.join("\n", texts);
+  }
+
   /** Returns the solver's classes whose functions are called, internal names in order. */
   SortedSet<String> functionOwners() {
     SortedSet<String> owners = new TreeSet<>();
-    List<Part> all = new ArrayList<>(programs);
-    poses.ifPresent(all::add);
-    for (Part part : all) {
+    for (Part part : all()) {
       int[] uses = part.plan().program().uses();
       for (int id = 0; id < uses.length; id++) {
         Scalar node = part.plan().program().expressions().node(id);

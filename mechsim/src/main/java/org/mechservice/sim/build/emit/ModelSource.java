@@ -2,6 +2,7 @@ package org.mechservice.sim.build.emit;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
@@ -38,10 +39,18 @@ final class ModelSource {
     if (slots > 0) {
       source.line("private final double[] w = new double[" + slots + "];");
     }
+    plan.power().ifPresent(p -> source.line("private final double[] power = new double[1];"));
+    plan.forces()
+        .ifPresent(
+            p ->
+                source.line(
+                    "private final double[] forces = new double[" + plan.forceCount() + "];"));
     describe();
     method(plan.start(), List.of("Arrays.fill(y, 0.0);"), List.of());
     plan.programs().forEach(part -> method(part, List.of(), List.of()));
     plan.poses().ifPresent(this::poses);
+    plan.power().ifPresent(this::power);
+    plan.forces().ifPresent(this::forces);
     return source.close().toString();
   }
 
@@ -49,16 +58,19 @@ final class ModelSource {
     source.line("package " + ModelClass.PACKAGE + ";").blank();
     List<String> imports = new ArrayList<>();
     imports.add("java.util.Arrays");
-    imports.add("org.mechservice.solver.api.Energies");
-    imports.add("org.mechservice.solver.api.ExplicitModel");
     imports.add("org.mechservice.solver.api.ModelDescription");
     imports.add("org.mechservice.solver.api.RunSettings");
     if (angles) {
       imports.add("org.mechservice.solver.spatial.SinCos");
     }
-    if (plan.poses().isPresent()) {
+    plan.interfaces().forEach(type -> imports.add(type.getName()));
+    if (plan.poses().isPresent() || plan.forces().isPresent()) {
       imports.add("java.util.List");
-      imports.add("org.mechservice.solver.api.BodyPoses");
+    }
+    if (plan.forces().isPresent()) {
+      imports.add("java.util.ArrayList");
+      imports.add("org.mechservice.solver.api.ColumnGroup");
+      imports.add("org.mechservice.solver.api.Variable");
     }
     plan.functionOwners().forEach(owner -> imports.add(owner.replace('/', '.')));
     imports.stream().sorted().forEach(name -> source.line("import " + name + ";"));
@@ -66,8 +78,10 @@ final class ModelSource {
     source.open(
         "public final class "
             + plan.simpleName()
-            + " implements ExplicitModel, Energies"
-            + (plan.poses().isPresent() ? ", BodyPoses" : ""));
+            + " implements "
+            + plan.interfaces().stream()
+                .map(Class::getSimpleName)
+                .collect(Collectors.joining(", ")));
   }
 
   private List<String> documentation() {
@@ -167,6 +181,36 @@ final class ModelSource {
             "    }",
             "  }",
             "}"));
+  }
+
+  private void power(ModelPlan.Part power) {
+    source.blank().line("@Override").open("public double power(double t, double[] y)");
+    source.line("sumPower(t, y, power);");
+    source.line("return power[0];");
+    source.close();
+    method(power, List.of(), List.of());
+  }
+
+  private void forces(ModelPlan.Part forces) {
+    source.blank().line("@Override").open("public List<Variable> columns(ColumnGroup group)");
+    source.line("List<Variable> columns = new ArrayList<>();");
+    source.open("if (group == ColumnGroup.FORCES)");
+    source.line(
+        "String[] names = (" + JavaText.literal(plan.forceNames()) + ").split(\"\\n\", -1);");
+    source.line(
+        "String[] units = (" + JavaText.literal(plan.forceUnits()) + ").split(\"\\n\", -1);");
+    source.open("for (int i = 0; i < names.length; i++)");
+    source.line("columns.add(new Variable(names[i], units[i]));");
+    source.close().close();
+    source.line("return columns;").close();
+    source.blank().line("@Override");
+    source.open(
+        "public void values(ColumnGroup group, double t, double[] y, double[] values, int at)");
+    source.open("if (group == ColumnGroup.FORCES)");
+    source.line("forces(t, y, forces);");
+    source.line("System.arraycopy(forces, 0, values, at, forces.length);");
+    source.close().close();
+    method(forces, List.of(), List.of());
   }
 
   private void method(ModelPlan.Part part, List<String> first, List<String> last) {

@@ -39,7 +39,12 @@ final class ProgramBytes {
     Parameters parameters = Parameters.ofInstance(head, className, workspace);
     String descriptor = Parameters.descriptor(head.arguments(), "[D", head.returnsResult());
     MethodVisitor code =
-        classFile.visitMethod(Opcodes.ACC_PUBLIC, head.name(), descriptor, null, null);
+        classFile.visitMethod(
+            head.isPublic() ? Opcodes.ACC_PUBLIC : Opcodes.ACC_PRIVATE,
+            head.name(),
+            descriptor,
+            null,
+            null);
     code.visitCode();
     if (workspace) {
       code.visitVarInsn(Opcodes.ALOAD, 0);

@@ -24,9 +24,13 @@ final class ProgramPrinter {
 
   /** Writes the method of the interface, with what goes to its beginning and before its end. */
   void method(List<String> first, List<String> last) {
-    source.blank().line("@Override");
+    source.blank();
+    if (head.isPublic()) {
+      source.line("@Override");
+    }
     source.open(
-        (head.returnsResult() ? "public int " : "public void ")
+        (head.isPublic() ? "public " : "private ")
+            + (head.returnsResult() ? "int " : "void ")
             + head.name()
             + "("
             + parameters(head.arguments())

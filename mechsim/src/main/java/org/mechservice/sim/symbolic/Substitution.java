@@ -1,0 +1,46 @@
+package org.mechservice.sim.symbolic;
+
+import java.util.HashMap;
+import java.util.Map;
+
+/**
+ * Puts an expression in the place of an input. What was derived for the input, a slope for one,
+ * then holds for the expression, whatever it has been simplified to.
+ */
+public final class Substitution {
+  private final Expressions expressions;
+  private final Map<Scalar, Scalar> images = new HashMap<>();
+
+  /** Replaces {@code input} by {@code value}. */
+  public Substitution(Scalar input, Scalar value) {
+    this.expressions = input.expressions();
+    images.put(input, value);
+  }
+
+  /** Returns an expression with the input replaced. */
+  public Scalar of(Scalar node) {
+    Scalar known = images.get(node);
+    if (known == null) {
+      known = image(node);
+      images.put(node, known);
+    }
+    return known;
+  }
+
+  private Scalar image(Scalar node) {
+    return switch (node.operation()) {
+      case CONSTANT, INPUT -> node;
+      case ADD -> of(node.first()).plus(of(node.second()));
+      case SUBTRACT -> of(node.first()).minus(of(node.second()));
+      case MULTIPLY -> of(node.first()).times(of(node.second()));
+      case DIVIDE -> of(node.first()).over(of(node.second()));
+      case NEGATE -> of(node.first()).negated();
+      case SQUARE_ROOT -> of(node.first()).squareRoot();
+      case SINE -> expressions.sine(of(node.first()));
+      case COSINE -> expressions.cosine(of(node.first()));
+      case FUNCTION ->
+          expressions.function(
+              node.function(), node.operands().stream().map(this::of).toArray(Scalar[]::new));
+    };
+  }
+}
