@@ -33,6 +33,7 @@ final class ClosedTree {
   final double[] wrench;
 
   final double[] tau;
+  private final double[] noAcceleration;
 
   ClosedTree(TreeGeometry tree, UserForceSource userForces) {
     this.tree = tree;
@@ -48,6 +49,7 @@ final class ClosedTree {
     mass = new double[nv * nv];
     wrench = new double[6 * tree.linkCount];
     tau = new double[tree.velocityCount];
+    noAcceleration = new double[nv];
   }
 
   /** Sweeps the motion and evaluates Φ, J and Φ'. */
@@ -78,17 +80,21 @@ final class ClosedTree {
     }
   }
 
-  /**
-   * Forms b − τ and γ after {@link #place}.
-   *
-   * @return whether all forces have values; if not, {@code forces.defect()} says why
-   */
-  boolean formBias(double t) {
-    if (!applyForces(t)) {
-      return false;
-    }
+  /** Forms b − τ and γ after {@link #place} and {@link #applyForces}. */
+  void formBias(double t) {
     open.formBias(wrench, tau);
     loops.accelerate(motion, t);
-    return true;
+  }
+
+  /** Evaluates γ alone after {@link #place}. */
+  void formGamma(double t) {
+    motion.accelerationSweep(noAcceleration);
+    loops.accelerate(motion, t);
+  }
+
+  /** Evaluates M v' + b − τ for accelerations that begin at {@code aAt}. */
+  void formResidual(double[] a, int aAt, double[] residual) {
+    motion.accelerationSweep(a, aAt);
+    open.formResidual(wrench, tau, residual);
   }
 }

@@ -1,5 +1,7 @@
 package org.mechservice.solver.closure;
 
+import org.mechservice.solver.force.Couplings;
+import org.mechservice.solver.force.ForceJacobian;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 
@@ -66,6 +68,17 @@ abstract class ClosureRows {
    * @param tau one number per extended velocity; added to
    */
   abstract void addForces(int row, double multiplier, double[] wrench, double[] tau);
+
+  /**
+   * Gives how the forces of multipliers change with the places of links and coordinates.
+   *
+   * @param multipliers one per equation of all closures; this one's from {@code at}
+   * @param factor what they are multiplied by
+   */
+  abstract void linearise(double[] multipliers, int at, double factor, ForceJacobian sink);
+
+  /** Gives the pairs of links that {@link #linearise} couples. */
+  abstract void couplings(Couplings couplings);
 
   /** Keeps in mind which whole turn angles are on, after an accepted step. */
   abstract void accepted();

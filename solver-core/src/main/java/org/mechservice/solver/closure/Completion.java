@@ -29,8 +29,9 @@ final class Completion {
   private static final double BETTER = 2;
 
   /**
-   * Dependent velocities that differ from the expected ones by this part of all velocities are
-   * those of another branch.
+   * Dependent velocities are those of another branch if they differ from the expected ones by this
+   * part of all velocities. Expected are those handed in, which were predicted, and those that the
+   * equations of the last accepted state would give.
    */
   private static final double OTHER_BRANCH = 0.25;
 
@@ -44,6 +45,9 @@ final class Completion {
   private final int nv;
   private final double[] correction;
   private final double[] velocityCorrection;
+  private final Partition before;
+  private final double[] acceptedJacobian;
+  private final double[] acceptedOffset;
   private double acceptedSpeed;
 
   /**
@@ -65,11 +69,29 @@ final class Completion {
     ofVelocities = new Partition(loops.count(), nv, rank);
     correction = new double[ofPositions.rank()];
     velocityCorrection = new double[rank];
+    before = new Partition(loops.count(), nv, rank);
+    acceptedJacobian = new double[loops.jacobian.length];
+    acceptedOffset = new double[loops.count()];
   }
 
   /** Returns which velocities are found from which; factored by {@link #complete}. */
   Partition ofVelocities() {
     return ofVelocities;
+  }
+
+  /** Returns which positions are found from which. */
+  Partition ofPositions() {
+    return ofPositions;
+  }
+
+  /** Forms the equations of positions, differentiated, where the loops are. */
+  void formPositionMatrix(double[] y) {
+    positions.differentiate(y);
+  }
+
+  /** Returns the equations of positions, differentiated, as formed last. */
+  double[] positionMatrix() {
+    return positions.matrix;
   }
 
   /** Returns whether a component of y = [q; v] is independent. */
@@ -93,7 +115,8 @@ final class Completion {
     }
     ofPositions.scale(rows, units.positions);
     ofVelocities.scale(rows, units.velocities);
-    acceptedSpeed = units.speed(y, nq);
+    loops.move(motion, t);
+    remember(y);
     return ofPositions.choose(positions.matrix, nq)
         && ofVelocities.choose(loops.jacobian, loops.width());
   }
@@ -167,7 +190,43 @@ final class Completion {
       change = larger(change, Math.abs(velocityCorrection[i]) / units.velocities[j]);
     }
     double speed = Math.max(acceptedSpeed, units.speed(y, nq));
-    return change <= OTHER_BRANCH * speed;
+    return change <= OTHER_BRANCH * speed || asBefore(y, OTHER_BRANCH * speed);
+  }
+
+  /** Whether the equations of the last accepted state give nearly the same velocities. */
+  private boolean asBefore(double[] y, double tolerance) {
+    before.copyChoice(ofVelocities);
+    if (!before.factor(acceptedJacobian, loops.width())) {
+      return false;
+    }
+    for (int i = 0; i < velocityCorrection.length; i++) {
+      int row = ofVelocities.kept[i];
+      double rate = acceptedOffset[row];
+      for (int j = 0; j < nv; j++) {
+        rate += acceptedJacobian[row * loops.width() + j] * y[nq + j];
+      }
+      velocityCorrection[i] = rate;
+    }
+    before.solve(velocityCorrection);
+    double change = 0;
+    for (int i = 0; i < velocityCorrection.length; i++) {
+      double unit = units.velocities[ofVelocities.dependent[i]];
+      change = larger(change, Math.abs(velocityCorrection[i]) / unit);
+    }
+    return change <= tolerance;
+  }
+
+  /** Keeps what the next state is compared with: J and Φ_t = Φ' − J v. */
+  private void remember(double[] y) {
+    acceptedSpeed = units.speed(y, nq);
+    System.arraycopy(loops.jacobian, 0, acceptedJacobian, 0, acceptedJacobian.length);
+    for (int row = 0; row < loops.count(); row++) {
+      double rate = loops.rate[row];
+      for (int j = 0; j < nv; j++) {
+        rate -= loops.jacobian[row * loops.width() + j] * y[nq + j];
+      }
+      acceptedOffset[row] = rate;
+    }
   }
 
   private boolean keptAreClosed() {
@@ -187,8 +246,9 @@ final class Completion {
    */
   boolean accepted(double t, double[] y) {
     differentiate(t, y);
+    loops.move(motion, t);
     loops.accepted();
-    acceptedSpeed = units.speed(y, nq);
+    remember(y);
     boolean other = renew(ofPositions, positions.matrix, nq);
     return renew(ofVelocities, loops.jacobian, loops.width()) || other;
   }

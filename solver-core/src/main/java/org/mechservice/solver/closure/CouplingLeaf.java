@@ -4,16 +4,26 @@ import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
-import org.mechservice.solver.kinematics.LinkKind;
+import org.mechservice.solver.force.ForceJacobian;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.kinematics.pair.CutJoint;
-import org.mechservice.solver.kinematics.pair.PairFunction;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 
 /** What a relation between coordinates depends on. Workspace of one thread. */
 abstract class CouplingLeaf {
+  static final double[] NO_RATES = new double[36];
+
+  private final double[] scaled = new double[6];
+
+  final double[] scaled(double factor, double[] wrench) {
+    for (int i = 0; i < 6; i++) {
+      scaled[i] = factor * wrench[i];
+    }
+    return scaled;
+  }
+
   /** Returns the value; of a cut joint's coordinate this places it as well. */
   abstract double value(TreeMotion motion, double t);
 
@@ -24,11 +34,39 @@ abstract class CouplingLeaf {
   /** Returns the size of what it measures: m, or 1 rad; 0 of what does not move. */
   abstract double size();
 
+  /** Returns the links that it moves with, the root left out. */
+  int[] links() {
+    return new int[0];
+  }
+
   abstract void addRow(TreeMotion motion, double factor, double[] rows, int at);
 
   abstract void addForce(double force, double[] wrench, double[] tau);
 
   void accepted() {}
+
+  /** Gives how the forces of a force on this coordinate change with the places of bodies. */
+  void linearise(double force, ForceJacobian sink) {}
+
+  /**
+   * Gives what happens when the force on this coordinate is stiffness times the motion of another.
+   */
+  void linearise(double stiffness, CouplingLeaf by, ForceJacobian sink) {
+    if (stiffness == 0 || size() == 0 || by.size() == 0) {
+      return;
+    }
+    if (by instanceof TreeLeaf tree) {
+      byCoordinate(stiffness, tree.velocity, sink);
+    } else if (by instanceof CutLeaf cut) {
+      cut.formWrenches();
+      byLink(stiffness, cut.cut.relative().linkA(), cut.wrenchA, sink);
+      byLink(stiffness, cut.cut.relative().linkB(), cut.wrenchB, sink);
+    }
+  }
+
+  void byCoordinate(double stiffness, int velocity, ForceJacobian sink) {}
+
+  void byLink(double stiffness, int link, double[] wrench, ForceJacobian sink) {}
 
   /**
    * @throws IllegalArgumentException if a relation must not depend on this
@@ -51,12 +89,12 @@ abstract class CouplingLeaf {
   private static CouplingLeaf of(
       Coordinate coordinate, String closure, TreeGeometry tree, double length) {
     if (coordinate instanceof JointCoordinate joint) {
-      return new OfTree(joint, closure, tree, length);
+      return new TreeLeaf(joint, closure, tree, length);
     }
     ClosureCoordinate cut = (ClosureCoordinate) coordinate;
     LoopClosure named = tree.mechanism().closures().get(cut.closure());
     if (named instanceof JointClosure joint && !joint.joint().type().hasEulerParameters()) {
-      return new OfCut(new CutJoint(tree, joint.joint()), cut.component(), length);
+      return new CutLeaf(new CutJoint(tree, joint.joint()), cut.component(), length);
     }
     throw new IllegalArgumentException(
         "constraint " + closure + " cannot relate coordinates of " + named.name());
@@ -97,126 +135,5 @@ abstract class CouplingLeaf {
 
     @Override
     void addForce(double force, double[] wrench, double[] tau) {}
-  }
-
-  /** A position of a joint of the tree, driven or not. */
-  private static final class OfTree extends CouplingLeaf {
-    private final int position;
-    private final int velocity;
-    private final double size;
-
-    OfTree(JointCoordinate coordinate, String closure, TreeGeometry tree, double length) {
-      int first = Integer.MAX_VALUE;
-      for (int link = 0; link < tree.linkCount; link++) {
-        if (tree.joint[link] == coordinate.joint() && tree.kind[link] != LinkKind.FIXED) {
-          first = Math.min(first, tree.positionAt[link]);
-        }
-      }
-      position = first + coordinate.component();
-      int found = -1;
-      for (int link = 0; link < tree.linkCount; link++) {
-        boolean simple = tree.kind[link] != LinkKind.FIXED && tree.kind[link] != LinkKind.BALL;
-        if (simple && tree.joint[link] == coordinate.joint() && tree.positionAt[link] == position) {
-          found = link;
-        }
-      }
-      if (found < 0) {
-        throw new IllegalArgumentException(
-            "constraint " + closure + " cannot relate Euler parameters");
-      }
-      velocity = tree.velocityAt[found];
-      size = tree.kind[found] == LinkKind.SLIDE ? length : 1;
-    }
-
-    @Override
-    double value(TreeMotion motion, double t) {
-      return motion.q[position];
-    }
-
-    @Override
-    double rate(TreeMotion motion) {
-      return motion.v[velocity];
-    }
-
-    @Override
-    double acceleration(TreeMotion motion) {
-      return motion.a[velocity];
-    }
-
-    @Override
-    double size() {
-      return size;
-    }
-
-    @Override
-    void addRow(TreeMotion motion, double factor, double[] rows, int at) {
-      rows[at + velocity] += factor;
-    }
-
-    @Override
-    void addForce(double force, double[] wrench, double[] tau) {
-      tau[velocity] += force;
-    }
-  }
-
-  /** A position of a cut joint; an angle goes on counting when it has made half a turn. */
-  private static final class OfCut extends CouplingLeaf {
-    private final CutJoint cut;
-    private final PairFunction function;
-    private final double size;
-
-    /** Value at the last accepted step: the nearest whole turn to it is meant. */
-    private double reference;
-
-    private double value;
-
-    OfCut(CutJoint cut, int component, double length) {
-      this.cut = cut;
-      function = cut.coordinate(component);
-      double[] start = new double[cut.joint().type().positionCount()];
-      cut.joint().initialPositions(start, 0);
-      reference = start[component];
-      size = cut.joint().type().positionUnit(component).equals("m") ? length : 1;
-    }
-
-    @Override
-    double value(TreeMotion motion, double t) {
-      cut.relative().place(motion);
-      double found = function.evaluate(cut.relative());
-      value = reference + function.difference(found, reference);
-      return value;
-    }
-
-    @Override
-    double rate(TreeMotion motion) {
-      cut.relative().move(motion);
-      return function.rate(cut.relative());
-    }
-
-    @Override
-    double acceleration(TreeMotion motion) {
-      cut.relative().accelerate(motion);
-      return function.acceleration(cut.relative());
-    }
-
-    @Override
-    double size() {
-      return size;
-    }
-
-    @Override
-    void addRow(TreeMotion motion, double factor, double[] rows, int at) {
-      cut.relative().addRow(motion, function.gradient, factor, rows, at);
-    }
-
-    @Override
-    void addForce(double force, double[] wrench, double[] tau) {
-      cut.relative().addWrenches(function.gradient, force, wrench);
-    }
-
-    @Override
-    void accepted() {
-      reference = value;
-    }
   }
 }

@@ -1,9 +1,12 @@
 package org.mechservice.solver.closure;
 
+import java.util.Arrays;
 import java.util.List;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.force.Couplings;
+import org.mechservice.solver.force.ForceJacobian;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
@@ -16,6 +19,8 @@ final class CouplingRows extends ClosureRows {
   /** ∂Φ/∂(leaf). */
   private final double[] gradient;
 
+  private final double[] direction;
+  private final double[] change;
   private double size = 1;
 
   CouplingRows(CoordinateClosure closure, TreeGeometry tree, double[] parameters, double length) {
@@ -28,6 +33,8 @@ final class CouplingRows extends ClosureRows {
       leaves[i] = CouplingLeaf.of(leaf, closure.name(), tree, parameters, length);
     }
     gradient = new double[leaves.length];
+    direction = new double[leaves.length];
+    change = new double[leaves.length];
   }
 
   @Override
@@ -115,6 +122,36 @@ final class CouplingRows extends ClosureRows {
   void addForces(int row, double multiplier, double[] wrench, double[] tau) {
     for (int i = 0; i < leaves.length; i++) {
       leaves[i].addForce(multiplier * gradient[i], wrench, tau);
+    }
+  }
+
+  /** λ (∇Φ)' of the leaves' own curvature, and λ ∂²Φ between leaves. */
+  @Override
+  void linearise(double[] multipliers, int at, double factor, ForceJacobian sink) {
+    double force = factor * multipliers[at];
+    if (force == 0) {
+      return;
+    }
+    for (int i = 0; i < leaves.length; i++) {
+      leaves[i].linearise(force * gradient[i], sink);
+      Arrays.fill(direction, 0);
+      direction[i] = 1;
+      evaluation.gradientChange(0, direction, change);
+      for (int j = 0; j < leaves.length; j++) {
+        leaves[j].linearise(force * change[j], leaves[i], sink);
+      }
+    }
+  }
+
+  @Override
+  void couplings(Couplings couplings) {
+    int[] links = Arrays.stream(leaves).flatMapToInt(leaf -> Arrays.stream(leaf.links())).toArray();
+    for (int on : links) {
+      for (int by : links) {
+        if (on != by) {
+          couplings.couple(on, by);
+        }
+      }
     }
   }
 

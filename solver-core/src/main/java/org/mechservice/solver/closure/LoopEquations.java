@@ -3,6 +3,8 @@ package org.mechservice.solver.closure;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.mechservice.solver.force.Couplings;
+import org.mechservice.solver.force.ForceJacobian;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Parameter;
@@ -208,6 +210,25 @@ public final class LoopEquations {
         closureOfRow[row].addForces(rowInClosure[row], force, wrench, tau);
       }
     }
+  }
+
+  /**
+   * Gives how the forces factor · Jᵀ λ change with the places of links and coordinates, after
+   * {@link #place}.
+   *
+   * @param multipliers λ, one per equation, N or N·m; not modified
+   */
+  public void linearise(double[] multipliers, double factor, ForceJacobian sink) {
+    int row = 0;
+    for (int i = 0; i < closures.size(); i++) {
+      closures.get(i).linearise(multipliers, row, factor, sink);
+      row += closures.get(i).count();
+    }
+  }
+
+  /** Gives the pairs of links that {@link #linearise} couples; some more than once. */
+  public void couplings(Couplings couplings) {
+    closures.forEach(rows -> rows.couplings(couplings));
   }
 
   /** Takes note of an accepted step: angles of cut joints go on counting from here. */

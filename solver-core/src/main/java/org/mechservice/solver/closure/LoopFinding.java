@@ -28,18 +28,7 @@ public record LoopFinding(Kind kind, String part, double amount, String unit, do
     /** Equations that say nothing new and are left out; the amount is their number. */
     REDUNDANT("N-044", true),
     /** The loops start in a singular position; the amount is the number of equations it hides. */
-    SINGULAR_START("N-045", true),
-    /**
-     * The loops pass close to a singular position; the amount is their smallest pivot, compared
-     * with the start.
-     */
-    NEAR_SINGULAR("N-046", true),
-    /** The motion cannot be continued through a singular position. */
-    SINGULAR("N-047", false),
-    /** Equations that were left out as redundant are not obeyed; the amount is the residual. */
-    CONTRADICTION("N-048", false),
-    /** Other coordinates are independent from here on; the amount is how many there are. */
-    CHOSEN_ANEW("N-049", true);
+    SINGULAR_START("N-045", true);
 
     private final String code;
     private final boolean warning;
@@ -62,7 +51,7 @@ public record LoopFinding(Kind kind, String part, double amount, String unit, do
 
   /** Returns the finding as a note of the run report. */
   public Note note() {
-    boolean remarkable = kind != Kind.CHOSEN_ANEW && kind != Kind.REDUNDANT;
+    boolean remarkable = kind != Kind.REDUNDANT;
     return new Note(kind.code(), time, remarkable, message());
   }
 
@@ -113,28 +102,6 @@ public record LoopFinding(Kind kind, String part, double amount, String unit, do
               + " of their"
               + " equations: the motion may branch here. Affected: "
               + part
-              + ".";
-      case NEAR_SINGULAR ->
-          "The loops pass close to a singular position (smallest pivot "
-              + number
-              + " of that at the start), where the motion may branch. Affected: "
-              + part
-              + ".";
-      case SINGULAR ->
-          "The loops reach a singular position, where the motion branches: "
-              + part
-              + ". Remaining part of the smallest pivot: "
-              + number
-              + ".";
-      case CHOSEN_ANEW ->
-          (long) amount + " coordinates are independent from here on: " + part + ".";
-      case CONTRADICTION ->
-          "Equations of the loops that followed from the others at the start do so no more: "
-              + part
-              + ", residual "
-              + number
-              + " "
-              + unit
               + ".";
     };
   }

@@ -1,12 +1,16 @@
 package org.mechservice.solver.closure;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.force.Couplings;
+import org.mechservice.solver.force.ForceJacobian;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.kinematics.pair.CutJoint;
 import org.mechservice.solver.kinematics.pair.PairFunction;
+import org.mechservice.solver.kinematics.pair.PairLinearisation;
 import org.mechservice.solver.kinematics.pair.RelativeMotion;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
@@ -20,9 +24,14 @@ import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
  * cut joint that follow prescribed motions.
  */
 final class PairRows extends ClosureRows {
+  private static final double[] NO_RATES = new double[36];
+
   private final RelativeMotion relative;
   private final PairFunction[] functions;
   private final double[] value;
+  private final double[] gradient = new double[6];
+  private final double[] curvature = new double[36];
+  private final PairLinearisation linearisation = new PairLinearisation();
   private final double length;
 
   /** Number of functions at the front that vanish; the others follow the motion. */
@@ -195,6 +204,33 @@ final class PairRows extends ClosureRows {
   @Override
   void addForces(int row, double multiplier, double[] wrench, double[] tau) {
     relative.addWrenches(functions[row].gradient, multiplier, wrench);
+  }
+
+  @Override
+  void linearise(double[] multipliers, int at, double factor, ForceJacobian sink) {
+    Arrays.fill(gradient, 0);
+    Arrays.fill(curvature, 0);
+    for (int row = 0; row < functions.length; row++) {
+      double force = factor * multipliers[at + row];
+      if (force != 0) {
+        for (int i = 0; i < 6; i++) {
+          gradient[i] += force * functions[row].gradient[i];
+        }
+        functions[row].addCurvature(relative, force, curvature);
+      }
+    }
+    linearisation.blocks(
+        relative,
+        gradient,
+        curvature,
+        (on, by, byPlace) -> sink.wrenchByLink(on, by, byPlace, NO_RATES));
+  }
+
+  @Override
+  void couplings(Couplings couplings) {
+    if (relative.linkA() != TreeGeometry.ROOT && relative.linkB() != TreeGeometry.ROOT) {
+      couplings.couple(relative.linkA(), relative.linkB());
+    }
   }
 
   @Override

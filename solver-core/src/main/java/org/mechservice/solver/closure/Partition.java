@@ -55,6 +55,14 @@ final class Partition {
     blockElements = new double[rank * rank];
   }
 
+  /** Takes over the choice of another of the same size. */
+  void copyChoice(Partition other) {
+    System.arraycopy(other.kept, 0, kept, 0, rank);
+    System.arraycopy(other.dependent, 0, dependent, 0, rank);
+    System.arraycopy(other.independent, 0, independent, 0, n - rank);
+    System.arraycopy(other.isIndependent, 0, isIndependent, 0, n);
+  }
+
   /** Returns r. */
   int rank() {
     return rank;

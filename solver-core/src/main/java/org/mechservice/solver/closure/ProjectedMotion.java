@@ -101,12 +101,8 @@ final class ProjectedMotion {
    * @param a n accelerations from {@code aAt}; overwritten
    */
   void accelerations(double[] mass, double[] bias, double[] gamma, double[] a, int aAt) {
+    formOffset(gamma);
     int[] d = partition.dependent;
-    int[] in = partition.independent;
-    for (int i = 0; i < r; i++) {
-      offset[i] = -gamma[partition.kept[i]];
-    }
-    partition.solve(offset);
     for (int i = 0; i < n; i++) {
       double sum = -bias[i];
       for (int k = 0; k < r; k++) {
@@ -117,14 +113,35 @@ final class ProjectedMotion {
     project(force, right);
     factors.solve(right, 0);
     for (int j = 0; j < f; j++) {
-      a[aAt + in[j]] = right[j];
+      a[aAt + partition.independent[j]] = right[j];
     }
+    compose(a, aAt);
+  }
+
+  /** Forms γ̂ = −J_D⁻¹ γ. */
+  void formOffset(double[] gamma) {
     for (int i = 0; i < r; i++) {
-      double sum = offset[i];
+      offset[i] = -gamma[partition.kept[i]];
+    }
+    partition.solve(offset);
+  }
+
+  /** Completes accelerations, x_D = R_D x_I + γ̂. */
+  void compose(double[] x, int at) {
+    expand(x, at);
+    for (int i = 0; i < r; i++) {
+      x[at + partition.dependent[i]] += offset[i];
+    }
+  }
+
+  /** Completes a change along the loops, x_D = R_D x_I. */
+  void expand(double[] x, int at) {
+    for (int i = 0; i < r; i++) {
+      double sum = 0;
       for (int j = 0; j < f; j++) {
-        sum += transformation[i * f + j] * right[j];
+        sum += transformation[i * f + j] * x[at + partition.independent[j]];
       }
-      a[aAt + d[i]] = sum;
+      x[at + partition.dependent[i]] = sum;
     }
   }
 
@@ -136,6 +153,25 @@ final class ProjectedMotion {
         sum += transformation[k * f + j] * x[partition.dependent[k]];
       }
       projected[j] = sum;
+    }
+  }
+
+  /** Writes Rᵀ A R, f × f, of a matrix without symmetry, n × n. */
+  void reduceSquare(double[] a, double[] product) {
+    int[] d = partition.dependent;
+    int[] in = partition.independent;
+    for (int j = 0; j < f; j++) {
+      for (int i = 0; i < n; i++) {
+        double sum = a[i * n + in[j]];
+        for (int k = 0; k < r; k++) {
+          sum += a[i * n + d[k]] * transformation[k * f + j];
+        }
+        force[i] = sum;
+      }
+      project(force, right);
+      for (int i = 0; i < f; i++) {
+        product[i * f + j] = right[i];
+      }
     }
   }
 

@@ -7,9 +7,9 @@ import org.mechservice.solver.force.UserForceSource;
  * DSR with closed loops by the second velocity transformation: the state [q; v] of the open tree,
  * of which as many coordinates are independent as there are degrees of freedom (NUMERICS §3).
  */
-public final class ProjectionModel extends LoopModel implements DependentStates {
-  private final Completion completion;
-  private final ProjectedMotion projected;
+public class ProjectionModel extends LoopModel implements DependentStates {
+  final Completion completion;
+  final ProjectedMotion projected;
 
   /**
    * Makes a model of a mechanism whose loops are closed.
@@ -28,34 +28,41 @@ public final class ProjectionModel extends LoopModel implements DependentStates 
   }
 
   @Override
-  public boolean independent(int component) {
+  public final boolean independent(int component) {
     return completion.independent(component);
   }
 
   @Override
-  public boolean complete(double t, double[] y) {
+  public final boolean complete(double t, double[] y) {
     return completion.complete(t, y);
   }
 
   @Override
-  public boolean accepted(double t, double[] y) {
+  public final boolean accepted(double t, double[] y) {
     boolean other = completion.accepted(t, y);
     work.accepted(t);
     return other;
   }
 
-  @Override
-  public int derivative(double t, double[] y, double[] yDot) {
+  /** Places a state, forms R and evaluates the forces. */
+  final int begin(double t, double[] y) {
     work.place(t, y);
     Partition partition = completion.ofVelocities();
     if (!partition.factor(work.loops.jacobian, work.loops.width())) {
       return closed.jointOfVelocity(partition.dependent[0]);
     }
     projected.formTransformation(work.loops.jacobian, work.loops.width());
-    work.formMass();
-    if (!work.formBias(t)) {
-      return fail(work.forces.defect());
+    return work.applyForces(t) ? REGULAR : fail(work.forces.defect());
+  }
+
+  @Override
+  public final int derivative(double t, double[] y, double[] yDot) {
+    int begun = begin(t, y);
+    if (begun != REGULAR) {
+      return begun;
     }
+    work.formMass();
+    work.formBias(t);
     int singular = projected.reduce(work.mass);
     if (singular != ProjectedMotion.REGULAR) {
       return closed.jointOfVelocity(singular);

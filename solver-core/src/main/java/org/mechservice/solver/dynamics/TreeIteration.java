@@ -74,6 +74,16 @@ public final class TreeIteration {
    * @return {@link TreeLu#NONSINGULAR}, or the velocity in whose column no pivot is left
    */
   public int factor(double hGamma) {
+    form(hGamma);
+    return lu.factor(matrix);
+  }
+
+  /**
+   * Forms the n × n matrix, for whoever solves with it in directions of their own.
+   *
+   * @param hGamma hγ, s
+   */
+  public void form(double hGamma) {
     this.hGamma = hGamma;
     combine(
         matrix.diagonal,
@@ -103,7 +113,6 @@ public final class TreeIteration {
           v,
           k);
     }
-    return lu.factor(matrix);
   }
 
   /** M + hγ C + hγ² K. */
@@ -125,6 +134,17 @@ public final class TreeIteration {
    * @param r [r_q; r_v] at entry, [Δq; Δv] at return
    */
   public void solve(double[] r) {
+    lu.solve(reduce(r));
+    expand(r);
+  }
+
+  /**
+   * Reduces the right-hand side to that of the n equations.
+   *
+   * @param r [r_q; r_v]; r_q overwritten, to be given to {@link #expand}
+   * @return n numbers, which the solution Δv is to overwrite
+   */
+  public double[] reduce(double[] r) {
     int nq = q.length;
     for (int ball = 0; ball < coordinates.ballCount(); ball++) {
       turnBack(r, coordinates.ballPosition(ball), coordinates.ballVelocity(ball));
@@ -137,7 +157,16 @@ public final class TreeIteration {
     }
     System.arraycopy(r, nq, rightSide, 0, v.length);
     jacobian.byPosition().addProduct(-hGamma, tangent, 0, rightSide, 0);
-    lu.solve(rightSide);
+    return rightSide;
+  }
+
+  /**
+   * Completes the solution.
+   *
+   * @param r as {@link #reduce} left it at entry, [Δq; Δv] at return
+   */
+  public void expand(double[] r) {
+    int nq = q.length;
     System.arraycopy(rightSide, 0, r, nq, v.length);
     for (int i = 0; i < nq; i++) {
       int k = coordinates.velocityOf(i);

@@ -26,19 +26,6 @@ class SlidingPendulumTest {
     for (int i = 0; i < 4; i++) {
       error = Math.max(error, Math.abs(run.at(10)[1 + i] - AT_TEN[i]));
     }
-    System.out.println(
-        "PRINT "
-            + integrator
-            + " "
-            + error / tolerance
-            + " rtol, "
-            + run.report.steps()
-            + " steps "
-            + run.report.rejectedSteps()
-            + " rej "
-            + run.report.evaluations()
-            + " f "
-            + run.report.wallTime());
     assertThat(error).isCloseTo(0, within(1000 * tolerance));
   }
 }

@@ -158,7 +158,7 @@ public final class RelativeMotion {
    * @param onA [moment; force] in A's axes at its reference point; overwritten
    * @param onB the same of B
    */
-  void wrenches(double[] gradient, double[] onA, double[] onB) {
+  public void wrenches(double[] gradient, double[] onA, double[] onB) {
     for (int i = 0; i < 3; i++) {
       first[i] = pointA[i] + position[i];
     }

@@ -1,0 +1,31 @@
+package org.mechservice.solver.closure;
+
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/** Makes models of loops by the names of formulation and closure. */
+final class LoopModels {
+  private LoopModels() {}
+
+  /**
+   * Returns the model of a mechanism.
+   *
+   * @param formulation {@code DSR}, {@code RR} or {@code RR-JF}
+   */
+  static LoopModel of(Mechanism mechanism, String formulation, RunSettings settings) {
+    ClosedMechanism closed = new ClosedMechanism(mechanism, formulation, settings);
+    UserForceSource none = UserForceSource.NONE;
+    return switch (formulation) {
+      case "DSR" -> new ProjectionModel(closed, none);
+      case "RR" -> new ResidualProjectionModel(closed, none);
+      case "RR-JF" -> new LinearisedProjectionModel(closed, none);
+      default -> throw new IllegalArgumentException(formulation);
+    };
+  }
+
+  /** Runs a mechanism as the settings say. */
+  static SceneRun run(Mechanism mechanism, String formulation, RunSettings settings) {
+    return SceneRun.of(of(mechanism, formulation, settings));
+  }
+}
