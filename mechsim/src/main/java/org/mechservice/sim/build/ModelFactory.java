@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.dynamics.ArticulatedBodyEquations;
 import org.mechservice.sim.build.dynamics.EnergyEquations;
@@ -18,11 +19,13 @@ import org.mechservice.sim.build.emit.ModelPlan;
 import org.mechservice.sim.build.javac.ModelCompiler;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
+import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -61,6 +64,7 @@ public final class ModelFactory {
       BuildOptions options,
       FormulationChoice choice,
       List<String> notGenerated) {
+    requireClosedLoops(mechanism, choice, options);
     CompactModel data =
         new CompactModel(mechanism, choice.formulation(), choice.closure(), options.settings());
     String form =
@@ -74,6 +78,23 @@ public final class ModelFactory {
         choice.reason() + "; " + form,
         0,
         List.of());
+  }
+
+  /**
+   * @throws ModelBuildException S-092 if the loops cannot be closed at the start
+   */
+  private static void requireClosedLoops(
+      Mechanism mechanism, FormulationChoice choice, BuildOptions options) {
+    ClosedMechanism closed =
+        new ClosedMechanism(mechanism, choice.formulation(), options.settings());
+    if (!closed.isAssembled()) {
+      throw new ModelBuildException(
+          "S-092",
+          closed.findings().stream()
+              .filter(finding -> !finding.kind().isWarning())
+              .map(finding -> finding.note().text())
+              .collect(Collectors.joining(" ")));
+    }
   }
 
   private static GeneratedModel specialised(

@@ -18,10 +18,11 @@ public record FormulationChoice(String formulation, String closure, String reaso
   private static final String AUTO = "AUTO";
   private static final String DTR = "DTR";
   private static final String DSR = "DSR";
+  private static final String RESIDUAL_DERIVED = "RR-JF";
   private static final String OPEN = "none";
   private static final String PROJECTION = "projection";
   private static final String RESIDUAL_INTEGRATOR = "ode15sR";
-  private static final List<String> KNOWN = List.of(DTR, DSR, "RR", "RR-JF");
+  private static final List<String> KNOWN = List.of(DTR, DSR, "RR", RESIDUAL_DERIVED);
 
   /**
    * Resolves what was asked for.
@@ -41,7 +42,7 @@ public record FormulationChoice(String formulation, String closure, String reaso
     }
     return mechanism.closures().isEmpty()
         ? open(asked, closure, integrator, mechanism)
-        : closed(asked, closure, mechanism);
+        : closed(asked, closure, integrator, mechanism);
   }
 
   private static FormulationChoice open(
@@ -58,7 +59,7 @@ public record FormulationChoice(String formulation, String closure, String reaso
     String reason = "asked for; it fits: the joints form a tree";
     if (asked.equals(AUTO)) {
       boolean residual = integrator.equals(RESIDUAL_INTEGRATOR);
-      chosen = residual ? "RR-JF" : DTR;
+      chosen = residual ? RESIDUAL_DERIVED : DTR;
       reason =
           residual
               ? "auto: ode15sR takes the residual form, with its derivatives by recursion"
@@ -71,27 +72,27 @@ public record FormulationChoice(String formulation, String closure, String reaso
     return new FormulationChoice(chosen, OPEN, reason);
   }
 
-  private static FormulationChoice closed(String asked, String closure, Mechanism mechanism) {
+  private static FormulationChoice closed(
+      String asked, String closure, String integrator, Mechanism mechanism) {
     if (asked.equals(DTR)) {
       throw refused(
           "DTR is for open chains; the scene closes loops at "
               + loops(mechanism)
               + "; use DSR, RR or RR-JF");
     }
-    if (asked.startsWith("RR") || closure.equals("penalty")) {
-      throw refused(
-          (closure.equals("penalty") ? "closure \"penalty\"" : "formulation " + asked)
-              + " of models with loops is not in this version; use DSR with projection, which suits"
-              + " model \""
-              + mechanism.name()
-              + "\"");
+    if (closure.equals("penalty")) {
+      throw refused("closure \"penalty\" is not in this version; use projection");
     }
     if (!closure.equals("auto") && !closure.equals(PROJECTION)) {
       throw refused("there is no closure \"" + closure + "\"; use projection or auto");
     }
     String why = "the scene closes loops at " + loops(mechanism);
-    return new FormulationChoice(
-        DSR, PROJECTION, asked.equals(AUTO) ? "auto: " + why : "asked for; it fits: " + why);
+    if (asked.equals(AUTO)) {
+      String chosen = integrator.equals(RESIDUAL_INTEGRATOR) ? RESIDUAL_DERIVED : DSR;
+      return new FormulationChoice(chosen, PROJECTION, "auto: " + why);
+    }
+    requireIntegrator(asked, integrator);
+    return new FormulationChoice(asked, PROJECTION, "asked for; it fits: " + why);
   }
 
   private static void requireIntegrator(String formulation, String integrator) {

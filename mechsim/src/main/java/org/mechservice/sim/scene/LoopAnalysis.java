@@ -122,7 +122,7 @@ public record LoopAnalysis(
   private static String code(LoopFinding finding) {
     return switch (finding.kind()) {
       case REDUNDANT -> "S-090";
-      case SINGULAR_START, NEAR_SINGULAR, SINGULAR -> "S-091";
+      case SINGULAR_START -> "S-091";
       default -> "S-092";
     };
   }

@@ -73,6 +73,7 @@ abstract class LoopModel
   @Override
   public final void energy(double t, double[] y, double[] energy) {
     work.motion.sweep(t, y);
+    work.applyForces(t);
     energy[0] = world.kineticEnergy() + work.rods.kineticEnergy(work.motion);
     energy[1] =
         world.potentialEnergy()

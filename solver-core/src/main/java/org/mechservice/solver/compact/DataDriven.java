@@ -3,7 +3,9 @@ package org.mechservice.solver.compact;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.closure.LinearisedProjectionModel;
 import org.mechservice.solver.closure.ProjectionModel;
+import org.mechservice.solver.closure.ResidualProjectionModel;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.dynamics.LinearisedResidualModel;
 import org.mechservice.solver.dynamics.RecursiveResidualModel;
@@ -44,6 +46,8 @@ final class DataDriven {
         new ClosedMechanism(model.mechanism(), model.formulation(), model.settings());
     return switch (model.formulation()) {
       case "DSR" -> new ProjectionModel(closed, userForces);
+      case "RR" -> new ResidualProjectionModel(closed, userForces);
+      case "RR-JF" -> new LinearisedProjectionModel(closed, userForces);
       default -> throw unknown(model.formulation());
     };
   }

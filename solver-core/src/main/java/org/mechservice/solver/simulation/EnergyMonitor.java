@@ -5,8 +5,8 @@ import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.integration.StateTransfer;
 
 /**
- * Watches the mechanical energy at the output times; without forces that do work it must stay what
- * it was.
+ * Watches the mechanical energy at the output times: less the work put in, it must stay what it
+ * was. Where work is done that nobody measures, nothing can be said of it.
  */
 final class EnergyMonitor {
   private final double[] energy = new double[2];
@@ -15,11 +15,18 @@ final class EnergyMonitor {
   private double initialPotential;
   private double drift;
   private double scale;
+  private boolean workUnknown;
 
-  /** Takes note of the energy in a state. */
-  void observe(Energies model, double t, double[] y) {
+  /**
+   * Takes note of the energy in a state.
+   *
+   * @param work put in since the start, J
+   * @param unmeasured whether work is done that is not in {@code work}
+   */
+  void observe(Energies model, double t, double[] y, double work, boolean unmeasured) {
     model.energy(t, y, energy);
-    double total = energy[0] + energy[1];
+    workUnknown |= unmeasured;
+    double total = energy[0] + energy[1] - work;
     if (!started) {
       started = true;
       initialTotal = total;
@@ -39,14 +46,17 @@ final class EnergyMonitor {
     return energy[1];
   }
 
-  /** Returns the largest |E(t) − E(0)| observed, J; empty if nothing was observed. */
+  /**
+   * Returns the largest |E(t) − W(t) − E(0)| observed, J; empty if nothing was observed or W is not
+   * known.
+   */
   OptionalDouble drift() {
-    return started ? OptionalDouble.of(drift) : OptionalDouble.empty();
+    return started && !workUnknown ? OptionalDouble.of(drift) : OptionalDouble.empty();
   }
 
   /** Returns the larger of largest kinetic energy and largest change of potential energy, J. */
   OptionalDouble scale() {
-    return started ? OptionalDouble.of(scale) : OptionalDouble.empty();
+    return started && !workUnknown ? OptionalDouble.of(scale) : OptionalDouble.empty();
   }
 
   /** Carries what was observed over. */
@@ -56,5 +66,6 @@ final class EnergyMonitor {
     initialPotential = state.number(initialPotential);
     drift = state.number(drift);
     scale = state.number(scale);
+    workUnknown = state.flag(workUnknown);
   }
 }

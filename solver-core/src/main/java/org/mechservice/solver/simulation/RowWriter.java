@@ -6,6 +6,7 @@ import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunNotes.Note;
@@ -53,11 +54,12 @@ final class RowWriter {
    *
    * @param t time, s
    * @param y state; not modified
+   * @param work of what has no potential energy, J
    * @return {@link #ALL_FINITE}, or the column of the first number that is not finite; the row is
    *     then not put out
    * @throws IOException if the sink cannot keep the row
    */
-  int write(double t, double[] y) throws IOException {
+  int write(double t, double[] y, double work) throws IOException {
     row[0] = t;
     System.arraycopy(y, 0, row, 1, y.length);
     unitOutput.normalize(t, row, 1);
@@ -71,10 +73,11 @@ final class RowWriter {
       System.arraycopy(poses, 0, row, layout.bodies(), poses.length);
     }
     if (model instanceof Energies energies) {
-      energyMonitor.observe(energies, t, y);
+      energyMonitor.observe(energies, t, y, work, doesWorkUnmeasured(t, y));
       if (layout.energy() != RowLayout.ABSENT) {
         row[layout.energy()] = energyMonitor.kinetic();
         row[layout.energy() + 1] = energyMonitor.potential();
+        row[layout.energy() + 2] = work;
       }
     }
     if (model instanceof ResultColumns further) {
@@ -92,6 +95,15 @@ final class RowWriter {
     sink.row(row);
     rows++;
     return ALL_FINITE;
+  }
+
+  /** Work is measured where its column is put out. */
+  boolean measuresWork() {
+    return layout.energy() != RowLayout.ABSENT;
+  }
+
+  private boolean doesWorkUnmeasured(double t, double[] y) {
+    return !measuresWork() && model instanceof PowerInput input && input.power(t, y) != 0;
   }
 
   /** Returns the name of a column. */

@@ -77,6 +77,7 @@ public final class Simulation implements Solver {
     private final ModelEquations equations;
     private final OutputTimes outputTimes;
     private final RowWriter rows;
+    private final WorkMeter work;
     private final CheckpointWriter checkpoints;
     private final double[] y;
     private final double[] yDot;
@@ -101,6 +102,7 @@ public final class Simulation implements Solver {
       outputTimes = new OutputTimes(settings);
       checkpoints = new CheckpointWriter(model, request, store);
       rows = new RowWriter(model, request, sink);
+      work = new WorkMeter(equations, integrator, model, rows.measuresWork(), settings.tStart());
       y = new double[equations.dimension()];
       yDot = new double[equations.dimension()];
       timeReached = settings.tStart();
@@ -136,7 +138,7 @@ public final class Simulation implements Solver {
       if (result == StepResult.FAILED) {
         return startFailed();
       }
-      int badColumn = rows.write(outputTimes.time(nextRow), y);
+      int badColumn = rows.write(outputTimes.time(nextRow), y, 0);
       if (badColumn != RowWriter.ALL_FINITE) {
         return rowFailed(outputTimes.time(nextRow), badColumn);
       }
@@ -157,6 +159,7 @@ public final class Simulation implements Solver {
       nextRow = state.integer(nextRow);
       steps = state.integer(steps);
       rows.transfer(state);
+      work.transfer(state);
       if (state.restoring()) {
         equations.resume(integrator, state.bytes(new byte[0]));
       } else {
@@ -198,15 +201,15 @@ public final class Simulation implements Solver {
           break;
         }
         integrator.interpolate(t, y, yDot);
-        if (!equations.closeLoops(t, y)) {
+        if (!equations.closeLoops(t, y) || !work.advance(t)) {
           return LOOPS_OPEN;
         }
-        int badColumn = rows.write(t, y);
+        int badColumn = rows.write(t, y, work.work());
         if (badColumn != RowWriter.ALL_FINITE) {
           return badColumn;
         }
       }
-      return RowWriter.ALL_FINITE;
+      return work.advance(timeReached) ? RowWriter.ALL_FINITE : LOOPS_OPEN;
     }
 
     private boolean goOn() {

@@ -1,0 +1,69 @@
+package org.mechservice.solver.simulation;
+
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.PowerInput;
+import org.mechservice.solver.integration.Integrator;
+import org.mechservice.solver.integration.StateTransfer;
+
+/**
+ * The work of everything that has no potential energy: its power integrated along the interpolated
+ * solution, by Lobatto's rule with four points, exact to degree 5.
+ */
+final class WorkMeter {
+  /** Points of the rule in [−1, 1], and its weights. */
+  private static final double[] POINTS = {-1, -1 / Math.sqrt(5), 1 / Math.sqrt(5), 1};
+
+  private static final double[] WEIGHTS = {1.0 / 6, 5.0 / 6, 5.0 / 6, 1.0 / 6};
+  private static final PowerInput NOTHING = (t, y) -> 0;
+
+  private final ModelEquations equations;
+  private final Integrator integrator;
+  private final PowerInput source;
+  private final double[] y;
+  private final double[] yDot;
+  private double reached;
+  private double work;
+
+  /**
+   * @param wanted whether the work is to be known; if not, or if the model does none, it stays zero
+   */
+  WorkMeter(
+      ModelEquations equations, Integrator integrator, Model model, boolean wanted, double t0) {
+    this.equations = equations;
+    this.integrator = integrator;
+    source = wanted && model instanceof PowerInput able ? able : NOTHING;
+    y = new double[equations.dimension()];
+    yDot = new double[equations.dimension()];
+    reached = t0;
+  }
+
+  /** Adds the work up to a time inside the last step; returns false if the loops are open there. */
+  boolean advance(double t) {
+    if (source == NOTHING || t <= reached) {
+      return true;
+    }
+    double half = 0.5 * (t - reached);
+    double middle = reached + half;
+    for (int i = 0; i < POINTS.length; i++) {
+      double at = i == 0 ? reached : i == POINTS.length - 1 ? t : middle + half * POINTS[i];
+      integrator.interpolate(at, y, yDot);
+      if (!equations.closeLoops(at, y)) {
+        return false;
+      }
+      work += half * WEIGHTS[i] * source.power(at, y);
+    }
+    reached = t;
+    return true;
+  }
+
+  /** Returns the work up to the time last advanced to, J; positive into the mechanism. */
+  double work() {
+    return work;
+  }
+
+  /** Carries the work over. */
+  void transfer(StateTransfer state) {
+    reached = state.number(reached);
+    work = state.number(work);
+  }
+}
