@@ -52,6 +52,12 @@ public final class GenerationLimits {
     if (!settings.absoluteTolerances().isUniform()) {
       beyond.add("absolute tolerances by class of state");
     }
+    add(
+        beyond,
+        "forces written as classes",
+        model.mechanism().forces().stream()
+            .filter(UserForceElement.class::isInstance)
+            .map(ForceElement::name));
     add(beyond, "outputs", model.outputs().stream().map(Output::name));
     add(beyond, "events", settings.events().stream().map(Event::name));
     return beyond;
@@ -64,12 +70,6 @@ public final class GenerationLimits {
       beyond.add("formulation " + choice.formulation());
     }
     add(beyond, "constraints", mechanism.closures().stream().map(LoopClosure::name));
-    add(
-        beyond,
-        "user forces",
-        mechanism.forces().stream()
-            .filter(UserForceElement.class::isInstance)
-            .map(ForceElement::name));
     add(beyond, "tunable parameters", mechanism.parameters().stream().map(Parameter::name));
     return beyond;
   }

@@ -16,6 +16,9 @@ import java.util.List;
 public final class Eigenvalues {
   private static final double ROUNDING = Math.ulp(1.0);
 
+  /** The square of a number of this size is still a normal number. */
+  private static final double SQUARABLE = 1.5e-154;
+
   /** An imaginary part below this many units of round-off of the norm, per row, is rounding. */
   private static final double REAL = 10;
 
@@ -44,7 +47,7 @@ public final class Eigenvalues {
     converged = schur.iterate();
     if (converged) {
       double tiny = realBelow(schur, REAL * n * ROUNDING * norm);
-      double smallest = Math.max(ROUNDING * norm, Double.MIN_NORMAL);
+      double smallest = Math.max(ROUNDING * norm, SQUARABLE);
       int to = 0;
       for (int k : upperHalf(schur, tiny)) {
         take(schur, form, k, to, smallest);
