@@ -26,7 +26,7 @@ class CommandLineTest {
       delimiter = '|',
       value = {
         "simulate m.xml --rtoll 1 | S-040 unknown option --rtoll; did you mean --rtol? (mech help simulate lists what there is)",
-        "simulate m.xml --closure penalty | S-040 unknown option --closure (mech help simulate lists what there is)",
+        "simulate m.xml --view x.html | S-040 unknown option --view (mech help simulate lists what there is)",
         "simulte m.xml | S-040 unknown command simulte; did you mean simulate? (mech help lists what there is)",
         "simulate m.xml n.xml | S-040 unknown word n.xml (mech help simulate lists what there is)",
         "simulate | S-041 MODEL.xml is missing (mech help simulate lists what there is)",
@@ -86,6 +86,6 @@ class CommandLineTest {
     mech("help", "simulate");
     assertThat(out.toString())
         .contains("--formulation", "--columns")
-        .doesNotContain("--closure", "--set", "--plot");
+        .doesNotContain("--view", "--set", "--plot");
   }
 }

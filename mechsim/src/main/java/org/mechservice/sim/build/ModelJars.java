@@ -6,6 +6,7 @@ import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.stream.Collectors;
@@ -13,11 +14,13 @@ import org.mechservice.sim.build.jar.ModelDescriptionXml;
 import org.mechservice.sim.build.jar.ReachableClasses;
 import org.mechservice.sim.build.jar.ReproducibleJar;
 import org.mechservice.sim.build.jar.Sha256;
+import org.mechservice.sim.build.jar.SolidClasses;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.simulation.SolverVersion;
+import org.mechservice.solver.standalone.Launcher;
 
 /** Packs models. */
 final class ModelJars {
@@ -35,11 +38,15 @@ final class ModelJars {
     SortedMap<String, byte[]> own = StandaloneMain.classFiles(model);
     String mainClass = StandaloneMain.className(model.generated());
     Map<String, String> manifest = new LinkedHashMap<>();
-    manifest.put("Main-Class", mainClass);
+    String launcher = Launcher.class.getName();
+    manifest.put("Main-Class", launcher);
     manifest.putAll(manifest(model, mechmlSha256));
+    SortedMap<String, byte[]> solver = ReachableClasses.from(own, SolverFiles.lean());
     ReproducibleJar jar = new ReproducibleJar(manifest).addClasses(own);
-    ReachableClasses.from(own, SolverFiles.lean()).forEach(jar::add);
-    return packed(model, mechmlSha256, jar, "-standalone", mainClass, manifest);
+    String launcherFile = launcher.replace('.', '/') + ".class";
+    jar.add(launcherFile, Objects.requireNonNull(SolverFiles.lean().get(launcherFile)));
+    jar.add(Launcher.SOLVER, SolidClasses.of(mainClass, solver));
+    return packed(model, mechmlSha256, jar, "-standalone", launcher, manifest);
   }
 
   private static PackedJar packed(

@@ -169,10 +169,10 @@ class GeneratedSourceTest {
     Map<String, String> refusals =
         Map.of(
             "RR-JF",
-            "S-081 formulation RR-JF is not in this version; use DTR or auto, which suit model"
-                + " \"FiveBarPendulum\": its joints form a tree",
+            "S-081 formulation RR-JF is a residual F(t, y, y') = 0, which integrator DE does"
+                + " not take; use ode15sR, or DTR or DSR",
             "XYZ",
-            "S-081 there is no formulation \"XYZ\"; use DTR or auto");
+            "S-081 there is no formulation \"XYZ\"; use DTR, DSR, RR, RR-JF or auto");
     refusals.forEach(
         (formulation, message) ->
             assertThatThrownBy(

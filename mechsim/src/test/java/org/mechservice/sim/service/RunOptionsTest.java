@@ -111,15 +111,7 @@ class RunOptionsTest {
   }
 
   @ParameterizedTest
-  @CsvSource({
-    "closure=penalty",
-    "set=L=2",
-    "tunable=L",
-    "compact=true",
-    "simulation=2",
-    "columns=reactions",
-    "atol=1;2;3;4"
-  })
+  @CsvSource({"set=L=2", "tunable=L", "simulation=2", "columns=reactions", "atol=1;2;3;4"})
   void whatThisVersionDoesNotDoIsSaid(String option) {
     assertThatThrownBy(() -> parse(option))
         .isInstanceOfSatisfying(

@@ -58,21 +58,10 @@ final class RowLayout {
       columns.add(new Variable("energy.work", "J"));
     }
     for (ColumnGroup group : BY_THE_MODEL) {
-      if (groups.contains(group)) {
-        addByModel(model, group, groups.size() == ColumnGroup.values().length);
+      if (groups.contains(group) && model instanceof ResultColumns further) {
+        offsets.put(group, columns.size());
+        columns.addAll(further.columns(group));
       }
-    }
-  }
-
-  /**
-   * @param ifThere whether the group may be missing, as when all groups are asked for
-   */
-  private void addByModel(ExplicitModel model, ColumnGroup group, boolean ifThere) {
-    if (model instanceof ResultColumns further) {
-      offsets.put(group, columns.size());
-      columns.addAll(further.columns(group));
-    } else if (!ifThere) {
-      throw builtWithout(model, group);
     }
   }
 
