@@ -2,15 +2,20 @@ package org.mechservice.examples;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.spi.ToolProvider;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipFile;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.solver.standalone.Launcher;
 
 /** {@code ./mech build --standalone}: a model that needs nothing but Java. */
 class StandaloneJarIT {
@@ -59,18 +64,46 @@ class StandaloneJarIT {
   }
 
   @Test
-  void needsNothingButTheBaseOfJavaAndNoNetwork() {
+  void needsNothingButTheBaseOfJavaAndNoNetwork() throws IOException {
+    String classes = withSolverUnpacked(jar).toString();
     StringWriter packages = new StringWriter();
     ToolProvider.findFirst("jdeps")
         .orElseThrow()
-        .run(new PrintWriter(packages), new PrintWriter(packages), "-summary", jar.toString());
-    assertThat(packages.toString().strip()).isEqualTo("p.jar -> java.base");
+        .run(new PrintWriter(packages), new PrintWriter(packages), "-summary", classes);
+    assertThat(packages.toString().strip()).isEqualTo("unpacked -> java.base");
 
     StringWriter details = new StringWriter();
     ToolProvider.findFirst("jdeps")
         .orElseThrow()
-        .run(new PrintWriter(details), new PrintWriter(details), jar.toString());
+        .run(new PrintWriter(details), new PrintWriter(details), classes);
     assertThat(details.toString()).doesNotContain("java.net", "java.rmi");
+  }
+
+  /** Returns a folder with the JAR's class files, those in the file of the solver among them. */
+  private static Path withSolverUnpacked(Path jar) throws IOException {
+    Path folder = jar.resolveSibling("unpacked");
+    try (ZipFile zip = new ZipFile(jar.toFile())) {
+      for (ZipEntry entry : Collections.list(zip.entries())) {
+        if (entry.getName().endsWith(".class")) {
+          write(folder.resolve(entry.getName()), zip.getInputStream(entry).readAllBytes());
+        }
+      }
+      ZipEntry solver = zip.getEntry(Launcher.SOLVER);
+      try (DataInputStream in = new DataInputStream(zip.getInputStream(solver))) {
+        assertThat(in.readUTF()).endsWith("Main");
+        int count = in.readInt();
+        for (int i = 0; i < count; i++) {
+          Path file = folder.resolve(in.readUTF().replace('.', '/') + ".class");
+          write(file, in.readNBytes(in.readInt()));
+        }
+      }
+    }
+    return folder;
+  }
+
+  private static void write(Path file, byte[] bytes) throws IOException {
+    Files.createDirectories(file.resolveSibling("."));
+    Files.write(file, bytes);
   }
 
   @Test
