@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.ModelState;
@@ -38,7 +37,7 @@ public abstract class ModelEquations implements UnitGroups, SavedSystem {
     List<Integer> starts = new ArrayList<>();
     int position = 0;
     for (JointVariables joint : description.joints()) {
-      if (joint.type() == JointType.S || joint.type() == JointType.F) {
+      if (joint.type().hasEulerParameters()) {
         starts.add(position);
       }
       position += joint.type().positionCount();
