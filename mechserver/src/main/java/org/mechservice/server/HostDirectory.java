@@ -146,7 +146,7 @@ final class HostDirectory implements AutoCloseable {
   private void drop(KnownHost host, String why) {
     if (hosts.remove(host.name(), host)) {
       outbound.forbid(host.endpoint().host(), host.endpoint().port());
-      host.silent("dropped: " + why);
+      host.dropped(why);
       synchronized (dropped) {
         dropped.addFirst(host);
         if (dropped.size() > DROPPED_KEPT) {

@@ -26,6 +26,7 @@ final class KnownHost {
   private HostLoad load = new HostLoad(0, 0, 0, 0, 0, false, new NameValue[0]);
   private long lastEvent;
   private boolean reachable = true;
+  private boolean dropped;
   private String text = "";
 
   /**
@@ -71,11 +72,15 @@ final class KnownHost {
   }
 
   /**
-   * Notes what the host said of its load.
+   * Notes what the host said of its load. A dropped host stays dropped: what it said to a question
+   * asked before no longer counts.
    *
    * @param askedAt when it was asked, by {@link System#nanoTime}
    */
   synchronized void answered(HostLoad said, long askedAt) {
+    if (dropped) {
+      return;
+    }
     load = said;
     reachable = true;
     text = "";
@@ -103,8 +108,17 @@ final class KnownHost {
 
   /** Notes that the host did not answer. */
   synchronized void silent(String why) {
+    if (!dropped) {
+      reachable = false;
+      text = why;
+    }
+  }
+
+  /** Notes that the host was dropped, for good. */
+  synchronized void dropped(String why) {
+    dropped = true;
     reachable = false;
-    text = why;
+    text = "dropped: " + why;
   }
 
   synchronized HostLoad load() {

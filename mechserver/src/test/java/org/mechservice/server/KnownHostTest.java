@@ -1,0 +1,45 @@
+package org.mechservice.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.lang.reflect.Proxy;
+import org.junit.jupiter.api.Test;
+import org.mechservice.idl.HostInfo;
+import org.mechservice.idl.HostLoad;
+import org.mechservice.idl.MechSimHostOperations;
+import org.mechservice.idl.NameValue;
+import org.mechservice.orb.Endpoint;
+
+class KnownHostTest {
+  private static final HostLoad IDLE = new HostLoad(0, 0, 0, 0, 0, false, new NameValue[0]);
+
+  private final KnownHost host =
+      new KnownHost(new HostInfo(), neverAsked(), /* own= */ false, new Endpoint("127.0.0.1", 1));
+
+  private static MechSimHostOperations neverAsked() {
+    return (MechSimHostOperations)
+        Proxy.newProxyInstance(
+            KnownHostTest.class.getClassLoader(),
+            new Class<?>[] {MechSimHostOperations.class},
+            (proxy, method, arguments) -> {
+              throw new UnsupportedOperationException(method.getName());
+            });
+  }
+
+  @Test
+  void silentHostIsReachableAgainOnceItAnswers() {
+    host.silent("no answer");
+    host.answered(IDLE, System.nanoTime());
+    assertThat(host.open()).isTrue();
+  }
+
+  /** An answer may be on its way while the host is dropped. */
+  @Test
+  void droppedHostStaysDroppedWhenALateAnswerArrives() {
+    host.dropped("it has not renewed");
+    host.answered(IDLE, System.nanoTime());
+    host.silent("no answer");
+    assertThat(host.open()).isFalse();
+    assertThat(host.status().text).isEqualTo("dropped: it has not renewed");
+  }
+}
