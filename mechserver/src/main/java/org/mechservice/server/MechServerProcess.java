@@ -11,8 +11,10 @@ import org.mechservice.idl.MechAdminPOATie;
 import org.mechservice.idl.MechServerOperations;
 import org.mechservice.idl.MechServerPOATie;
 import org.mechservice.idl.MechSimHostOperations;
+import org.mechservice.orb.Caller;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.ListenAddress;
+import org.mechservice.orb.Role;
 import org.mechservice.orb.ServiceKey;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.sim.host.SimHost;
@@ -65,9 +67,16 @@ public final class MechServerProcess implements AutoCloseable {
             new MechServerPOATie(GuardedServant.of(MechServerOperations.class, server, () -> {})),
             ServiceKey.REGISTRY,
             new HostRegistryPOATie(
-                GuardedServant.of(HostRegistryOperations.class, registry, () -> {})),
+                GuardedServant.of(
+                    HostRegistryOperations.class,
+                    registry,
+                    () -> Caller.current().require(Role.SERVER))),
             ServiceKey.ADMIN,
-            new MechAdminPOATie(GuardedServant.of(MechAdminOperations.class, admin, () -> {}))));
+            new MechAdminPOATie(
+                GuardedServant.of(
+                    MechAdminOperations.class,
+                    admin,
+                    () -> Caller.current().require(Role.ADMIN)))));
   }
 
   /**
@@ -82,7 +91,8 @@ public final class MechServerProcess implements AutoCloseable {
 
   static MechServerProcess start(ServerSettings settings, ServerTuning tuning, OwnHost host) {
     ServiceOrb orb =
-        ServiceOrb.server(new ListenAddress(settings.listenAddress(), settings.port()));
+        ServiceOrb.server(
+            new ListenAddress(settings.listenAddress(), settings.port(), settings.tls()));
     try {
       return new MechServerProcess(settings, orb, tuning, host);
     } catch (RuntimeException e) {
