@@ -64,12 +64,12 @@ final class ServerLocation {
   }
 
   /**
-   * Asks the server who it is.
+   * Asks the server who it is, and returns its answer.
    *
    * @throws ServiceUnreachableException if nobody answers in time, or not a MechService that speaks
    *     this API
    */
-  void requireService() {
+  ServerInfo requireService() {
     ServerInfo info = ask();
     if (!major(info.apiVersion).equals(major(API_VERSION.value))) {
       throw new ServiceUnreachableException(
@@ -83,6 +83,7 @@ final class ServerLocation {
               info.serverVersion),
           null);
     }
+    return info;
   }
 
   private ServerInfo ask() {

@@ -20,6 +20,7 @@ import org.mechservice.idl.IMechClientPOATie;
 import org.mechservice.idl.MechAdmin;
 import org.mechservice.idl.MechAdminHelper;
 import org.mechservice.idl.MechServer;
+import org.mechservice.idl.ServerInfo;
 import org.omg.CORBA.INITIALIZE;
 import org.omg.CORBA.ORB;
 import org.omg.CORBA.UserException;
@@ -138,7 +139,24 @@ public final class ServiceOrb implements AutoCloseable {
    * @throws IllegalArgumentException with code S-006 if the URL is none
    */
   public MechServer connect(String url) {
-    return located(url).connect();
+    return connectTo(url).server();
+  }
+
+  /**
+   * A server that answered.
+   *
+   * @param server its object
+   * @param info what it said of itself
+   */
+  public record Connected(MechServer server, ServerInfo info) {}
+
+  /**
+   * Connects to a server like {@link #connect}, and returns its answer too, which took a round
+   * trip.
+   */
+  public Connected connectTo(String url) {
+    ServerLocation location = found(url);
+    return new Connected(location.connect(), location.requireService());
   }
 
   /**
@@ -161,6 +179,12 @@ public final class ServiceOrb implements AutoCloseable {
   }
 
   private ServerLocation located(String written) {
+    ServerLocation location = found(written);
+    location.requireService();
+    return location;
+  }
+
+  private ServerLocation found(String written) {
     ServiceUrl url = ServiceUrl.parse(written);
     url.requireFits(peers.tls().isPresent());
     if (!url.isReference()) {
@@ -168,7 +192,6 @@ public final class ServiceOrb implements AutoCloseable {
     }
     ServerLocation location = ServerLocation.of(orb, url, peers.tls());
     allow(location.endpoint().host(), location.endpoint().port());
-    location.requireService();
     return location;
   }
 

@@ -32,6 +32,7 @@ public final class MechServerProcess implements AutoCloseable {
   private final MechServerServant server;
   private final CountDownLatch closed = new CountDownLatch(1);
   private final AtomicBoolean closing = new AtomicBoolean();
+  private final Findable findable;
 
   private MechServerProcess(
       ServerSettings settings, ServiceOrb orb, ServerTuning tuning, OwnHost host) {
@@ -57,6 +58,7 @@ public final class MechServerProcess implements AutoCloseable {
     publish(
         new MechAdminServant(server, directory, placement, farmLimits, journal, this::shutDown),
         new HostRegistryServant(orb, directory, farmLimits));
+    findable = Findable.make(orb, settings.iorFile(), settings.naming());
     journal.tell(Happening.info("server-started", "server " + settings.name() + " has started"));
   }
 
@@ -83,7 +85,10 @@ public final class MechServerProcess implements AutoCloseable {
    * Starts a server.
    *
    * @throws org.mechservice.orb.PortInUseException if the port is taken
-   * @throws IllegalArgumentException with code S-004 if the address cannot be listened on
+   * @throws IllegalArgumentException if the address cannot be listened on (S-004) or the reference
+   *     cannot be written (S-162)
+   * @throws org.mechservice.orb.ServiceUnreachableException with code S-020 if the naming service
+   *     does not take the name
    */
   public static MechServerProcess start(ServerSettings settings) {
     return start(settings, ServerTuning.DEFAULT, OwnHost.INSTALLED);
@@ -128,6 +133,7 @@ public final class MechServerProcess implements AutoCloseable {
   @Override
   public void close() {
     if (closing.compareAndSet(false, true)) {
+      findable.close();
       ownHost.ifPresent(SimHost::close);
       directory.close();
       orb.close();

@@ -131,8 +131,7 @@ class TlsTest {
                   return null;
                 });
     try (ServiceOrb alice = ServiceOrb.client(identity("alice"))) {
-      MechSim session =
-          alice.connect(server.url()).createSession("", "h", alice.export(listener));
+      MechSim session = alice.connect(server.url()).createSession("", "h", alice.export(listener));
       run(session);
       String said = "";
       while (!said.equals("done")) {
@@ -166,7 +165,8 @@ class TlsTest {
     try (ServiceOrb stranger = ServiceOrb.client(mallory)) {
       assertThatThrownBy(() -> stranger.connect(server.url()))
           .isInstanceOf(ServiceUnreachableException.class)
-          .hasMessageStartingWith("S-152 no trust between this process and the server at 127.0.0.1");
+          .hasMessageStartingWith(
+              "S-152 no trust between this process and the server at 127.0.0.1");
     }
   }
 

@@ -60,8 +60,7 @@ final class Authority {
     Extensions extensions =
         new Extensions()
             .with(Extension.basicConstraints, true, new BasicConstraints(0))
-            .with(
-                Extension.keyUsage, true, new KeyUsage(KeyUsage.keyCertSign | KeyUsage.cRLSign));
+            .with(Extension.keyUsage, true, new KeyUsage(KeyUsage.keyCertSign | KeyUsage.cRLSign));
     X509Certificate own =
         certificate(name, name, pair.getPublic(), pair.getPrivate(), OWN_LIFE, extensions);
     return new Authority(new StoredKey(pair.getPrivate(), List.of(own)));

@@ -57,13 +57,15 @@ public final class KeyFolder {
   }
 
   private static IllegalArgumentException unusable(String what, Exception cause) {
-    return new IllegalArgumentException("S-155 no keys can be made in " + what + ": " + cause, cause);
+    return new IllegalArgumentException(
+        "S-155 no keys can be made in " + what + ": " + cause, cause);
   }
 
   /**
    * Makes an identity for a server or host, in a folder with the first of its names.
    *
-   * @param names names and numeric addresses at which it is reached; what a name resolves to is added
+   * @param names names and numeric addresses at which it is reached; what a name resolves to is
+   *     added
    * @throws IllegalArgumentException with code S-155 if a name cannot be used
    */
   public void server(List<String> names) {

@@ -67,11 +67,12 @@ record StoredKey(PrivateKey key, List<X509Certificate> chain) {
     String password = Base64.getUrlEncoder().withoutPadding().encodeToString(random);
     try {
       KeyStore keys = empty();
-      keys.setKeyEntry(
-          ALIAS, key, password.toCharArray(), chain.toArray(Certificate[]::new));
+      keys.setKeyEntry(ALIAS, key, password.toCharArray(), chain.toArray(Certificate[]::new));
       KeyStore trust = empty();
       trust.setCertificateEntry("authority", trusted);
-      write(folder.resolve(TlsIdentity.PASSWORD_FILE), (password + "\n").getBytes(StandardCharsets.US_ASCII));
+      write(
+          folder.resolve(TlsIdentity.PASSWORD_FILE),
+          (password + "\n").getBytes(StandardCharsets.US_ASCII));
       write(folder.resolve(TlsIdentity.KEY_FILE), bytes(keys, password));
       write(folder.resolve(TlsIdentity.TRUST_FILE), bytes(trust, password));
       write(folder.resolve(CERTIFICATE_FILE), pem(chain.get(0)));

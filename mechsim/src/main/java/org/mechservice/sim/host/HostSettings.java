@@ -29,8 +29,7 @@ public record HostSettings(
   }
 
   /** A host without encryption. */
-  public HostSettings(
-      List<String> serverUrls, String listenAddress, int port, HostOptions host) {
+  public HostSettings(List<String> serverUrls, String listenAddress, int port, HostOptions host) {
     this(serverUrls, listenAddress, port, host, Optional.empty());
   }
 }

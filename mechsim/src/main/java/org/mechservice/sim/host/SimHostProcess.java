@@ -79,7 +79,7 @@ public final class SimHostProcess implements AutoCloseable {
 
   /** Starts a host with a solver of one's own. */
   public static SimHostProcess start(HostSettings settings, Solver solver) {
-    ServiceOrb orb = 
+    ServiceOrb orb =
         ServiceOrb.host(
             new ListenAddress(settings.listenAddress(), settings.port(), settings.tls()));
     try {

@@ -239,8 +239,7 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public RuntimeInfo getRuntimeInfo() {
     PackedJar jar = ModelFactory.runtimeJar();
-    return new RuntimeInfo(
-        jar.sha256(), jar.bytes().length, signature(jar), SolverVersion.CURRENT);
+    return new RuntimeInfo(jar.sha256(), jar.bytes().length, signature(jar), SolverVersion.CURRENT);
   }
 
   @Override
