@@ -157,6 +157,11 @@ public final class SemiRecursive {
     }
 
     @Override
+    public double[] transmitted() {
+      return newtonEuler.force;
+    }
+
+    @Override
     public int factorMassMatrix() {
       return mass.factor(check, scale);
     }
