@@ -2,16 +2,16 @@ package org.mechservice.solver.analysis;
 
 import java.util.Arrays;
 import org.mechservice.solver.api.Defects.Defect;
+import org.mechservice.solver.closure.CoordinateUnits;
 import org.mechservice.solver.closure.LoopEquations;
+import org.mechservice.solver.closure.ScaledJacobian;
 import org.mechservice.solver.dynamics.OpenTree;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.UserForceSource;
-import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
-import org.mechservice.solver.linear.SingularValues;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
@@ -22,9 +22,6 @@ import org.mechservice.solver.mechanism.Mechanism;
  * norm, each counted as the moment or the force times the mechanism's length.
  */
 final class EquationsOfMotion {
-  /** Singular values below this part of the largest are not divided by. */
-  private static final double NEGLIGIBLE = 1e-9;
-
   /** Residual over its size at which loops are closed, and what rounding may leave of it. */
   private static final double CLOSED = 1e-14;
 
@@ -54,14 +51,13 @@ final class EquationsOfMotion {
   /** Unit of each velocity of the state, 1 or the mechanism's length in m, per second. */
   final double[] unit;
 
-  /** Applied wrenches and those of the multipliers, 6 per link. */
+  /** Applied wrenches and joint forces with those of the multipliers. */
   final double[] loadedWrench;
 
-  private final double[] loadedTau;
-  private final SingularValues singular;
-  private final double[] scaled;
-  private final double[] right;
-  private final double[] scaledRows;
+  final double[] loadedTau;
+
+  /** J by its singular values, as decomposed last. */
+  final ScaledJacobian jacobian;
 
   /** Change found by {@link #solveLeast}, one number per velocity of the state. */
   final double[] step;
@@ -81,15 +77,9 @@ final class EquationsOfMotion {
     lambda = new double[loops.count()];
     loadedWrench = new double[wrench.length];
     loadedTau = new double[tau.length];
-    singular = new SingularValues(loops.count(), nv);
-    scaled = new double[loops.count() * nv];
-    right = new double[nv];
-    scaledRows = new double[loops.count()];
+    unit = new CoordinateUnits(mechanism, loops.length()).velocities;
+    jacobian = new ScaledJacobian(loops, unit);
     step = new double[nv];
-    unit = new double[nv];
-    for (int j = 0; j < nv; j++) {
-      unit[j] = tree.kind[tree.linkOfVelocity[j]] == LinkKind.SLIDE ? loops.length() : 1;
-    }
   }
 
   /** Sweeps places and velocities; evaluates Φ, J and Φ'. */
@@ -128,45 +118,19 @@ final class EquationsOfMotion {
    */
   void balance() {
     System.arraycopy(wrench, 0, loadedWrench, 0, wrench.length);
+    System.arraycopy(tau, 0, loadedTau, 0, tau.length);
     if (lambda.length == 0) {
       return;
     }
-    scaleJacobian();
-    for (int j = 0; j < nv; j++) {
-      right[j] = -residual[j] * unit[j];
-    }
-    singular.solveTransposed(rank(), right, lambda);
-    for (int row = 0; row < lambda.length; row++) {
-      lambda[row] /= loops.size(row);
-    }
-    System.arraycopy(tau, 0, loadedTau, 0, tau.length);
+    jacobian.decompose();
+    jacobian.multipliers(rank(), residual, lambda);
     loops.addForces(lambda, -1, loadedWrench, loadedTau);
     open.formResidual(loadedWrench, loadedTau, residual);
   }
 
-  /** Decomposes J with its rows over their sizes and its columns in units. */
-  void scaleJacobian() {
-    for (int row = 0; row < lambda.length; row++) {
-      for (int j = 0; j < nv; j++) {
-        scaled[row * nv + j] = loops.jacobian[row * loops.width() + j] * unit[j] / loops.size(row);
-      }
-    }
-    singular.decompose(scaled);
-  }
-
-  /** Returns the number of independent equations at the last {@link #scaleJacobian}. */
+  /** Returns the number of independent equations at the last decomposition of J. */
   int rank() {
-    int rank = 0;
-    while (rank < Math.min(lambda.length, nv)
-        && singular.value(rank) > NEGLIGIBLE * singular.value(0)) {
-      rank++;
-    }
-    return rank;
-  }
-
-  /** Returns the decomposition of the last {@link #scaleJacobian}. */
-  double[] scaledJacobian() {
-    return scaled;
+    return jacobian.rank(lambda.length);
   }
 
   /**
@@ -193,20 +157,9 @@ final class EquationsOfMotion {
     return loops.largestResidual() <= ROUNDED;
   }
 
-  /** Leaves the smallest x with J x = −right in {@code step}. */
+  /** Leaves the smallest x with J x = −rows in {@code step}. */
   void solveLeast(double[] rows) {
-    scaleJacobian();
-    for (int row = 0; row < lambda.length; row++) {
-      scaledRows[row] = -rows[row] / loops.size(row);
-    }
-    singular.solve(rank(), scaledRows, step);
-    for (int j = 0; j < nv; j++) {
-      step[j] *= unit[j];
-    }
-  }
-
-  /** Returns the ratio of the smallest singular value that counts to the largest. */
-  double smallestOverLargest(int independent) {
-    return independent == 0 ? 1 : singular.value(independent - 1) / singular.value(0);
+    jacobian.decompose();
+    jacobian.change(rank(), rows, step);
   }
 }

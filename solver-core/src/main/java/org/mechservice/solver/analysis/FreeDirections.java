@@ -31,10 +31,10 @@ final class FreeDirections {
   FreeDirections(EquationsOfMotion equations) {
     this.equations = equations;
     n = equations.nv;
-    equations.scaleJacobian();
+    equations.jacobian.decompose();
     rank = equations.rank();
     PivotedElimination elimination = new PivotedElimination(equations.lambda.length, n);
-    elimination.eliminate(equations.scaledJacobian(), rank);
+    elimination.eliminate(equations.jacobian.elements(), rank);
     independent = new int[n - rank];
     dependent = new int[rank];
     kept = new int[rank];
@@ -63,7 +63,7 @@ final class FreeDirections {
     double[] block = new double[rank * rank];
     for (int i = 0; i < rank; i++) {
       for (int j = 0; j < rank; j++) {
-        block[i * rank + j] = equations.scaledJacobian()[kept[i] * n + dependent[j]];
+        block[i * rank + j] = equations.jacobian.elements()[kept[i] * n + dependent[j]];
       }
     }
     if (lu.factor(block) != LinearSolver.NONSINGULAR) {

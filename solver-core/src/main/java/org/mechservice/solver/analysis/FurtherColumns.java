@@ -40,16 +40,16 @@ public final class FurtherColumns implements ResultColumns {
     this.model = model;
     equations = new EquationsOfMotion(data.mechanism(), userForces);
     for (ColumnGroup group : asked) {
-      groups.put(group, values(group, data, userForces));
+      groups.put(group, values(group, data));
     }
     needsBalance = asked.stream().anyMatch(group -> group != ColumnGroup.OUTPUTS);
     yDot = new double[equations.nq + equations.nv];
   }
 
-  private ColumnValues values(ColumnGroup group, CompactModel data, UserForceSource userForces) {
+  private ColumnValues values(ColumnGroup group, CompactModel data) {
     return switch (group) {
       case CONSTRAINTS -> new ConstraintColumns(equations);
-      case REACTIONS -> new ReactionColumns(equations, userForces);
+      case REACTIONS -> new ReactionColumns(equations);
       case FORCES -> new ForceColumns(equations);
       case OUTPUTS -> new OutputColumns(equations.motion, data.outputs());
       default -> throw new IllegalArgumentException(group + " are columns of the model itself");

@@ -3,16 +3,16 @@ package org.mechservice.solver.analysis;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.Variable;
-import org.mechservice.solver.force.UserForceSource;
-import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.closure.CutReaction;
+import org.mechservice.solver.closure.LoopEquations;
+import org.mechservice.solver.dynamics.JointReactions;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.JointClosure;
-import org.mechservice.solver.mechanism.closure.LoopClosure;
 
 /**
- * Force and moment that pass through each joint, as if it were cut: bearing forces, what drives it,
- * and springs, dampers and friction in it. They act on the outer body of a joint of the tree, and
+ * Force and moment that each joint exerts by what it forbids and by what drives it, without springs,
+ * dampers and friction along its coordinates. They act on the outer body of a joint of the tree, and
  * on body 2 of a cut joint, at that body's point of the joint; world axes.
  */
 final class ReactionColumns implements ColumnValues {
@@ -21,16 +21,19 @@ final class ReactionColumns implements ColumnValues {
   private final EquationsOfMotion equations;
   private final List<Variable> columns = new ArrayList<>();
   private final List<CutReaction> cuts = new ArrayList<>();
+  private final JointReactions joints;
 
-  ReactionColumns(EquationsOfMotion equations, UserForceSource userForces) {
+  ReactionColumns(EquationsOfMotion equations) {
     this.equations = equations;
+    joints = new JointReactions(equations.motion);
     Mechanism mechanism = equations.tree.mechanism();
     mechanism.joints().forEach(this::addColumns);
-    for (int c = 0; c < mechanism.closures().size(); c++) {
-      LoopClosure closure = mechanism.closures().get(c);
-      if (closure instanceof JointClosure cut) {
+    LoopEquations loops = equations.loops;
+    for (int row = 0; row < loops.count(); row++) {
+      boolean first = row == 0 || loops.closure(row) != loops.closure(row - 1);
+      if (first && loops.closure(row) instanceof JointClosure cut) {
         addColumns(cut.joint());
-        cuts.add(new CutReaction(equations, userForces, c));
+        cuts.add(new CutReaction(cut, equations.tree, loops, row));
       }
     }
   }
@@ -48,19 +51,11 @@ final class ReactionColumns implements ColumnValues {
 
   @Override
   public void write(double t, double[] values, int at) {
-    TreeGeometry tree = equations.tree;
-    List<Joint> joints = tree.mechanism().joints();
-    double[] transmitted = equations.open.transmitted();
-    int to = at;
-    for (int j = 0; j < joints.size(); j++) {
-      // The reference point of a body's link is the joint's point on it.
-      int link = tree.linkOf(joints.get(j).attachment().child());
-      equations.motion.toWorld(link, transmitted, 6 * link + 3, values, to);
-      equations.motion.toWorld(link, transmitted, 6 * link, values, to + 3);
-      to += COMPONENTS.length;
-    }
+    joints.evaluate(equations.loadedWrench, equations.loadedTau);
+    System.arraycopy(joints.wrench, 0, values, at, joints.wrench.length);
+    int to = at + joints.wrench.length;
     for (int i = 0; i < cuts.size(); i++) {
-      cuts.get(i).write(t, values, to);
+      cuts.get(i).write(equations.motion, equations.lambda, values, to);
       to += COMPONENTS.length;
     }
   }

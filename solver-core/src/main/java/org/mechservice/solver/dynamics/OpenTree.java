@@ -50,10 +50,4 @@ public interface OpenTree {
    *     velocities are the forces that drive them
    */
   void formResidual(double[] wrench, double[] tau, double[] residual);
-
-  /**
-   * Returns the wrenches that links take from their parents in the last {@link #formResidual}:
-   * [moment; force] in link axes at the reference points, 6 per link, N·m, N; not to be modified.
-   */
-  double[] transmitted();
 }

@@ -157,11 +157,6 @@ public final class SemiRecursive {
     }
 
     @Override
-    public double[] transmitted() {
-      return newtonEuler.force;
-    }
-
-    @Override
     public int factorMassMatrix() {
       return mass.factor(check, scale);
     }

@@ -45,16 +45,7 @@ public final class ForceSet {
    *     made, or asks for what is not there
    */
   public ForceSet(TreeMotion motion, UserForceSource source) {
-    this(motion, source, motion.tree().mechanism().forces());
-  }
-
-  /**
-   * Prepares some of a mechanism's forces.
-   *
-   * @param elements which, in the order they are to be added
-   * @throws IllegalArgumentException as {@link #ForceSet(TreeMotion, UserForceSource)}
-   */
-  public ForceSet(TreeMotion motion, UserForceSource source, List<ForceElement> elements) {
+    List<ForceElement> elements = motion.tree().mechanism().forces();
     forces = new AppliedForce[elements.size()];
     valueAt = new int[forces.length + 1];
     ForceAssembly assembly = new ForceAssembly(motion, source);
