@@ -18,8 +18,11 @@ import org.mechservice.solver.api.Solver;
  * @param model an instance for one run
  * @param solver the server's solver
  * @param formulationReason why the model was generated in its formulation; empty if not said
+ * @param shown column groups its file selects
  */
-record FetchedModel(Model model, Solver solver, Optional<String> formulationReason) {
+record FetchedModel(
+    Model model, Solver solver, Optional<String> formulationReason, Set<ColumnGroup> shown) {
+  private static final String SHOWN_ATTRIBUTE = "Mech-Columns-Shown";
   private static final String API_VERSION_ATTRIBUTE = "Mech-Api-Version";
   private static final String REASON_ATTRIBUTE = "Mech-Formulation-Reason";
 
@@ -37,7 +40,8 @@ record FetchedModel(Model model, Solver solver, Optional<String> formulationReas
       return new FetchedModel(
           instance(classes, modelJar.mainClass()),
           solver(classes),
-          model.attribute(REASON_ATTRIBUTE));
+          model.attribute(REASON_ATTRIBUTE),
+          ColumnGroup.of(model.attribute(SHOWN_ATTRIBUTE).orElse(ColumnGroup.JOINTS.label())));
     } catch (ReflectiveOperationException | LinkageError | ServiceConfigurationError e) {
       throw refused("cannot be loaded: " + e);
     }
@@ -70,8 +74,11 @@ record FetchedModel(Model model, Solver solver, Optional<String> formulationReas
     return new JarRefusedException("S-036", "the model JAR " + why);
   }
 
-  LocalRun prepare(Set<ColumnGroup> columns, Map<String, Object> facts) {
-    RunRequest request = new RunRequest(model.description().defaults(), columns);
+  /**
+   * @param columns column groups asked for; empty: those its file selects
+   */
+  LocalRun prepare(Optional<Set<ColumnGroup>> columns, Map<String, Object> facts) {
+    RunRequest request = new RunRequest(model.description().defaults(), columns.orElse(shown));
     return new LocalRun(model, solver, request, facts);
   }
 }
