@@ -45,7 +45,7 @@ final class ReportCommand implements Callable<Integer> {
   public Integer call() throws IOException, InterruptedException {
     Effort effort = quick ? Effort.QUICK : Effort.FULL;
     PrintWriter err = spec.commandLine().getErr();
-    try (Service service = Service.open(server.address())) {
+    try (Service service = Service.open(server)) {
       for (Path model : models) {
         try (MechSession session = service.connection().openSession();
             ProgressLine line = new ProgressLine(err)) {
