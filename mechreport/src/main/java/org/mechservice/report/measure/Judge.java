@@ -23,6 +23,9 @@ public record Judge(
   /** What is made here must agree with what came with the product so well. */
   private static final double AGREES = 1e-6;
 
+  /** Codes may differ by so many times what one unit in the last place does. */
+  private static final double EXPLAINED = 1e4;
+
   /** A floor above this, at a time that is kept all the same, is a warning. */
   private static final double USEFUL = 1e-7;
 
@@ -103,16 +106,28 @@ public record Judge(
               reference.times()[count - 1]));
     }
     Reference kept = reference.upTo(count);
-    boolean doubtful = kept.worstFloor() > USEFUL;
+    boolean doubtful = kept.worstFloor() > USEFUL || disagree(reference);
     if (doubtful) {
       said.add(
           String.format(
               Locale.ROOT,
-              "The reference is doubtful: it is known to %.1e only. Smaller errors mean nothing.",
-              kept.worstFloor()));
+              "The reference is doubtful: its codes differ by up to %.1e, more than rounding"
+                  + " explains. Smaller errors mean nothing.",
+              reference.worstFloor()));
     }
     RunGrid shorter = new RunGrid(grid.start(), grid.step(), grid.row(kept.end()) + 1);
     return new Judge(Optional.of(kept), shorter, said, doubtful);
+  }
+
+  /** Whether codes differ where they should not, by far more than a motion amplifies rounding. */
+  private static boolean disagree(Reference reference) {
+    for (int i = 0; i < reference.floor().length; i++) {
+      double explained = EXPLAINED * Math.max(reference.rounding()[i], Math.ulp(1.0));
+      if (reference.floor()[i] > Math.max(CUT, explained)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Returns the times of the reference, for a look at the spectrum. */

@@ -47,13 +47,30 @@ public final class ReferenceMaker {
 
   private final StateDistance distance;
   private final double secondsPerCode;
+  private final double radauTolerance;
+  private final double extrapolationTolerance;
 
   /**
    * @param secondsPerCode what one solution may take, s
    */
   public ReferenceMaker(StateDistance distance, double secondsPerCode) {
+    this(distance, secondsPerCode, RADAU_TOLERANCE, EXTRAPOLATION_TOLERANCE);
+  }
+
+  /**
+   * @param secondsPerCode what one solution may take, s
+   * @param radauTolerance of the collocation codes' estimate
+   * @param extrapolationTolerance of the other
+   */
+  public ReferenceMaker(
+      StateDistance distance,
+      double secondsPerCode,
+      double radauTolerance,
+      double extrapolationTolerance) {
     this.distance = distance;
     this.secondsPerCode = secondsPerCode;
+    this.radauTolerance = radauTolerance;
+    this.extrapolationTolerance = extrapolationTolerance;
   }
 
   /**
@@ -80,19 +97,19 @@ public final class ReferenceMaker {
     return solved.isEmpty() ? Optional.empty() : Optional.of(judged(solved, times, said));
   }
 
-  private static List<Attempt> attempts(List<Source> sources) {
+  private List<Attempt> attempts(List<Source> sources) {
     Source first = sources.get(0);
     Source second = sources.get(Math.min(1, sources.size() - 1));
-    Attempt extrapolation = new Attempt(second, new ExtrapolationCode(8), EXTRAPOLATION_TOLERANCE);
+    Attempt extrapolation = new Attempt(second, new ExtrapolationCode(8), extrapolationTolerance);
     if (first.fresh().get().dimension() > DENSE_LIMIT) {
       return List.of(
-          extrapolation, new Attempt(first, new ExtrapolationCode(6), EXTRAPOLATION_TOLERANCE));
+          extrapolation, new Attempt(first, new ExtrapolationCode(6), extrapolationTolerance));
     }
     return List.of(
-        new Attempt(first, new RadauCode(7), RADAU_TOLERANCE),
+        new Attempt(first, new RadauCode(7), radauTolerance),
         extrapolation,
-        new Attempt(second, new RadauCode(5), RADAU_TOLERANCE),
-        new Attempt(first, new RadauCode(5), RADAU_TOLERANCE));
+        new Attempt(second, new RadauCode(5), radauTolerance),
+        new Attempt(first, new RadauCode(5), radauTolerance));
   }
 
   private Optional<double[][]> solve(Attempt attempt, double[] times, double change) {
