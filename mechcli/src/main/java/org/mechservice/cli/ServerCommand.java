@@ -3,6 +3,7 @@ package org.mechservice.cli;
 import java.util.concurrent.Callable;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
+import org.mechservice.sim.host.HostOptions;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -30,6 +31,8 @@ final class ServerCommand implements Callable<Integer> {
           "Simulations it runs at once; 0: only its hosts run any (default: number of processors).")
   private int capacity = Runtime.getRuntime().availableProcessors();
 
+  @Mixin private AllowUserCodeOption userCode = new AllowUserCodeOption();
+
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
@@ -37,8 +40,8 @@ final class ServerCommand implements Callable<Integer> {
     if (capacity < 0) {
       throw new UsageException("S-041 --capacity is " + capacity + "; it must be 0 or more");
     }
-    ServerSettings settings =
-        new ServerSettings(name, listen.address(), listen.port(DEFAULT_PORT), capacity);
+    HostOptions host = new HostOptions(name, capacity).withUserCode(userCode.isGiven());
+    ServerSettings settings = new ServerSettings(listen.address(), listen.port(DEFAULT_PORT), host);
     try (MechServerProcess server = MechServerProcess.start(settings)) {
       spec.commandLine().getOut().println(server.url());
       Serving.untilEnded(server, server::awaitShutdown);

@@ -1,6 +1,8 @@
 package org.mechservice.cli;
 
+import java.util.List;
 import java.util.concurrent.Callable;
+import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.HostSettings;
 import org.mechservice.sim.host.SimHostProcess;
 import picocli.CommandLine.Command;
@@ -39,6 +41,8 @@ final class SimhostCommand implements Callable<Integer> {
       description = "Simulations it runs at once (default: number of processors).")
   private int capacity = Runtime.getRuntime().availableProcessors();
 
+  @Mixin private AllowUserCodeOption userCode = new AllowUserCodeOption();
+
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
@@ -47,7 +51,11 @@ final class SimhostCommand implements Callable<Integer> {
       throw new UsageException("S-041 --capacity is " + capacity + "; it must be 1 or more");
     }
     HostSettings settings =
-        new HostSettings(server, name, listen.address(), listen.port(ANY_PORT), capacity);
+        new HostSettings(
+            List.of(server),
+            listen.address(),
+            listen.port(ANY_PORT),
+            new HostOptions(name, capacity).withUserCode(userCode.isGiven()));
     try (SimHostProcess host = SimHostProcess.start(settings)) {
       spec.commandLine().getOut().println(host.address());
       Serving.untilEnded(host, host::awaitShutdown);
