@@ -205,10 +205,14 @@ public final class LoopEquations {
    */
   public void addForces(double[] multipliers, double factor, double[] wrench, double[] tau) {
     for (int row = 0; row < closureOfRow.length; row++) {
-      double force = factor * multipliers[row];
-      if (force != 0) {
-        closureOfRow[row].addForces(rowInClosure[row], force, wrench, tau);
-      }
+      addForces(row, factor * multipliers[row], wrench, tau);
+    }
+  }
+
+  /** Adds the forces of one equation's multiplier, likewise. */
+  void addForces(int row, double multiplier, double[] wrench, double[] tau) {
+    if (multiplier != 0) {
+      closureOfRow[row].addForces(rowInClosure[row], multiplier, wrench, tau);
     }
   }
 

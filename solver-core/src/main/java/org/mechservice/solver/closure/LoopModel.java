@@ -24,6 +24,8 @@ abstract class LoopModel
   final ClosedTree work;
   private final WorldMotion world;
   private final List<Note> notes = new ArrayList<>();
+  private final double[] derivative;
+  private Optional<Reactions> reactions = Optional.empty();
   private Optional<Defect> defect = Optional.empty();
 
   LoopModel(ClosedMechanism closed, UserForceSource userForces) {
@@ -34,6 +36,7 @@ abstract class LoopModel
     this.closed = closed;
     work = new ClosedTree(closed.tree(), userForces);
     world = new WorldMotion(work.motion);
+    derivative = new double[work.nq + work.nv];
     closed.findings().forEach(finding -> notes.add(finding.note()));
   }
 
@@ -68,6 +71,28 @@ abstract class LoopModel
   @Override
   public final Defect lastDefect() {
     return defect.orElseThrow(() -> new IllegalStateException("no evaluation has failed"));
+  }
+
+  /**
+   * Evaluates multipliers and reactions.
+   *
+   * @param y state that closes the loops; not modified
+   * @return as {@link #derivative}; if regular, {@link #reactions} has them
+   */
+  public final int react(double t, double[] y) {
+    int moved = derivative(t, y, derivative);
+    if (moved != REGULAR) {
+      return moved;
+    }
+    return reactions().evaluate(t, y, derivative, work.nq) ? REGULAR : fail(work.forces.defect());
+  }
+
+  /** Returns the multipliers and reactions of the last {@link #react}. */
+  public final Reactions reactions() {
+    if (reactions.isEmpty()) {
+      reactions = Optional.of(new Reactions(work, closed.rank()));
+    }
+    return reactions.get();
   }
 
   @Override
