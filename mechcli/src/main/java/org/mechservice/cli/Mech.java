@@ -19,6 +19,8 @@ import picocli.CommandLine.IVersionProvider;
       ServerCommand.class,
       SimhostCommand.class,
       AdminCommand.class,
+      KeysCommand.class,
+      VerifyCommand.class,
       CommandLine.HelpCommand.class
     },
     synopsisSubcommandLabel = "COMMAND",

@@ -2,7 +2,6 @@ package org.mechservice.cli;
 
 import java.util.List;
 import java.util.concurrent.Callable;
-import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.HostSettings;
 import org.mechservice.sim.host.SimHostProcess;
 import picocli.CommandLine.Command;
@@ -23,9 +22,10 @@ final class SimhostCommand implements Callable<Integer> {
   @Option(
       names = "--server",
       required = true,
-      paramLabel = "URL",
-      description = "Server to register with, as host:port or URL.")
-  private String server = "";
+      paramLabel = "URL[,URL...]",
+      split = ",",
+      description = "Servers to register with, as host:port or URL; one of them must be there.")
+  private List<String> servers = List.of();
 
   @Mixin private ListenOptions listen = new ListenOptions();
 
@@ -41,7 +41,9 @@ final class SimhostCommand implements Callable<Integer> {
       description = "Simulations it runs at once (default: number of processors).")
   private int capacity = Runtime.getRuntime().availableProcessors();
 
-  @Mixin private AllowUserCodeOption userCode = new AllowUserCodeOption();
+  @Mixin private HostingOptions hosting = new HostingOptions();
+
+  @Mixin private TlsOption tls = new TlsOption();
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
@@ -52,10 +54,11 @@ final class SimhostCommand implements Callable<Integer> {
     }
     HostSettings settings =
         new HostSettings(
-            List.of(server),
+            servers,
             listen.address(),
             listen.port(ANY_PORT),
-            new HostOptions(name, capacity).withUserCode(userCode.isGiven()));
+            hosting.of(name, capacity),
+            tls.identity());
     try (SimHostProcess host = SimHostProcess.start(settings)) {
       spec.commandLine().getOut().println(host.address());
       Serving.untilEnded(host, host::awaitShutdown);

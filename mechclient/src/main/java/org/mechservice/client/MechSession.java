@@ -199,6 +199,7 @@ public final class MechSession implements AutoCloseable {
     Stopwatch watch = new Stopwatch();
     BuiltJar modelJar = compile(options);
     byte[] runtimeJar = connection.cache().get(modelJar.runtimeSha256(), () -> fetch(modelJar));
+    verifyRuntime(runtimeJar);
     double fetchSeconds = watch.lap();
     FetchedModel fetched = FetchedModel.load(modelJar, runtimeJar);
     double total = openSeconds + loadSeconds + fetchSeconds + watch.lap();
@@ -236,7 +237,16 @@ public final class MechSession implements AutoCloseable {
     JarInfoHolder holder = new JarInfoHolder();
     byte[] jar = calls.get(() -> session.compileToJar(options.toNameValues(), holder));
     JarInfo info = holder.value;
+    connection.originOf(session).verified(jar, info.signature, "the model JAR");
     return BuiltJar.verified(jar, info);
+  }
+
+  private void verifyRuntime(byte[] runtimeJar) {
+    JarOrigin origin = connection.originOf(session);
+    if (origin.encrypted()) {
+      RuntimeInfo runtime = calls.get(session::getRuntimeInfo);
+      origin.verified(runtimeJar, runtime.signature, "the runtime JAR");
+    }
   }
 
   private byte[] fetch(BuiltJar modelJar) {

@@ -245,16 +245,26 @@ final class MechSimServant implements MechSimOperations {
             jar.sha256(),
             jar.bytes().length,
             jar.modelBytes(),
-            new byte[0],
+            signature(jar),
             runtime,
             Wire.nameValues(jar.manifest()));
     return jar.bytes();
   }
 
+  /** Returns the signature that travels beside a JAR; empty without TLS, where nobody has a key. */
+  private byte[] signature(PackedJar jar) {
+    return session
+        .host()
+        .orb()
+        .identity()
+        .map(own -> own.sign(jar.bytes()))
+        .orElseGet(() -> new byte[0]);
+  }
+
   @Override
   public RuntimeInfo getRuntimeInfo() {
     PackedJar jar = ModelFactory.runtimeJar();
-    return new RuntimeInfo(jar.sha256(), jar.bytes().length, new byte[0], SolverVersion.CURRENT);
+    return new RuntimeInfo(jar.sha256(), jar.bytes().length, signature(jar), SolverVersion.CURRENT);
   }
 
   @Override

@@ -7,7 +7,9 @@ import java.util.Optional;
 import java.util.Set;
 import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
@@ -81,6 +83,10 @@ public final class Simulation implements Solver {
     private final CheckpointWriter checkpoints;
     private final double[] y;
     private final double[] yDot;
+
+    /** What the model had noted when the run that is taken up was saved. */
+    private final List<RunNotes.Note> notedBefore = new ArrayList<>();
+
     private final long startedAt = System.nanoTime();
     private double timeReached;
     private long nextRow;
@@ -160,11 +166,36 @@ public final class Simulation implements Solver {
       steps = state.integer(steps);
       rows.transfer(state);
       work.transfer(state);
+      transferNotes(state);
       if (state.restoring()) {
         equations.resume(integrator, state.bytes(new byte[0]));
       } else {
         state.bytes(integrator.save());
       }
+    }
+
+    private void transferNotes(StateTransfer state) {
+      List<RunNotes.Note> noted = modelNotes();
+      int count = state.integer(noted.size());
+      for (int i = 0; i < count; i++) {
+        RunNotes.Note note = i < noted.size() ? noted.get(i) : new RunNotes.Note("", 0, false, "");
+        String code = state.text(note.code());
+        double time = state.number(note.time());
+        boolean warning = state.flag(note.warning());
+        RunNotes.Note carried = new RunNotes.Note(code, time, warning, state.text(note.text()));
+        if (state.restoring()) {
+          notedBefore.add(carried);
+        }
+      }
+    }
+
+    /** Returns the model's notes; one taken up repeats those of its start. */
+    private List<RunNotes.Note> modelNotes() {
+      List<RunNotes.Note> notes = new ArrayList<>(notedBefore);
+      if (model instanceof RunNotes noted) {
+        noted.notes().stream().filter(note -> !notedBefore.contains(note)).forEach(notes::add);
+      }
+      return notes;
     }
 
     private Outcome stepToEnd(StepResult begun) throws IOException {
@@ -230,10 +261,13 @@ public final class Simulation implements Solver {
 
     private Outcome integratorFailed() {
       IntegrationFailure failure = integrator.failure();
-      if (equations.defect().isPresent()) {
+      Optional<Defects.Defect> defect = equations.defect();
+      if (defect.isEmpty() && FailureText.mayLieInLoops(failure.cause())) {
+        defect = equations.obstacle();
+      }
+      if (defect.isPresent()) {
         return new Outcome.Failed(
-            FailureText.of(
-                equations.defect().get(), failure.time(), failure.stepSize(), failure.order()));
+            FailureText.of(defect.get(), failure.time(), failure.stepSize(), failure.order()));
       }
       return new Outcome.Failed(
           FailureText.of(failure, model.description(), equations.singularJoint()));
@@ -242,15 +276,20 @@ public final class Simulation implements Solver {
     private Outcome rowFailed(double t, int column) {
       return new Outcome.Failed(
           column == LOOPS_OPEN
-              ? FailureText.loopsOpen(t)
+              ? loopsOpen(t)
               : FailureText.notFiniteColumn(t, rows.columnName(column)));
     }
 
+    private Failure loopsOpen(double t) {
+      return equations
+          .obstacle()
+          .map(obstacle -> FailureText.of(obstacle, t, 0, 0))
+          .orElseGet(() -> FailureText.loopsOpen(t));
+    }
+
     private List<RunNotes.Note> notes() {
-      List<RunNotes.Note> notes = new ArrayList<>(rows.notes());
-      if (model instanceof RunNotes noted) {
-        notes.addAll(0, noted.notes());
-      }
+      List<RunNotes.Note> notes = modelNotes();
+      notes.addAll(rows.notes());
       return notes;
     }
 

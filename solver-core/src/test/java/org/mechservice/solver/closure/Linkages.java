@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Random;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Cylindrical;
@@ -13,6 +14,7 @@ import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.JointStart;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.Prismatic;
 import org.mechservice.solver.mechanism.RandomJoints;
 import org.mechservice.solver.mechanism.Revolute;
@@ -22,6 +24,7 @@ import org.mechservice.solver.mechanism.StartRole;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
 import org.mechservice.solver.oracle.GlobalFormulation;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
@@ -183,6 +186,78 @@ final class Linkages {
         .poses(0, y, still, still)[point.body()]
         .at(point.position())
         .value();
+  }
+
+  /**
+   * Windows in a row: uprights 1 m high on ground, couplers 1 m long between their tops, all
+   * turning together. Flat, every window may go on as a parallelogram or crossed, so one freedom
+   * becomes as many as there are windows, and one.
+   *
+   * <pre>
+   *   +---+---+---+
+   *   |   |   |   |
+   * --+---+---+---+--
+   * </pre>
+   *
+   * @param speed of the uprights at the start, rad/s
+   */
+  static Mechanism windows(int count, double speed) {
+    List<Body> bodies = new ArrayList<>();
+    List<Joint> joints = new ArrayList<>();
+    List<LoopClosure> closures = new ArrayList<>();
+    for (int i = 0; i <= count; i++) {
+      Vector3 foot = X.times(i);
+      bodies.add(bar("upright" + i, foot, foot.plus(Z), 1));
+      joints.add(turning("foot" + i, BodyPoint.ROOT, i, foot, speed));
+    }
+    for (int i = 1; i <= count; i++) {
+      Vector3 left = X.times(i - 1).plus(Z);
+      Vector3 right = X.times(i).plus(Z);
+      int coupler = count + i;
+      bodies.add(bar("coupler" + i, left, right, 1));
+      joints.add(turning("top" + i, i - 1, coupler, left, -speed));
+      closures.add(
+          new PointOnLineClosure(
+              "window" + i,
+              new BodyPoint(coupler, right),
+              new BodyPoint(i, right),
+              Y,
+              Origin.NONE));
+    }
+    return mechanism("windows", bodies, joints, closures);
+  }
+
+  private static Revolute turning(String name, int parent, int child, Vector3 at, double speed) {
+    return new Revolute(
+        name, new Attachment(parent, at, child, at, Rotation.IDENTITY), Y, 0, speed, Origin.NONE);
+  }
+
+  /** Two bars hanging level on ground side by side, related by closures. */
+  static Mechanism twoPendulums(List<LoopClosure> closures) {
+    List<Body> bodies = List.of(bar("left", Vector3.ZERO, X, 1), bar("right", Y, Y.plus(X), 2));
+    List<Joint> joints =
+        List.of(
+            turning("leftHinge", BodyPoint.ROOT, 0, Vector3.ZERO, 0),
+            turning("rightHinge", BodyPoint.ROOT, 1, Y, 0));
+    return mechanism("two pendulums", bodies, joints, closures);
+  }
+
+  /** The four-bar of {@link #fourBar}, cut at D, its crank turning as a function of time. */
+  static Mechanism drivenFourBar(double speed) {
+    Mechanism free = fourBar(List.of(JointType.R, JointType.R, JointType.S, JointType.C), 3);
+    return new Mechanism(
+        "driven four-bar",
+        GROUND,
+        free.gravity(),
+        free.bodies(),
+        free.joints(),
+        List.of(
+            new PrescribedMotion(
+                0, List.of(new Expression.Product(Expression.of(speed), new Expression.Time())))),
+        free.startRoles(),
+        free.closures(),
+        List.of(),
+        List.of());
   }
 
   /** A slender bar between two points of the world, thickened so that it resists all turning. */
