@@ -38,7 +38,8 @@ public final class GenerationLimits {
               + model.mechanism().name()
               + "\" has "
               + String.join("; ", beyond)
-              + ". This version simulates none of it; it runs <dynamic> with one absolute tolerance");
+              + ". This version simulates none of it; it runs <dynamic> with one absolute"
+              + " tolerance");
     }
   }
 
@@ -66,7 +67,7 @@ public final class GenerationLimits {
   /** Returns what no code is generated for, such as {@code forces "f1", "f2"}. */
   public static List<String> notGenerated(Mechanism mechanism, FormulationChoice choice) {
     List<String> beyond = new ArrayList<>();
-    if (!choice.formulation().equals("DTR")) {
+    if (choice.formulation().equals("RR-JF")) {
       beyond.add("formulation " + choice.formulation());
     }
     add(beyond, "constraints", mechanism.closures().stream().map(LoopClosure::name));
