@@ -32,6 +32,7 @@ final class RuntimeJar {
   /** What unpacks is there already. */
   private static final String PACKER = SOLVER + "pack/";
 
+  private static final SortedMap<String, byte[]> CLASSES = contents();
   private static final PackedJar PACKED = pack();
 
   private RuntimeJar() {}
@@ -40,14 +41,18 @@ final class RuntimeJar {
     return PACKED;
   }
 
+  /** Returns whether the JAR has a class, by its path. */
+  static boolean has(String path) {
+    return CLASSES.containsKey(path);
+  }
+
   private static PackedJar pack() {
     Map<String, String> manifest = new LinkedHashMap<>();
     manifest.put("Implementation-Title", "MechService solver");
     manifest.put("Implementation-Version", SolverVersion.CURRENT);
     manifest.put("Mech-Api-Version", Integer.toString(Model.API_VERSION));
     ReproducibleJar jar = new ReproducibleJar(manifest);
-    SortedMap<String, byte[]> classes = contents();
-    jar.add(PackedClasses.ENTRY, PackedClasses.pack(classes));
+    jar.add(PackedClasses.ENTRY, PackedClasses.pack(CLASSES));
     SolverFiles.lean().forEach((path, bytes) -> addOther(jar, path, bytes));
     byte[] bytes = jar.bytes();
     return new PackedJar(
