@@ -58,6 +58,8 @@ final class ServerCommand implements Callable<Integer> {
 
   @Mixin private TlsOption tls = new TlsOption();
 
+  @Mixin private AllowUserCodeOption userCode = new AllowUserCodeOption();
+
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
@@ -69,7 +71,7 @@ final class ServerCommand implements Callable<Integer> {
         new ServerSettings(
             listen.address(),
             listen.port(DEFAULT_PORT),
-            hosting.of(name, capacity),
+            hosting.of(name, capacity).withUserCode(userCode.isGiven()),
             policy(),
             iorFile,
             naming,

@@ -45,6 +45,8 @@ final class SimhostCommand implements Callable<Integer> {
 
   @Mixin private TlsOption tls = new TlsOption();
 
+  @Mixin private AllowUserCodeOption userCode = new AllowUserCodeOption();
+
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
@@ -57,7 +59,7 @@ final class SimhostCommand implements Callable<Integer> {
             servers,
             listen.address(),
             listen.port(ANY_PORT),
-            hosting.of(name, capacity),
+            hosting.of(name, capacity).withUserCode(userCode.isGiven()),
             tls.identity());
     try (SimHostProcess host = SimHostProcess.start(settings)) {
       spec.commandLine().getOut().println(host.address());

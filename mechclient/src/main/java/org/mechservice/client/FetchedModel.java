@@ -15,11 +15,13 @@ import org.mechservice.solver.api.Solver;
 /**
  * A model and the solver it came with, loaded apart from the client's own classes.
  *
+ * @param source makes the model
  * @param model an instance for one run
  * @param solver the server's solver
  * @param formulationReason why the model was generated in its formulation; empty if not said
  */
-record FetchedModel(Model model, Solver solver, Optional<String> formulationReason) {
+record FetchedModel(
+    ModelSource source, Model model, Solver solver, Optional<String> formulationReason) {
   private static final String API_VERSION_ATTRIBUTE = "Mech-Api-Version";
   private static final String REASON_ATTRIBUTE = "Mech-Formulation-Reason";
 
@@ -34,10 +36,9 @@ record FetchedModel(Model model, Solver solver, Optional<String> formulationReas
     requireSameApi(model);
     FetchedClasses classes = new FetchedClasses(List.of(model, runtime));
     try {
+      ModelSource source = source(classes, modelJar.mainClass());
       return new FetchedModel(
-          instance(classes, modelJar.mainClass()),
-          solver(classes),
-          model.attribute(REASON_ATTRIBUTE));
+          source, source.model(), solver(classes), model.attribute(REASON_ATTRIBUTE));
     } catch (ReflectiveOperationException | LinkageError | ServiceConfigurationError e) {
       throw refused("cannot be loaded: " + e);
     }
@@ -51,13 +52,13 @@ record FetchedModel(Model model, Solver solver, Optional<String> formulationReas
     }
   }
 
-  private static Model instance(FetchedClasses classes, String mainClass)
+  private static ModelSource source(FetchedClasses classes, String mainClass)
       throws ReflectiveOperationException {
     Class<?> type = classes.loadClass(mainClass);
     if (!Model.class.isAssignableFrom(type) && !ModelSource.class.isAssignableFrom(type)) {
       throw refused("names " + mainClass + ", which is no model");
     }
-    return ModelSource.of(type.getDeclaredConstructor().newInstance());
+    return ModelSource.from(type.getDeclaredConstructor().newInstance());
   }
 
   private static Solver solver(FetchedClasses classes) {
@@ -72,6 +73,6 @@ record FetchedModel(Model model, Solver solver, Optional<String> formulationReas
 
   LocalRun prepare(Set<ColumnGroup> columns, Map<String, Object> facts) {
     RunRequest request = new RunRequest(model.description().defaults(), columns);
-    return new LocalRun(model, solver, request, facts);
+    return new LocalRun(source, model, solver, request, facts);
   }
 }

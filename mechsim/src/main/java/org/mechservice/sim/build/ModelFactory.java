@@ -17,6 +17,7 @@ import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.ModelPlan;
 import org.mechservice.sim.build.javac.ModelCompiler;
+import org.mechservice.sim.build.user.UserClasses;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.scene.ModelBuildException;
@@ -159,16 +160,24 @@ public final class ModelFactory {
   }
 
   /**
-   * Writes the class file of a generated model and loads it.
+   * Writes the class file of a generated model and loads it; classes of users are loaded when it is
+   * instantiated.
    *
+   * @param userClasses those of the model's forces
    * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
    *     the class is too large (S-085)
    */
   public static CompiledModel compile(
-      MechmlModel model, BuildOptions options, GeneratedModel generated) {
+      MechmlModel model, BuildOptions options, GeneratedModel generated, UserClasses userClasses) {
     SortedMap<String, byte[]> classFiles = new TreeMap<>();
     classFiles.put(generated.className(), generated.classFile());
-    return new CompiledModel(model, generated, options, classFiles);
+    return new CompiledModel(model, generated, options, classFiles, userClasses);
+  }
+
+  /** Writes and loads the class of a model without classes of users. */
+  public static CompiledModel compile(
+      MechmlModel model, BuildOptions options, GeneratedModel generated) {
+    return compile(model, options, generated, UserClasses.NONE);
   }
 
   /**
@@ -183,7 +192,8 @@ public final class ModelFactory {
     SortedMap<String, byte[]> classFiles =
         ModelCompiler.compile(
             generated.className(), generated.source(), Collections.emptySortedMap());
-    return new CompiledModel(model, generated, options, new TreeMap<>(classFiles));
+    return new CompiledModel(
+        model, generated, options, new TreeMap<>(classFiles), UserClasses.NONE);
   }
 
   /** Packs the model's own classes, description and manifest; it runs with {@link #runtimeJar}. */

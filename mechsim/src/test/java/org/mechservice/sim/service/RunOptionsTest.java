@@ -111,7 +111,7 @@ class RunOptionsTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"set=L=2", "tunable=L", "simulation=2", "columns=reactions", "atol=1;2;3;4"})
+  @CsvSource({"columns=reactions", "atol=1;2;3;4"})
   void whatThisVersionDoesNotDoIsSaid(String option) {
     assertThatThrownBy(() -> parse(option))
         .isInstanceOfSatisfying(

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -71,6 +72,31 @@ public record CompactModel(
    */
   public static Model model(ClassLoader loader, String... texts) {
     return of(List.of(texts)).model(new LoadedUserForces(loader));
+  }
+
+  /**
+   * Makes the model of a compact class with other values of its parameters.
+   *
+   * @param loader finds the classes of user forces
+   * @param values in the order and units of {@link #parameters}
+   * @param texts what {@link #texts} returned
+   */
+  public static Model model(ClassLoader loader, double[] values, String... texts) {
+    CompactModel data = of(List.of(texts));
+    return new CompactModel(
+            data.mechanism.with(values), data.formulation, data.closure, data.settings)
+        .model(new LoadedUserForces(loader));
+  }
+
+  /**
+   * Returns the parameters of a compact class that may be changed before a run.
+   *
+   * @param texts what {@link #texts} returned
+   */
+  public static List<TunableParameter> parameters(String... texts) {
+    return of(List.of(texts)).mechanism.parameters().stream()
+        .map(p -> new TunableParameter(p.name(), p.unitInFile(), p.valueInFile()))
+        .toList();
   }
 
   /**

@@ -19,6 +19,10 @@ public record CompactClass(CompactModel model) implements WrittenClass {
   private static final String OBJECT = "java/lang/Object";
   private static final String NOTHING_TO_VOID = "()V";
   private static final String TEXT = "java/lang/String";
+  private static final String TEXTS = "[Ljava/lang/String;";
+  private static final String LOADER = "Ljava/lang/ClassLoader;";
+  private static final String LIST = "Ljava/util/List;";
+  private static final String MODEL = Type.getDescriptor(Model.class);
 
   @Override
   public String simpleName() {
@@ -29,22 +33,43 @@ public record CompactClass(CompactModel model) implements WrittenClass {
   public String source() {
     SourceLines source = new SourceLines();
     source.line("package " + ModelClass.PACKAGE + ";").blank();
+    if (isTunable()) {
+      source.line("import java.util.List;");
+    }
     source.line("import org.mechservice.solver.api.Model;");
     source.line("import org.mechservice.solver.api.ModelSource;");
+    if (isTunable()) {
+      source.line("import org.mechservice.solver.api.TunableParameter;");
+    }
     source.line("import org.mechservice.solver.compact.CompactModel;").blank();
     source.documentation(
         List.of(
             JavaText.comment("Model \"" + model.mechanism().name() + "\" in compact form: data.")));
     source.open("public final class " + simpleName() + " implements ModelSource");
     source.line("@Override").open("public Model model()");
-    source.line("return CompactModel.model(");
-    source.line("    " + simpleName() + ".class.getClassLoader(),");
-    List<String> texts = model.texts();
-    for (int i = 0; i < texts.size(); i++) {
-      source.line("    " + literal(texts.get(i)) + (i + 1 < texts.size() ? "," : ");"));
+    source.line("return CompactModel.model(" + simpleName() + ".class.getClassLoader(), texts());");
+    source.close();
+    if (isTunable()) {
+      source.blank().line("@Override").open("public List<TunableParameter> parameters()");
+      source.line("return CompactModel.parameters(texts());");
+      source.close();
+      source.blank().line("@Override").open("public Model model(double[] values)");
+      source.line("return CompactModel.model(");
+      source.line("    " + simpleName() + ".class.getClassLoader(), values, texts());");
+      source.close();
     }
+    source.blank().open("private static String[] texts()");
+    source.line("return new String[] {");
+    for (String text : model.texts()) {
+      source.line("  " + literal(text) + ",");
+    }
+    source.line("};");
     source.close();
     return source.close().toString();
+  }
+
+  private boolean isTunable() {
+    return !model.mechanism().parameters().isEmpty();
   }
 
   /** Returns a literal of one line, whatever its length; data are not there to be read. */
@@ -74,7 +99,12 @@ public record CompactClass(CompactModel model) implements WrittenClass {
         OBJECT,
         new String[] {Type.getInternalName(ModelSource.class)});
     constructor(file);
-    model(file, name);
+    texts(file);
+    method(file, name, "model", "()" + MODEL, "(" + LOADER + TEXTS + ")" + MODEL);
+    if (isTunable()) {
+      method(file, name, "model", "([D)" + MODEL, "(" + LOADER + "[D" + TEXTS + ")" + MODEL);
+      method(file, name, "parameters", "()" + LIST, "(" + TEXTS + ")" + LIST);
+    }
     file.visitEnd();
     return file.toByteArray();
   }
@@ -90,17 +120,11 @@ public record CompactClass(CompactModel model) implements WrittenClass {
     code.visitEnd();
   }
 
-  private void model(ClassWriter file, String name) {
-    String toModel = "()" + Type.getDescriptor(Model.class);
-    MethodVisitor code = file.visitMethod(Opcodes.ACC_PUBLIC, "model", toModel, null, null);
+  private void texts(ClassWriter file) {
+    MethodVisitor code =
+        file.visitMethod(
+            Opcodes.ACC_PRIVATE | Opcodes.ACC_STATIC, "texts", "()" + TEXTS, null, null);
     code.visitCode();
-    code.visitLdcInsn(Type.getObjectType(name));
-    code.visitMethodInsn(
-        Opcodes.INVOKEVIRTUAL,
-        "java/lang/Class",
-        "getClassLoader",
-        "()Ljava/lang/ClassLoader;",
-        false);
     List<String> texts = model.texts();
     code.visitLdcInsn(texts.size());
     code.visitTypeInsn(Opcodes.ANEWARRAY, TEXT);
@@ -110,12 +134,29 @@ public record CompactClass(CompactModel model) implements WrittenClass {
       code.visitLdcInsn(texts.get(i));
       code.visitInsn(Opcodes.AASTORE);
     }
+    end(code);
+  }
+
+  /** Writes a method that hands everything over to the method of {@link CompactModel}. */
+  private static void method(
+      ClassWriter file, String className, String method, String own, String called) {
+    MethodVisitor code = file.visitMethod(Opcodes.ACC_PUBLIC, method, own, null, null);
+    code.visitCode();
+    if (called.contains(LOADER)) {
+      code.visitLdcInsn(Type.getObjectType(className));
+      code.visitMethodInsn(
+          Opcodes.INVOKEVIRTUAL, "java/lang/Class", "getClassLoader", "()" + LOADER, false);
+    }
+    if (own.startsWith("([D")) {
+      code.visitVarInsn(Opcodes.ALOAD, 1);
+    }
+    code.visitMethodInsn(Opcodes.INVOKESTATIC, className, "texts", "()" + TEXTS, false);
     code.visitMethodInsn(
-        Opcodes.INVOKESTATIC,
-        Type.getInternalName(CompactModel.class),
-        "model",
-        "(Ljava/lang/ClassLoader;[Ljava/lang/String;)" + Type.getDescriptor(Model.class),
-        false);
+        Opcodes.INVOKESTATIC, Type.getInternalName(CompactModel.class), method, called, false);
+    end(code);
+  }
+
+  private static void end(MethodVisitor code) {
     code.visitInsn(Opcodes.ARETURN);
     code.visitMaxs(0, 0);
     code.visitEnd();

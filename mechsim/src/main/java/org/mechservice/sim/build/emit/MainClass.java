@@ -1,6 +1,5 @@
 package org.mechservice.sim.build.emit;
 
-import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.integration.Integrator;
 import org.mechservice.solver.integration.IntegratorFactory;
@@ -24,7 +23,7 @@ import org.objectweb.asm.Type;
  *   public static void main(String[] args) {
  *     System.exit(
  *         Standalone.run(
- *             ModelSource.of(new Pendulum()), new PendulumMain(), new ExplicitForm(), args));
+ *             ModelSource.from(new Pendulum()), new PendulumMain(), new ExplicitForm(), args));
  *   }
  * }
  * }</pre>
@@ -100,8 +99,8 @@ public final class MainClass {
     code.visitMethodInsn(
         Opcodes.INVOKESTATIC,
         Type.getInternalName(ModelSource.class),
-        "of",
-        "(L" + OBJECT + ";)" + Type.getDescriptor(Model.class),
+        "from",
+        "(L" + OBJECT + ";)" + Type.getDescriptor(ModelSource.class),
         true);
     create(code, className);
     create(code, form);
@@ -111,7 +110,7 @@ public final class MainClass {
         Type.getInternalName(Standalone.class),
         "run",
         "("
-            + Type.getDescriptor(Model.class)
+            + Type.getDescriptor(ModelSource.class)
             + Type.getDescriptor(IntegratorFactory.class)
             + Type.getDescriptor(EquationForm.class)
             + strings
