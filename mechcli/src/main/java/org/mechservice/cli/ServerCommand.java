@@ -58,8 +58,6 @@ final class ServerCommand implements Callable<Integer> {
 
   @Mixin private TlsOption tls = new TlsOption();
 
-  @Mixin private AllowUserCodeOption userCode = new AllowUserCodeOption();
-
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
@@ -71,7 +69,7 @@ final class ServerCommand implements Callable<Integer> {
         new ServerSettings(
             listen.address(),
             listen.port(DEFAULT_PORT),
-            hosting.of(name, capacity).withUserCode(userCode.isGiven()),
+            hosting.of(name, capacity),
             policy(),
             iorFile,
             naming,

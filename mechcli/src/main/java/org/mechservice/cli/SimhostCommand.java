@@ -45,8 +45,6 @@ final class SimhostCommand implements Callable<Integer> {
 
   @Mixin private TlsOption tls = new TlsOption();
 
-  @Mixin private AllowUserCodeOption userCode = new AllowUserCodeOption();
-
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
@@ -59,7 +57,7 @@ final class SimhostCommand implements Callable<Integer> {
             servers,
             listen.address(),
             listen.port(ANY_PORT),
-            hosting.of(name, capacity).withUserCode(userCode.isGiven()),
+            hosting.of(name, capacity),
             tls.identity());
     try (SimHostProcess host = SimHostProcess.start(settings)) {
       spec.commandLine().getOut().println(host.address());
