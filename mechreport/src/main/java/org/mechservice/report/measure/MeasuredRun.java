@@ -10,7 +10,7 @@ import java.util.Locale;
  * @param tolerance relative tolerance asked for; the absolute one is a hundredth of it, SI
  * @param round 0: the first, whose time is not counted; from 1: timed
  * @param cause why it did not reach the end; empty if it did
- * @param seconds wall-clock time, s
+ * @param seconds processor time of the run, s
  * @param bytes allocated
  * @param steps accepted steps
  * @param rejected rejected steps
