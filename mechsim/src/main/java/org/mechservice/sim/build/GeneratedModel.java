@@ -102,7 +102,7 @@ public final class GeneratedModel {
 
     @Override
     public List<TunableParameter> parameters() {
-      return CompactModel.parameters(data.texts().toArray(String[]::new));
+      return data.parameters();
     }
 
     /** Values of parameters act on forces and motions alone, which nobody asks this model for. */
