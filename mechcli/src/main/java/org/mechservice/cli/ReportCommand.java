@@ -10,6 +10,7 @@ import org.mechservice.client.MechSession;
 import org.mechservice.report.ModelReport;
 import org.mechservice.report.measure.Effort;
 import org.mechservice.report.paper.PaperReport;
+import org.mechservice.report.suite.SuiteReport;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -45,15 +46,33 @@ final class ReportCommand implements Callable<Integer> {
       description = "Measure the paper's tables on the scenes of this folder.")
   private Optional<Path> paper = Optional.empty();
 
+  @Option(
+      names = "--suite",
+      description = "Measure the integrators alone, on problems with verified solutions.")
+  private boolean suite;
+
   @Mixin private ServerOption server = new ServerOption();
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
   public Integer call() throws IOException, InterruptedException {
-    if (models.isEmpty() && paper.isEmpty()) {
-      throw new UsageException("S-041 report: name a model, or --paper with the scenes' folder");
+    if (models.isEmpty() && paper.isEmpty() && !suite) {
+      throw new UsageException(
+          "S-041 report: name a model, --paper with the scenes' folder, or --suite");
     }
+    if (suite) {
+      try (ProgressLine line = new ProgressLine(spec.commandLine().getErr())) {
+        tell(new SuiteReport(quick, line).write(folder));
+      }
+    }
+    if (!models.isEmpty() || paper.isPresent()) {
+      reportModels();
+    }
+    return ExitStatus.DONE;
+  }
+
+  private void reportModels() throws IOException, InterruptedException {
     try (Service service = Service.open(server)) {
       for (Path model : models) {
         report(service, model);
@@ -64,7 +83,6 @@ final class ReportCommand implements Callable<Integer> {
         }
       }
     }
-    return ExitStatus.DONE;
   }
 
   private void report(Service service, Path model) throws IOException, InterruptedException {

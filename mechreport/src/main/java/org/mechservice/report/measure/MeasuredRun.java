@@ -63,6 +63,24 @@ public record MeasuredRun(
     return cause.isEmpty();
   }
 
+  /** Returns the same run where nobody knows its errors. */
+  public MeasuredRun withoutErrors() {
+    return new MeasuredRun(
+        method,
+        tolerance,
+        round,
+        cause,
+        seconds,
+        bytes,
+        steps,
+        rejected,
+        evaluations,
+        jacobians,
+        factorisations,
+        Errors.NONE,
+        energyDrift);
+  }
+
   /** Returns the run as a line of a CSV file. */
   public String line() {
     return String.join(

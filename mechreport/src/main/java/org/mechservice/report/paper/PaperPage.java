@@ -3,6 +3,7 @@ package org.mechservice.report.paper;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.OptionalDouble;
 import org.mechservice.report.Machine;
 import org.mechservice.report.page.PageFrame;
@@ -26,15 +27,16 @@ final class PaperPage {
             + "<p class=\"note\">"
             + String.join(" · ", Machine.facts())
             + " · DTR with DE against RR-JF with ode15sR, relative tolerance 1e-5, absolute 1e-7;"
-            + " processor time, median of 11 runs after 4, in turns. RR-JF runs in compact form where the service generates no code for it.</p>";
+            + " processor time, median of 11 runs after 4, in turns. RR-JF runs in compact form"
+            + " where the service generates no code for it.</p>";
     return PageFrame.of("The paper's tables, measured again", content);
   }
 
   private static String shape(
       Map<PaperFigures.Scene, PaperReport.RunPair> runs, List<PaperReport.DampingPoint> sweep) {
-    double free = gain(runs.get(PaperFigures.Scene.DRIVER));
-    double damped = gain(runs.get(PaperFigures.Scene.DAMPED_DRIVER));
-    PaperReport.RunPair stiff = runs.get(PaperFigures.Scene.DAMPED_DRIVER);
+    double free = gain(Objects.requireNonNull(runs.get(PaperFigures.Scene.DRIVER)));
+    PaperReport.RunPair stiff = Objects.requireNonNull(runs.get(PaperFigures.Scene.DAMPED_DRIVER));
+    double damped = gain(stiff);
     StringBuilder html = new StringBuilder("<section class=\"advice\"><h2>The shape</h2>");
     html.append(
         format(

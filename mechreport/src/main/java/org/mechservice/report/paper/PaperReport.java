@@ -14,6 +14,7 @@ import org.mechservice.client.LocalRun;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.RemoteRun;
 import org.mechservice.client.SimulationOptions;
+import org.mechservice.report.measure.Judge;
 import org.mechservice.report.measure.MeasuredRun;
 import org.mechservice.report.measure.MethodRunner;
 import org.mechservice.report.measure.Progress;
@@ -153,7 +154,6 @@ public final class PaperReport {
     return new Candidate(method, model::newModel, model.solver());
   }
 
-  /** Without a reference of this scene, errors are not known: it is then its own. */
   private static MethodRunner runner(Candidate candidate) {
     ExplicitModel model = (ExplicitModel) candidate.models().get();
     StateDistance distance = new StateDistance(model.description());
@@ -162,15 +162,8 @@ public final class PaperReport {
     double end = model.description().defaults().tEnd();
     PublishedReference published =
         PublishedReference.of(model.description().name(), start, end, distance).orElseThrow();
-    Reference reference =
-        new Reference(
-            published.times(),
-            published.states(),
-            published.floor(),
-            published.floor(),
-            java.util.Optional.empty(),
-            List.of());
-    return new MethodRunner(reference, distance, RunGrid.meeting(published.times()).orElseThrow());
+    Judge judge = Judge.trusting(published);
+    return new MethodRunner(judge.reference().orElseThrow(), distance, judge.grid());
   }
 
   private static RunPair interleaved(MethodRunner runner, Candidate explicit, Candidate implicit) {
