@@ -72,7 +72,8 @@ final class FailureText {
                   + " coordinates.",
               failure,
               "",
-              "The mechanism locks or branches there; check its dimensions, or end the run before.");
+              "The mechanism locks or branches there; check its dimensions, or end the run"
+                  + " before.");
       case EVENTS_ACCUMULATE ->
           failure(
               "N-021",
@@ -161,6 +162,9 @@ final class FailureText {
   }
 
   private static String state(ModelDescription model, int component) {
+    if (component >= model.stateCount()) {
+      return "a multiplier of the loops";
+    }
     return component < 0 ? "" : "state \"" + model.states().get(component).name() + "\"";
   }
 }
