@@ -84,7 +84,7 @@ final class SimulateCommand implements Callable<Integer> {
     ResultFiles.requireUsableNames(out);
     SimulationOptions options = options();
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
-        Service service = Service.open(server.address());
+        Service service = Service.open(server);
         MechSession session = service.connection().openSession(host)) {
       List<ModelMessage> warnings = session.loadModel(model);
       if (!quiet) {

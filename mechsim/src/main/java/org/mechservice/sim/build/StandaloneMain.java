@@ -45,7 +45,9 @@ final class StandaloneMain {
             INTEGRATION + integrator,
             RuntimeSolver.formOf(model.newInstance(), model.options().settings().integrator())
                 .getClass()
-                .getName()));
+                .getName(),
+            BuiltColumns.labels(BuiltColumns.of(model)),
+            BuiltColumns.labels(BuiltColumns.shown(model))));
     return classes;
   }
 }
