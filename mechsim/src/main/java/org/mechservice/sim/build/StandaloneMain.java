@@ -43,7 +43,8 @@ final class StandaloneMain {
             className(model.generated()),
             model.generated().className(),
             INTEGRATION + integrator,
-            RuntimeSolver.formOf(model.newInstance(), model.options().settings().integrator())
+            RuntimeSolver.formOf(
+                    model.withoutUserClasses(), model.options().settings().integrator())
                 .getClass()
                 .getName(),
             BuiltColumns.labels(BuiltColumns.of(model)),
