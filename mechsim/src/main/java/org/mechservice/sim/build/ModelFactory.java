@@ -55,7 +55,8 @@ public final class ModelFactory {
     String integrator = options.settings().integrator();
     StandaloneMain.requireIntegrator(integrator);
     FormulationChoice choice =
-        FormulationChoice.of(options.formulation(), options.closure(), integrator, mechanism);
+        FormulationChoice.of(
+            options.formulation(), options.closure(), options.settings(), mechanism);
     List<String> notGenerated = GenerationLimits.notGenerated(mechanism, choice);
     return options.compact() || !notGenerated.isEmpty()
         ? compact(model, options, choice, notGenerated)
