@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.DependentStates;
+import org.mechservice.solver.api.DirectedForces;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
@@ -110,6 +111,9 @@ public abstract class ModelEquations implements UnitGroups, SavedSystem {
 
   /** Returns why the last evaluation failed, if the model can tell. */
   final Optional<Defects.Defect> defect() {
+    if (result <= DirectedForces.FIRST && model instanceof DirectedForces forces) {
+      return Optional.of(FailureText.withoutDirection(forces, result));
+    }
     return result == Defects.DEFECT && model instanceof Defects able
         ? Optional.of(able.lastDefect())
         : Optional.empty();
