@@ -14,6 +14,7 @@ import org.mechservice.idl.OPT_COMPACT;
 import org.mechservice.idl.OPT_FORMULATION;
 import org.mechservice.idl.OPT_INTEGRATOR;
 import org.mechservice.idl.OPT_REL_TOL;
+import org.mechservice.idl.OPT_SIMULATION;
 import org.mechservice.idl.OPT_STANDALONE;
 import org.mechservice.idl.OPT_T_END;
 import org.mechservice.idl.OPT_T_STEP;
@@ -78,6 +79,19 @@ public final class SimulationOptions {
   /** Sets the local error, in SI units, below which a state does not matter. */
   public SimulationOptions absoluteTolerance(double tolerance) {
     return with(OPT_ABS_TOL.value, Double.toString(tolerance));
+  }
+
+  /**
+   * Sets the absolute tolerances, SI: one for all states, or four separated by semicolons, of
+   * positions, angles, velocities and angular velocities.
+   */
+  public SimulationOptions absoluteTolerances(String tolerances) {
+    return with(OPT_ABS_TOL.value, tolerances);
+  }
+
+  /** Chooses one of the file's simulations, by its name or its number from 1. */
+  public SimulationOptions simulation(String nameOrNumber) {
+    return with(OPT_SIMULATION.value, nameOrNumber);
   }
 
   /** Sets the end of the run, s. */

@@ -22,6 +22,7 @@ import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
+import org.mechservice.idl.OPT_SIMULATION;
 import org.mechservice.idl.Parameter;
 import org.mechservice.idl.RoadmapEntry;
 import org.mechservice.idl.RuntimeInfo;
@@ -128,6 +129,17 @@ final class MechSimServant implements MechSimOperations {
         () -> Refusal.state(SimState.SIM_CREATED, "no model is loaded; call loadModel first"));
   }
 
+  /** Returns the model with the simulation that is asked for; the first if none is. */
+  private LoadedModel requireSimulation(NameValue[] options) throws InvalidState, InvalidOption {
+    LoadedModel model = requireModel();
+    for (NameValue option : options) {
+      if (option.key.equals(OPT_SIMULATION.value)) {
+        return model.choosing(option.text.strip());
+      }
+    }
+    return model;
+  }
+
   @Override
   public ModelInfo getModelInfo() throws InvalidState {
     return ModelFacts.info(requireModel());
@@ -154,7 +166,7 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public ModelFile generatedSource(NameValue[] options)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
-    LoadedModel model = requireModel();
+    LoadedModel model = requireSimulation(options);
     RunOptions asked = RunOptions.parse(options, model.model().settings());
     GeneratedModel generated =
         Built.orRefused(() -> library.generated(model, asked.forJar(), times));
@@ -167,7 +179,7 @@ final class MechSimServant implements MechSimOperations {
   public IMechSimRemote createSimulation(NameValue[] options, @Nullable IMechClient client)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
     admission.requirePlace(session);
-    LoadedModel source = requireModel();
+    LoadedModel source = requireSimulation(options);
     SimulationSettings ofFile = source.model().settings();
     RunOptions asked = RunOptions.parse(options, ofFile);
     CompiledModel compiled =
@@ -202,7 +214,7 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public byte[] compileToJar(NameValue[] options, JarInfoHolder info)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
-    LoadedModel source = requireModel();
+    LoadedModel source = requireSimulation(options);
     RunOptions asked = RunOptions.parse(options, source.model().settings());
     BuildOptions build = asked.forJar();
     CompiledModel compiled = Built.orRefused(() -> library.compiled(source, build, times));

@@ -106,6 +106,8 @@ class RunOptionsTest {
     "rtol=1, rtol",
     "rtol=-1e-3, rtol",
     "atol=0, atol",
+    "atol=1e-3;1e-4;1e-5, atol",
+    "atol=1e-3;1e-4;1e-5;x, atol",
     "'columns=joints,velocity', columns",
     "standalone=yes, standalone",
     "tolerance=1, tolerance"
@@ -115,6 +117,17 @@ class RunOptionsTest {
     assertThat(refusal.optionName).isEqualTo(name);
     assertThat(refusal.code).isEqualTo("S-008");
     assertThat(refusal.text).contains(name);
+  }
+
+  @Test
+  void absoluteTolerancesMayGoByKindOfState() throws Exception {
+    RunSettings settings = parse("atol=1e-3;1e-4;1e-5;1e-6").settings();
+    assertThat(settings.absoluteTolerance("m")).isEqualTo(1e-3);
+    assertThat(settings.absoluteTolerance("rad")).isEqualTo(1e-4);
+    assertThat(settings.absoluteTolerance("m/s")).isEqualTo(1e-5);
+    assertThat(settings.absoluteTolerance("rad/s")).isEqualTo(1e-6);
+    assertThat(settings.hasOneTolerance()).isFalse();
+    assertThat(parse("atol=1e-3").settings().hasOneTolerance()).isTrue();
   }
 
   @Test
@@ -131,7 +144,7 @@ class RunOptionsTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"set=L=2", "tunable=L", "simulation=2", "atol=1;2;3;4"})
+  @CsvSource({"set=L=2", "tunable=L"})
   void whatThisVersionDoesNotDoIsSaid(String option) {
     assertThatThrownBy(() -> parse(option))
         .isInstanceOfSatisfying(

@@ -94,12 +94,7 @@ public record CompactModel(
    * @param texts what {@link #texts} returned
    */
   public static Model model(ClassLoader loader, String... texts) {
-    return of(List.of(texts)).model(userForces(loader));
-  }
-
-  /** Returns what makes user forces of classes that a loader finds. */
-  public static UserForceSource userForces(ClassLoader loader) {
-    return new LoadedUserForces(loader);
+    return of(List.of(texts)).model(new LoadedUserForces(loader));
   }
 
   /**

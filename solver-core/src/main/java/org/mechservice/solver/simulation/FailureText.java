@@ -72,7 +72,8 @@ final class FailureText {
                   + " coordinates.",
               failure,
               "",
-              "The mechanism locks or branches there; check its dimensions, or end the run before.");
+              "The mechanism locks or branches there; check its dimensions, or end the run"
+                  + " before.");
       case EVENTS_ACCUMULATE ->
           failure(
               "N-021",

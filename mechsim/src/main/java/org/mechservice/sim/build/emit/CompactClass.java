@@ -1,6 +1,7 @@
 package org.mechservice.sim.build.emit;
 
 import java.util.List;
+import java.util.Optional;
 import org.mechservice.solver.analysis.FurtherColumns;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
@@ -20,8 +21,10 @@ import org.objectweb.asm.Type;
  *     empty for none
  * @param generated simple name of the generated class that is extended by columns; empty if the
  *     model itself is data
+ * @param task what is computed if the model is not integrated in time
  */
-public record CompactClass(CompactModel model, String columns, String generated)
+public record CompactClass(
+    CompactModel model, String columns, String generated, Optional<AnalysisTask> task)
     implements WrittenClass {
   private static final String LOADER = "Ljava/lang/ClassLoader;";
   private static final String TEXTS = "[Ljava/lang/String;";
@@ -40,12 +43,14 @@ public record CompactClass(CompactModel model, String columns, String generated)
   public String source() {
     SourceLines source = new SourceLines();
     source.line("package " + ModelClass.PACKAGE + ";").blank();
-    if (!columns.isEmpty()) {
+    if (task.isPresent()) {
+      source.line("import " + task.get().model().getName() + ";");
+    } else if (!columns.isEmpty()) {
       source.line("import org.mechservice.solver.analysis.FurtherColumns;");
     }
     source.line("import org.mechservice.solver.api.Model;");
     source.line("import org.mechservice.solver.api.ModelSource;");
-    if (generated.isEmpty()) {
+    if (generated.isEmpty() && task.isEmpty()) {
       source.line("import org.mechservice.solver.compact.CompactModel;");
     }
     source.blank();
@@ -63,14 +68,22 @@ public record CompactClass(CompactModel model, String columns, String generated)
     source.line("};");
     String bare =
         generated.isEmpty() ? "CompactModel.model(loader, data)" : "new " + generated + "()";
-    source.line(
-        "return "
-            + (columns.isEmpty()
-                ? bare
-                : "FurtherColumns.extend(" + bare + ", loader, \"" + columns + "\", data)")
-            + ";");
+    String extended =
+        columns.isEmpty()
+            ? bare
+            : "FurtherColumns.extend(" + bare + ", loader, \"" + columns + "\", data)";
+    source.line("return " + task.map(this::call).orElse(extended) + ";");
     source.close();
     return source.close().toString();
+  }
+
+  private String call(AnalysisTask asked) {
+    return asked.model().getSimpleName()
+        + ".model(loader, \""
+        + asked.options()
+        + "\", \""
+        + columns
+        + "\", data)";
   }
 
   /** Returns a literal of one line, whatever its length; data are not there to be read. */
@@ -134,8 +147,17 @@ public record CompactClass(CompactModel model, String columns, String generated)
       code.visitInsn(Opcodes.AASTORE);
     }
     code.visitVarInsn(Opcodes.ASTORE, 2);
-    bare(code);
-    if (!columns.isEmpty()) {
+    if (task.isPresent()) {
+      code.visitVarInsn(Opcodes.ALOAD, 1);
+      code.visitLdcInsn(task.get().options());
+      code.visitLdcInsn(columns);
+      code.visitVarInsn(Opcodes.ALOAD, 2);
+      String arguments = "(" + LOADER + ("L" + TEXT + ";").repeat(2) + TEXTS + ")";
+      toModel(code, task.get().model(), "model", arguments);
+    } else {
+      bare(code);
+    }
+    if (task.isEmpty() && !columns.isEmpty()) {
       code.visitVarInsn(Opcodes.ALOAD, 1);
       code.visitLdcInsn(columns);
       code.visitVarInsn(Opcodes.ALOAD, 2);
