@@ -15,12 +15,6 @@ final class MethodOptions {
   private static final String ALL = "all";
 
   @Option(
-      names = "--simulation",
-      paramLabel = "NAME",
-      description = "Which simulation of the file, by its name or its number from 1.")
-  private String simulation = "";
-
-  @Option(
       names = "--formulation",
       paramLabel = "auto|DTR|DSR|RR|RR-JF",
       hideParamSyntax = true,
@@ -52,7 +46,7 @@ final class MethodOptions {
 
   /** Returns the options given with these added. */
   SimulationOptions addTo(SimulationOptions options) {
-    SimulationOptions all = simulation.isEmpty() ? options : options.simulation(simulation);
+    SimulationOptions all = options;
     if (!formulation.isEmpty()) {
       all = all.formulation(formulation);
     }

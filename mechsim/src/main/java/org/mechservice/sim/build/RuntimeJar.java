@@ -15,7 +15,7 @@ import org.mechservice.solver.simulation.SolverVersion;
 /**
  * The solver as a JAR: all that models of any kind may need, but of the integration methods only
  * those that its service offers by name, and nothing of the main class of standalone JARs. Its
- * classes are packed together, which takes a third of the room they take one by one.
+ * classes are packed together, which takes a sixth of the room they take one by one.
  */
 final class RuntimeJar {
   private static final String CLASS = ".class";

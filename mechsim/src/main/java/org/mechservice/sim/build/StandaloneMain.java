@@ -3,10 +3,9 @@ package org.mechservice.sim.build;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.mechservice.mechml.SimulationTask;
 import org.mechservice.sim.build.emit.MainClass;
 import org.mechservice.sim.scene.ModelBuildException;
-import org.mechservice.solver.api.Model;
-import org.mechservice.solver.simulation.AnalysisSolver;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
 /** The main class of a standalone JAR: it joins one model and one integrator. */
@@ -46,8 +45,7 @@ final class StandaloneMain {
     String built = BuiltColumns.labels(BuiltColumns.of(model));
     String shown = BuiltColumns.labels(BuiltColumns.shown(model));
     String name = className(model.generated());
-    Model instance = model.newInstance();
-    if (AnalysisSolver.takes(instance)) {
+    if (!(model.source().settings().task() instanceof SimulationTask.Dynamic)) {
       return MainClass.ofAnalysis(name, model.generated().className(), built, shown);
     }
     String integrator = model.options().settings().integrator();
@@ -55,7 +53,7 @@ final class StandaloneMain {
         name,
         model.generated().className(),
         INTEGRATION + INTEGRATORS.getOrDefault(integrator, ""),
-        RuntimeSolver.formOf(instance, integrator).getClass().getName(),
+        RuntimeSolver.formOf(model.withoutUserClasses(), integrator).getClass().getName(),
         built,
         shown);
   }

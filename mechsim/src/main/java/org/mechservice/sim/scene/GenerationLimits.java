@@ -36,7 +36,7 @@ public final class GenerationLimits {
               + model.mechanism().name()
               + "\" has "
               + String.join("; ", beyond)
-              + ". This version simulates none of it;");
+              + ". This version simulates none of it");
     }
   }
 
@@ -44,12 +44,6 @@ public final class GenerationLimits {
   public static List<String> beyond(MechmlModel model) {
     SimulationSettings settings = model.settings();
     List<String> beyond = new ArrayList<>();
-    add(
-        beyond,
-        "forces written as classes",
-        model.mechanism().forces().stream()
-            .filter(UserForceElement.class::isInstance)
-            .map(ForceElement::name));
     add(beyond, "events", settings.events().stream().map(Event::name));
     return beyond;
   }
@@ -61,6 +55,12 @@ public final class GenerationLimits {
       beyond.add("formulation " + choice.formulation());
     }
     add(beyond, "constraints", mechanism.closures().stream().map(LoopClosure::name));
+    add(
+        beyond,
+        "forces written as classes",
+        mechanism.forces().stream()
+            .filter(UserForceElement.class::isInstance)
+            .map(ForceElement::name));
     add(beyond, "tunable parameters", mechanism.parameters().stream().map(Parameter::name));
     return beyond;
   }

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.UUID;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
@@ -34,32 +35,35 @@ final class RunFactory {
   }
 
   /**
+   * Makes the computing of a run.
+   *
+   * @param source makes its model
+   */
+  ModelRun task(ModelSource source, RunRequest request) {
+    return new ModelRun(solver, source, source.model(), source.parameters(), request);
+  }
+
+  /**
    * Makes a simulation.
    *
-   * @param model used by it alone
    * @param session whose it is
    * @throws LimitExceeded if its rows would be more than the host or its disk takes
    */
   SimulationRun create(
-      Model model,
-      RunRequest request,
-      RunColumns columns,
-      LoadedModel source,
-      RunFacts facts,
-      Session session)
+      ModelRun task, RunColumns columns, LoadedModel source, RunFacts facts, Session session)
       throws LimitExceeded {
-    requireRoomForRows(request.settings(), columns.count());
+    requireRoomForRows(task.settings(), columns.count());
     RunIdentity identity =
         new RunIdentity(
             UUID.randomUUID().toString(),
             session.id(),
             session.host().hostName(),
             session.owner(),
-            model.description().name(),
+            task.description().name(),
             source.fileName(),
             source.text(),
             System.currentTimeMillis());
-    RunPlan plan = new RunPlan(identity, new ModelRun(solver, model, request), columns, facts);
+    RunPlan plan = new RunPlan(identity, task, columns, facts);
     return new SimulationRun(plan, queue, store, session::stateChanged);
   }
 

@@ -83,7 +83,7 @@ record RunOptions(
   }
 
   /**
-   * Reads the options of a request.
+   * Reads the options of a request, those of {@link ModelOptions} aside.
    *
    * @throws InvalidOption if an option is unknown, given twice, or its value cannot be used
    * @throws NotAvailable if the contract knows the option and this version does not
@@ -104,8 +104,7 @@ record RunOptions(
         flag(given, OPT_STANDALONE.value));
   }
 
-  private static Map<String, String> byName(NameValue[] options)
-      throws InvalidOption, NotAvailable {
+  private static Map<String, String> byName(NameValue[] options) throws InvalidOption {
     Map<String, String> given = new HashMap<>();
     for (NameValue option : options) {
       if (!KNOWN.contains(option.key)) {
@@ -113,11 +112,8 @@ record RunOptions(
             option.key,
             "there is no option \"" + option.key + "\"; known are " + String.join(", ", KNOWN));
       }
-      if (option.key.equals(OPT_SET.value) || option.key.equals(OPT_TUNABLE.value)) {
-        throw Refusal.notAvailable(
-            "option \"" + option.key + "\" is not in this version: change the value in the file");
-      }
-      if (given.put(option.key, option.text.strip()) != null) {
+      boolean ofModel = ModelOptions.KEYS.contains(option.key);
+      if (!ofModel && given.put(option.key, option.text.strip()) != null) {
         throw Refusal.option(option.key, "option \"" + option.key + "\" is given twice");
       }
     }

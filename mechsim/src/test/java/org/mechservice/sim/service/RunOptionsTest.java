@@ -1,7 +1,6 @@
 package org.mechservice.sim.service;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.util.Arrays;
@@ -141,17 +140,5 @@ class RunOptionsTest {
     InvalidOption refusal =
         catchThrowableOfType(InvalidOption.class, () -> parse("rtol=1e-3", "rtol=1e-4"));
     assertThat(refusal.text).contains("twice");
-  }
-
-  @ParameterizedTest
-  @CsvSource({"set=L=2", "tunable=L"})
-  void whatThisVersionDoesNotDoIsSaid(String option) {
-    assertThatThrownBy(() -> parse(option))
-        .isInstanceOfSatisfying(
-            NotAvailable.class,
-            refusal -> {
-              assertThat(refusal.code).isEqualTo("S-007");
-              assertThat(refusal.text).contains("not in this version");
-            });
   }
 }

@@ -31,10 +31,9 @@ abstract class FoundModel implements FoundStates, Energies, BodyPoses, RunNotes 
 
   /**
    * @param data the model; its formulation is the name of the task
-   * @param mechanism what moves: that of the model, or with its motions held
    */
-  FoundModel(CompactModel data, Mechanism mechanism, UserForceSource userForces) {
-    this.mechanism = mechanism;
+  FoundModel(CompactModel data, UserForceSource userForces) {
+    mechanism = data.mechanism();
     equations = new EquationsOfMotion(mechanism, userForces);
     acceleration = new double[equations.nv];
     description = description(data);

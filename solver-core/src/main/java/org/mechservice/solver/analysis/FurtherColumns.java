@@ -2,22 +2,15 @@ package org.mechservice.solver.analysis;
 
 import java.util.Arrays;
 import java.util.EnumMap;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.ExtendedModel;
-import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.compact.CompactModel;
-import org.mechservice.solver.compact.LoadedUserForces;
 import org.mechservice.solver.force.UserForceSource;
-import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Output;
 
 /**
  * Result columns that a model does not have of itself: residuals and multipliers of constraints,
@@ -41,60 +34,23 @@ public final class FurtherColumns implements ResultColumns {
    */
   public FurtherColumns(
       ExplicitModel model, CompactModel data, Set<ColumnGroup> asked, UserForceSource userForces) {
-    this(model, data.mechanism(), data.outputs(), asked, userForces);
-  }
-
-  private FurtherColumns(
-      ExplicitModel model,
-      Mechanism mechanism,
-      List<Output> outputs,
-      Set<ColumnGroup> asked,
-      UserForceSource userForces) {
     this.model = model;
-    equations = new EquationsOfMotion(mechanism, userForces);
+    equations = new EquationsOfMotion(data.mechanism(), userForces);
     for (ColumnGroup group : asked) {
-      groups.put(group, values(group, outputs));
+      groups.put(group, values(group, data));
     }
     needsBalance = asked.stream().anyMatch(group -> group != ColumnGroup.OUTPUTS);
     yDot = new double[equations.nq + equations.nv];
   }
 
-  private ColumnValues values(ColumnGroup group, List<Output> outputs) {
+  private ColumnValues values(ColumnGroup group, CompactModel data) {
     return switch (group) {
       case CONSTRAINTS -> new ConstraintColumns(equations);
       case REACTIONS -> new ReactionColumns(equations);
       case FORCES -> new ForceColumns(equations);
-      case OUTPUTS -> new OutputColumns(equations.motion, outputs);
+      case OUTPUTS -> new OutputColumns(equations.motion, data.outputs());
       default -> throw new IllegalArgumentException(group + " are columns of the model itself");
     };
-  }
-
-  /**
-   * Extends the model of a generated class, or of a compact one, by columns.
-   *
-   * @param own an instance of the model's class
-   * @param loader finds the classes of user forces
-   * @param groups their labels, separated by commas
-   * @param texts of the {@link CompactModel} that has mechanism and outputs
-   */
-  public static Model extend(Object own, ClassLoader loader, String groups, String... texts) {
-    ExplicitModel model = (ExplicitModel) ModelSource.of(own);
-    CompactModel data = CompactModel.of(List.of(texts));
-    return extend(
-        model, data, data.mechanism(), ColumnGroup.of(groups), new LoadedUserForces(loader));
-  }
-
-  /** Extends a model by the columns of those groups that are not its own. */
-  static Model extend(
-      ExplicitModel model,
-      CompactModel data,
-      Mechanism mechanism,
-      Set<ColumnGroup> groups,
-      UserForceSource userForces) {
-    Set<ColumnGroup> asked = EnumSet.range(ColumnGroup.CONSTRAINTS, ColumnGroup.OUTPUTS);
-    asked.retainAll(groups);
-    return new ExtendedModel(
-        model, new FurtherColumns(model, mechanism, data.outputs(), asked, userForces));
   }
 
   @Override

@@ -7,14 +7,12 @@ import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.ResultTable;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.compact.CompactModel;
-import org.mechservice.solver.compact.LoadedUserForces;
 import org.mechservice.solver.force.UserForceSource;
 
 /**
@@ -22,10 +20,7 @@ import org.mechservice.solver.force.UserForceSource;
  * eigenvalue, frequency, damping ratio and shape; or one row per equation with the elements of M, C
  * and K.
  */
-public final class LinearModel implements ResultTable, RunNotes {
-  private static final String EQUILIBRIUM = "equilibrium";
-  private static final String MODES = "modes";
-
+final class LinearModel implements ResultTable, RunNotes {
   /** As the language has them where a static simulation says nothing. */
   private static final double TOLERANCE = 1e-9;
 
@@ -56,24 +51,6 @@ public final class LinearModel implements ResultTable, RunNotes {
     equations = new EquationsOfMotion(data.mechanism(), userForces);
     y = new double[equations.nq + equations.nv];
     a = new double[equations.nv];
-  }
-
-  /**
-   * Makes the model of a class.
-   *
-   * @param loader finds the classes of user forces
-   * @param options {@code start} or {@code equilibrium}, and {@code modes} or {@code matrices},
-   *     separated by a blank
-   * @param groups not used: a table has columns of its own
-   * @param texts of the {@link CompactModel}
-   */
-  public static Model model(ClassLoader loader, String options, String groups, String... texts) {
-    List<String> words = List.of(options.split(" ", -1));
-    return new LinearModel(
-        CompactModel.of(List.of(texts)),
-        words.contains(EQUILIBRIUM),
-        words.contains(MODES),
-        new LoadedUserForces(loader));
   }
 
   @Override

@@ -6,13 +6,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.Model;
 import org.mechservice.solver.closure.Assembly;
 import org.mechservice.solver.closure.LoopFinding;
 import org.mechservice.solver.closure.RankAnalysis;
 import org.mechservice.solver.compact.CompactModel;
-import org.mechservice.solver.compact.LoadedUserForces;
 import org.mechservice.solver.force.UserForceSource;
 
 /**
@@ -21,7 +18,7 @@ import org.mechservice.solver.force.UserForceSource;
  * time to the next in steps small enough that the position predicted is close; velocities and
  * accelerations from J v = −Φ_t and J a = −γ. The forces this takes are columns of their own.
  */
-public final class PrescribedModel extends FoundModel {
+final class PrescribedModel extends FoundModel {
   /** A position may differ from the one predicted by this, rad or lengths of the mechanism. */
   private static final double NEAR = 0.05;
 
@@ -43,23 +40,8 @@ public final class PrescribedModel extends FoundModel {
   private long iterations;
 
   PrescribedModel(CompactModel data, UserForceSource userForces) {
-    super(data, data.mechanism(), userForces);
+    super(data, userForces);
     names = new CoordinateNames(mechanism);
-  }
-
-  /**
-   * Makes the model of a class.
-   *
-   * @param loader finds the classes of user forces
-   * @param options empty
-   * @param groups column groups that are computed apart from it, separated by commas
-   * @param texts of the {@link CompactModel}
-   */
-  public static Model model(ClassLoader loader, String options, String groups, String... texts) {
-    CompactModel data = CompactModel.of(List.of(texts));
-    UserForceSource userForces = new LoadedUserForces(loader);
-    PrescribedModel model = new PrescribedModel(data, userForces);
-    return FurtherColumns.extend(model, data, model.mechanism, ColumnGroup.of(groups), userForces);
   }
 
   @Override

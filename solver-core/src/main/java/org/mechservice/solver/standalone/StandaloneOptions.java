@@ -4,8 +4,10 @@ import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.TreeMap;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
@@ -14,13 +16,19 @@ import org.mechservice.solver.api.RunSettings;
  * The command line of a model's own JAR.
  *
  * @param request the run asked for
+ * @param parameters values of parameters by their names
  * @param out CSV file to write; empty: none
  * @param quiet print nothing but errors
  * @param json print the report as JSON
  * @param help print the options and do nothing
  */
 record StandaloneOptions(
-    RunRequest request, String out, boolean quiet, boolean json, boolean help) {
+    RunRequest request,
+    Map<String, String> parameters,
+    String out,
+    boolean quiet,
+    boolean json,
+    boolean help) {
 
   static final String HELP =
       """
@@ -30,6 +38,7 @@ record StandaloneOptions(
         --rtol R       relative tolerance
         --atol A       absolute tolerance, SI: one, or four A;B;C;D for positions, angles,
                        velocities, angular velocities
+        --set P=V      value of a tunable parameter, in its unit; once for each
         --out FILE     write the rows as CSV, and their units beside it
         --columns C    column groups besides joints, separated by commas, or all
         --quiet        print nothing but errors
@@ -72,6 +81,7 @@ record StandaloneOptions(
         new RunRequest(
             parser.atol.isEmpty() ? settings : settings.withTolerances(parser.atol),
             parser.columns),
+        parser.parameters,
         parser.out,
         parser.quiet,
         parser.json,
@@ -87,6 +97,7 @@ record StandaloneOptions(
     private OptionalDouble rtol = OptionalDouble.empty();
     private List<Double> atol = List.of();
     private Set<ColumnGroup> columns;
+    private final Map<String, String> parameters = new TreeMap<>();
     private String out = "";
     private boolean quiet;
     private boolean json;
@@ -107,12 +118,24 @@ record StandaloneOptions(
         case "--t-step" -> tStep = OptionalDouble.of(number(option, inline));
         case "--rtol" -> rtol = OptionalDouble.of(number(option, inline));
         case "--atol" -> atol = tolerances(value(option, inline));
+        case "--set" -> set(value(option, inline));
         case "--out" -> out = value(option, inline);
         case "--columns" -> columns = groups(value(option, inline));
         case "--quiet" -> quiet = true;
         case "--json" -> json = true;
         case "--help" -> help = true;
         default -> throw new UsageException("S-065 unknown option " + word + "\n" + HELP);
+      }
+    }
+
+    private void set(String assignment) throws UsageException {
+      int equals = assignment.indexOf('=');
+      if (equals < 1) {
+        throw new UsageException("S-065 --set takes PARAMETER=VALUE, not \"" + assignment + "\"");
+      }
+      String name = assignment.substring(0, equals).strip();
+      if (parameters.put(name, assignment.substring(equals + 1)) != null) {
+        throw new UsageException("S-065 --set names parameter \"" + name + "\" twice");
       }
     }
 

@@ -6,10 +6,13 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
@@ -21,6 +24,7 @@ import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.StartRole;
@@ -42,14 +46,13 @@ class PrescribedModelTest {
     Rows(Mechanism mechanism, double end, String groups) throws IOException {
       RunSettings settings = new RunSettings(0, end, 0.01, "none", 1e-5, 1e-5);
       CompactModel data = new CompactModel(mechanism, "kinematic", "none", settings);
-      Model model =
-          PrescribedModel.model(
-              PrescribedModelTest.class.getClassLoader(),
-              "",
-              groups,
-              data.texts().toArray(String[]::new));
+      ExplicitModel model = new PrescribedModel(data, UserForceSource.NONE);
+      Set<ColumnGroup> further = EnumSet.range(ColumnGroup.CONSTRAINTS, ColumnGroup.OUTPUTS);
+      further.retainAll(ColumnGroup.of(groups));
+      Model extended =
+          new ExtendedModel(model, new FurtherColumns(model, data, further, UserForceSource.NONE));
       RunRequest request = new RunRequest(settings, ColumnGroup.of(groups));
-      report = new RuntimeSolver().run(model, request, this, new RunControl());
+      report = new RuntimeSolver().run(extended, request, this, new RunControl());
     }
 
     @Override

@@ -20,8 +20,7 @@ import org.mechservice.solver.spatial.Vector3;
 /** A wheel on a slide: one state of each kind. */
 class ToleranceTest {
   private static final RunSettings SETTINGS =
-      new RunSettings(0, 1, 0.1, "DE", 1e-6, 1)
-          .withTolerances(List.of(1e-3, 1e-4, 1e-5, 1e-6));
+      new RunSettings(0, 1, 0.1, "DE", 1e-6, 1).withTolerances(List.of(1e-3, 1e-4, 1e-5, 1e-6));
 
   private static ModelEquations equations() {
     Vector3 x = new Vector3(1, 0, 0);

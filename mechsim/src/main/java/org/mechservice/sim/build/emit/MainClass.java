@@ -1,7 +1,6 @@
 package org.mechservice.sim.build.emit;
 
 import java.util.function.Consumer;
-import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.integration.Integrator;
@@ -28,7 +27,7 @@ import org.objectweb.asm.Type;
  *   public static void main(String[] args) {
  *     System.exit(
  *         Standalone.run(
- *             ModelSource.of(new Pendulum()),
+ *             ModelSource.from(new Pendulum()),
  *             new Simulation(new PendulumMain(), new ExplicitForm()),
  *             "joints,accelerations,energy",
  *             "joints",
@@ -144,8 +143,8 @@ public final class MainClass {
     code.visitMethodInsn(
         Opcodes.INVOKESTATIC,
         Type.getInternalName(ModelSource.class),
-        "of",
-        "(L" + OBJECT + ";)" + Type.getDescriptor(Model.class),
+        "from",
+        "(L" + OBJECT + ";)" + Type.getDescriptor(ModelSource.class),
         true);
     solver.accept(code);
     code.visitLdcInsn(built);
@@ -156,7 +155,7 @@ public final class MainClass {
         Type.getInternalName(Standalone.class),
         "run",
         "("
-            + Type.getDescriptor(Model.class)
+            + Type.getDescriptor(ModelSource.class)
             + Type.getDescriptor(Solver.class)
             + "Ljava/lang/String;".repeat(2)
             + strings
