@@ -116,6 +116,14 @@ public final class SimulationOptions {
     return with(OPT_ABS_TOL.value, Double.toString(tolerance));
   }
 
+  /**
+   * Sets the absolute tolerances, SI: one for all states, or four separated by semicolons, of
+   * positions, angles, velocities and angular velocities.
+   */
+  public SimulationOptions absoluteTolerances(String tolerances) {
+    return with(OPT_ABS_TOL.value, tolerances);
+  }
+
   /** Sets the end of the run, s. */
   public SimulationOptions endTime(double seconds) {
     return with(OPT_T_END.value, Double.toString(seconds));

@@ -133,7 +133,7 @@ final class ModelBytes {
     code.visitLdcInsn(plan.jointNames());
     code.visitTypeInsn(Opcodes.NEW, SETTINGS);
     code.visitInsn(Opcodes.DUP);
-    String rest = plan.boundsSteps() ? "DDI" : "";
+    String rest = (plan.boundsSteps() ? "DDI" : "") + (plan.hasOneTolerance() ? "" : "DDD");
     settings(code, description.defaults());
     code.visitMethodInsn(
         Opcodes.INVOKESPECIAL, SETTINGS, "<init>", "(" + SIX_SETTINGS + rest + ")V", false);
@@ -158,6 +158,11 @@ final class ModelBytes {
       numbers.push(settings.maxStep());
       numbers.push(settings.initialStep());
       numbers.push(settings.maxOrder());
+    }
+    if (!plan.hasOneTolerance()) {
+      numbers.push(settings.angleTolerance());
+      numbers.push(settings.velocityTolerance());
+      numbers.push(settings.angularVelocityTolerance());
     }
   }
 

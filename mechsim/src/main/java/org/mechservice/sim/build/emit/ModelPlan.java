@@ -253,7 +253,15 @@ public final class ModelPlan implements WrittenClass {
     return String.join("\n", names);
   }
 
-  /** Returns whether step sizes or order are bounded by the settings. */
+  /** Returns whether the settings have one absolute tolerance for all states. */
+  boolean hasOneTolerance() {
+    return content.description().defaults().hasOneTolerance();
+  }
+
+  /**
+   * Returns whether the settings say more than their shortest form: bounds of step sizes or order,
+   * or further tolerances, which stand behind these.
+   */
   boolean boundsSteps() {
     RunSettings settings = content.description().defaults();
     RunSettings automatic =
