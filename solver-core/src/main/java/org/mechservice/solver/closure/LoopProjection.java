@@ -22,6 +22,9 @@ final class LoopProjection {
   /** Velocities changed by this part of all are those of another branch. */
   private static final double OTHER_BRANCH = 0.25;
 
+  /** Below this speed, 1/s, velocities are rounding: a linkage that cannot move. */
+  private static final double SLOWEST = 1e-9;
+
   private final ClosedTree work;
   private final PenaltySettings settings;
   private final AugmentedEquations equations;
@@ -98,7 +101,7 @@ final class LoopProjection {
    */
   boolean projectVelocities(double t, double[] y, double allowed) {
     work.place(t, y);
-    double speed = work.units.speed(y, work.nq);
+    double speed = Math.max(SLOWEST, work.units.speed(y, work.nq));
     if (!(rate() > CLOSED * speed)) {
       return Double.isFinite(speed);
     }

@@ -1,0 +1,165 @@
+package org.mechservice.solver.closure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
+import static org.mechservice.solver.api.JointType.C;
+import static org.mechservice.solver.api.JointType.R;
+import static org.mechservice.solver.api.JointType.S;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.mechanism.StartRole;
+import org.mechservice.solver.mechanism.closure.DistanceClosure;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.force.JointForce;
+import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.spatial.Vector3;
+
+/** Loops that cannot be simulated end in a message that names what is wrong, never in a NaN. */
+class LoopRefusalTest {
+  private static final RunSettings SETTINGS = SceneRun.settings(1, 0.1, "ode113", 1e-6);
+  private static final Mechanism FOUR_BAR = Linkages.fourBar(List.of(R, R, S, C), 3);
+
+  private static Mechanism with(List<LoopClosure> more, StartRole role) {
+    List<LoopClosure> closures = new ArrayList<>(FOUR_BAR.closures());
+    closures.addAll(more);
+    return new Mechanism(
+        "refused",
+        FOUR_BAR.root(),
+        FOUR_BAR.gravity(),
+        FOUR_BAR.bodies(),
+        FOUR_BAR.joints(),
+        List.of(),
+        Collections.nCopies(FOUR_BAR.joints().size(), role),
+        closures,
+        List.of(),
+        List.of());
+  }
+
+  private static LoopClosure rod(double length) {
+    return new DistanceClosure(
+        "strut",
+        new BodyPoint(BodyPoint.ROOT, new Vector3(1.5, 0, 0)),
+        new BodyPoint(0, new Vector3(0.3, 0, 0.4)),
+        length,
+        0,
+        Origin.NONE);
+  }
+
+  @Test
+  void aLinkageThatCannotMoveStaysWhereItIs() {
+    Mechanism braced = with(List.of(rod(Math.hypot(1.2, 0.4))), StartRole.PREFERRED);
+    ClosedMechanism closed = new ClosedMechanism(braced, "DSR", SETTINGS);
+    assertThat(closed.freedom()).isZero();
+    for (String formulation : List.of("DSR", "DSR penalty")) {
+      SceneRun run = LoopModels.run(braced, formulation, SETTINGS);
+      assertThat(run.report.outcome()).isInstanceOf(Outcome.Completed.class);
+      for (double[] row : run.rows) {
+        for (int i = 1; i < row.length; i++) {
+          assertThat(row[i]).isCloseTo(run.rows.get(0)[i], within(1e-11));
+        }
+      }
+    }
+  }
+
+  @Test
+  void constraintsThatContradictEachOtherAreNamedWithWhatIsLeftOpen() {
+    Mechanism torn = with(List.of(rod(3)), StartRole.PREFERRED);
+    ClosedMechanism closed = new ClosedMechanism(torn, "DSR", SETTINGS);
+    assertThat(closed.isAssembled()).isFalse();
+    LoopFinding finding = closed.findings().get(closed.findings().size() - 1);
+    assertThat(finding.kind()).isEqualTo(LoopFinding.Kind.NOT_CLOSED);
+    assertThat(finding.part()).startsWith("constraint \"");
+    assertThat(Math.abs(finding.amount())).isGreaterThan(0.1);
+    assertThatIllegalArgumentException().isThrownBy(() -> LoopModels.of(torn, "DSR", SETTINGS));
+  }
+
+  @Test
+  void jointsFixedAtTheStartAreNotMovedToCloseALoop() {
+    Mechanism fixed = with(List.of(rod(1.2)), StartRole.FIXED);
+    ClosedMechanism closed = new ClosedMechanism(fixed, "DSR", SETTINGS);
+    assertThat(closed.isAssembled()).isFalse();
+    double[] given = new double[fixed.positionCount() + fixed.velocityCount()];
+    fixed.initialState(given);
+    assertThat(closed.start()).containsExactly(given);
+    assertThat(closed.findings().get(0).part()).startsWith("constraint \"strut\"");
+  }
+
+  @Test
+  void aStartThatClosesTheLoopsStaysAsItIsToTheBit() {
+    Mechanism moving = Linkages.slidingPendulum(0);
+    double[] given = new double[4];
+    moving.initialState(given);
+    assertThat(new ClosedMechanism(moving, "DSR", SETTINGS).start()).containsExactly(given);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0, -1, Double.NaN, Double.POSITIVE_INFINITY})
+  void aDistanceThatIsNotPositiveIsRefusedByName(double length) {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> rod(length))
+        .withMessageContaining("strut");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"DSR", "DSR penalty"})
+  void aLoopWithoutMassNamesAJoint(String formulation) {
+    List<Body> massless =
+        FOUR_BAR.bodies().stream()
+            .map(body -> new Body(body.name(), 0, Vector3.ZERO, InertiaTensor.ZERO, Origin.NONE))
+            .toList();
+    Mechanism empty =
+        Linkages.mechanism("massless", massless, FOUR_BAR.joints(), FOUR_BAR.closures());
+    SceneRun run = LoopModels.run(empty, formulation, SETTINGS);
+    Failure failure = ((Outcome.Failed) run.report.outcome()).failure();
+    assertThat(failure.code()).isEqualTo("N-002");
+    assertThat(failure.part()).startsWith("joint \"");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"DSR", "RR", "RR-JF", "DSR penalty", "RR penalty", "RR-JF penalty"})
+  void aForceThatIsNotFiniteIsNamedWithItsTime(String formulation) {
+    Expression angle = new Expression.CoordinatePosition(new JointCoordinate(0, 0));
+    Expression breaking =
+        new Expression.Call(Function.SQRT, List.of(new Expression.Sum(Expression.of(0.2), angle)));
+    Expression other = new Expression.Negation(breaking);
+    Mechanism pushed =
+        new Mechanism(
+            "pushed",
+            FOUR_BAR.root(),
+            FOUR_BAR.gravity(),
+            FOUR_BAR.bodies(),
+            FOUR_BAR.joints(),
+            List.of(),
+            FOUR_BAR.startRoles(),
+            FOUR_BAR.closures(),
+            List.of(
+                new JointForce("breaking", new JointCoordinate(0, 0), breaking, Origin.NONE),
+                new JointForce("balance", new JointCoordinate(0, 0), other, Origin.NONE)),
+            List.of());
+    String integrator = formulation.startsWith("RR") ? "ode15sR" : "ode113";
+    RunSettings settings = SceneRun.settings(3, 0.1, integrator, 1e-6);
+    SceneRun run = LoopModels.run(pushed, formulation, settings);
+    Failure failure = ((Outcome.Failed) run.report.outcome()).failure();
+    assertThat(failure.code()).isEqualTo("N-030");
+    assertThat(failure.part()).contains("breaking");
+    assertThat(failure.time()).isPositive();
+    assertThat(run.rows).allMatch(row -> Arrays.stream(row).allMatch(Double::isFinite));
+  }
+}
