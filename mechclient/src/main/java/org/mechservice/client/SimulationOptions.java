@@ -88,7 +88,7 @@ public final class SimulationOptions {
     return with(OPT_FORMULATION.value, name);
   }
 
-  /** Chooses how loops are closed: {@code auto} or {@code projection}. */
+  /** Chooses how loops are closed: {@code auto}, {@code projection} or {@code penalty}. */
   public SimulationOptions closure(String name) {
     return with(OPT_CLOSURE.value, name);
   }

@@ -5,10 +5,13 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.Defects;
+import org.mechservice.solver.api.DependentStates;
+import org.mechservice.solver.api.DirectedForces;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.ModelState;
+import org.mechservice.solver.api.ProjectedStates;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.integration.Integrator;
@@ -108,8 +111,11 @@ public abstract class ModelEquations implements UnitGroups, SavedSystem {
    * @param y unknowns; overwritten
    * @return false if the loops cannot be closed there
    */
-  boolean closeLoops(double t, double[] y) {
-    return true;
+  final boolean closeLoops(double t, double[] y) {
+    if (model instanceof DependentStates loops) {
+      return loops.complete(t, y);
+    }
+    return !(model instanceof ProjectedStates loops) || loops.project(t, y);
   }
 
   /** Returns the model. */
@@ -134,6 +140,9 @@ public abstract class ModelEquations implements UnitGroups, SavedSystem {
 
   /** Returns why the last evaluation failed, if the model can tell. */
   final Optional<Defects.Defect> defect() {
+    if (result <= DirectedForces.FIRST && model instanceof DirectedForces forces) {
+      return Optional.of(FailureText.withoutDirection(forces, result));
+    }
     return result == Defects.DEFECT && model instanceof Defects able
         ? Optional.of(able.lastDefect())
         : Optional.empty();

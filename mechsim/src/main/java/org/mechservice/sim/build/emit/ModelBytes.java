@@ -56,6 +56,7 @@ final class ModelBytes {
       forces.values(plan.forceCount());
       method(plan.forces().get());
     }
+    plan.directedForces().ifPresent(this::directedForce);
     classFile.visitEnd();
     return checked();
   }
@@ -182,6 +183,19 @@ final class ModelBytes {
         Opcodes.INVOKEVIRTUAL, "java/lang/String", "split", "(" + STRING + "I)[" + STRING, false);
     code.visitMethodInsn(
         Opcodes.INVOKESTATIC, "java/util/List", "of", "([L" + OBJECT + ";)Ljava/util/List;", true);
+    end(code, Opcodes.ARETURN);
+  }
+
+  /** {@code return ("…").split("\n", -1)[force]}. */
+  private void directedForce(String names) {
+    MethodVisitor code = begin("directedForce", "(I)" + STRING);
+    code.visitLdcInsn(names);
+    code.visitLdcInsn("\n");
+    code.visitInsn(Opcodes.ICONST_M1);
+    code.visitMethodInsn(
+        Opcodes.INVOKEVIRTUAL, "java/lang/String", "split", "(" + STRING + "I)[" + STRING, false);
+    code.visitVarInsn(Opcodes.ILOAD, 1);
+    code.visitInsn(Opcodes.AALOAD);
     end(code, Opcodes.ARETURN);
   }
 

@@ -51,6 +51,7 @@ final class ModelSource {
     plan.poses().ifPresent(this::poses);
     plan.power().ifPresent(this::power);
     plan.forces().ifPresent(this::forces);
+    plan.directedForces().ifPresent(this::directedForce);
     return source.close().toString();
   }
 
@@ -216,6 +217,12 @@ final class ModelSource {
     source.line("System.arraycopy(forces, 0, values, at, forces.length);");
     source.close().close();
     method(forces, List.of(), List.of());
+  }
+
+  private void directedForce(String names) {
+    source.blank().line("@Override").open("public String directedForce(int force)");
+    source.line("return (" + JavaText.literal(names) + ").split(\"\\n\", -1)[force];");
+    source.close();
   }
 
   private void method(ModelPlan.Part part, List<String> first, List<String> last) {
