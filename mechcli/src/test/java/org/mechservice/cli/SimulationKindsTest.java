@@ -159,7 +159,7 @@ class SimulationKindsTest {
   @Test
   void unknownSimulationIsRefusedWithThoseThereAre() throws IOException {
     assertThat(mech("simulate", sliderCrank(true), "--simulation", "nodes"))
-        .isEqualTo(ExitStatus.BAD_USAGE);
+        .isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(err.toString())
         .contains("no simulation \"nodes\"", "1, 2 (\"rest\"), 3 (\"modes\")");
   }
@@ -167,7 +167,7 @@ class SimulationKindsTest {
   @Test
   void methodsAreRefusedWhereNothingIsIntegrated() throws IOException {
     String[] words = {"simulate", sliderCrank(true), "--simulation", "rest", "--integrator", "DE"};
-    assertThat(mech(words)).isEqualTo(ExitStatus.BAD_USAGE);
+    assertThat(mech(words)).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(err.toString()).contains("<static>", "no integrator");
   }
 

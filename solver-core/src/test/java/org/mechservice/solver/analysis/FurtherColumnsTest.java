@@ -83,6 +83,14 @@ class FurtherColumnsTest {
   }
 
   @Test
+  void groupsThatNobodyHasAreEmpty() {
+    SharedScene scene = SharedScene.named("slider_crank_planar");
+    ColumnsAt columns = new ColumnsAt(scene.mechanism(), ColumnGroup.REACTIONS);
+    assertThat(columns.columns.columns(ColumnGroup.OUTPUTS)).isEmpty();
+    columns.columns.values(ColumnGroup.OUTPUTS, 0, columns.start(), new double[0], 0);
+  }
+
+  @Test
   void openChainsHaveNoConstraints() {
     ColumnsAt columns = new ColumnsAt(FiveBarPendulum.mechanism(), ColumnGroup.CONSTRAINTS);
     assertThat(columns.columns.columns(ColumnGroup.CONSTRAINTS)).isEmpty();

@@ -28,6 +28,8 @@ import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.StartRole;
+import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.scenes.SharedScene;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
@@ -131,6 +133,44 @@ class PrescribedModelTest {
       // the sixth derivative of the energy over 140, times h⁶: some 1e-6 of the power
       assertThat(power).isCloseTo(rate, within(1e-5 * 40));
     }
+  }
+
+  /** The spatial loop with its first joint driven, be it of the tree or cut. */
+  @Test
+  void driveIsTheSameWhetherItsJointIsCutOrNot() throws IOException {
+    Expression motion = new Expression.Product(T, T);
+    Mechanism ofTree = SpatialLoop.cutAt(3, false, List.of());
+    Mechanism ofCut = SpatialLoop.cutAt(0, false, List.of());
+    JointClosure cut = (JointClosure) ofCut.closures().get(0);
+    JointClosure driving = new JointClosure(cut.joint(), StartRole.PREFERRED, List.of(motion));
+    Rows expected =
+        new Rows(
+            with(ofTree, List.of(new PrescribedMotion(0, List.of(motion))), ofTree.closures()),
+            0.15,
+            "joints,forces");
+    Rows found = new Rows(with(ofCut, List.of(), List.of(driving)), 0.15, "joints,forces");
+    assertThat(found.rows).hasSize(16);
+    for (int i = 0; i < found.rows.size(); i++) {
+      double drive = expected.value(i, "j0.drive");
+      // the condition of the loop's equations is some hundreds
+      assertThat(found.value(i, "j0.drive"))
+          .isCloseTo(drive, within(1e-10 * (1 + Math.abs(drive))));
+    }
+  }
+
+  private static Mechanism with(
+      Mechanism of, List<PrescribedMotion> motions, List<LoopClosure> closures) {
+    return new Mechanism(
+        of.name(),
+        of.root(),
+        of.gravity(),
+        of.bodies(),
+        of.joints(),
+        motions,
+        of.startRoles(),
+        closures,
+        of.forces(),
+        of.parameters());
   }
 
   private static double energy(Rows found, int row) {
