@@ -11,6 +11,8 @@ import org.mechservice.report.method.Candidate;
  * once per round, so that whatever slows the machine down hits all alike.
  */
 public final class Campaign {
+  private static final String NOT_RUN = "not run: it did not finish at a looser tolerance";
+
   private final MethodRunner runner;
   private final Journal journal;
   private final Effort effort;
@@ -50,11 +52,13 @@ public final class Campaign {
 
   /** What did not end in time will not do so at a tighter tolerance either. */
   private MeasuredRun first(Candidate candidate, double tolerance, boolean hopeless) {
-    return runner.run(candidate, tolerance, 0, hopeless ? 0.01 : effort.limitSeconds());
+    return hopeless
+        ? MeasuredRun.notRun(candidate.method().name(), tolerance, NOT_RUN)
+        : runner.run(candidate, tolerance, 0, effort.limitSeconds());
   }
 
   private static boolean tooLong(MeasuredRun run) {
-    return run.cause().startsWith("not finished");
+    return run.cause().startsWith("not finished") || run.cause().equals(NOT_RUN);
   }
 
   /** Lets the JIT compiler finish with every method before any is timed. */

@@ -8,7 +8,7 @@ import java.util.stream.IntStream;
  *
  * @param name for the page
  * @param tolerances relative tolerances, loosest first
- * @param limitSeconds after which a single run is stopped, s
+ * @param limitSeconds processor time after which a single run is stopped, s
  * @param timingSeconds for all timed runs together, s
  * @param referenceSeconds for one solution of the reference, s
  * @param warmSeconds per method before it is timed, s
@@ -31,7 +31,7 @@ public record Effort(
 
   /** Under a minute. */
   public static final Effort QUICK =
-      new Effort("quick", new double[] {1e-3, 1e-5, 1e-7, 1e-9}, 0.6, 14, 4, 0.15, 1);
+      new Effort("quick", new double[] {1e-3, 1e-5, 1e-7, 1e-9}, 1, 12, 4, 0.15, 1);
 
   /** Tolerances from 1e-3 to 1e-12. */
   public static final Effort FULL = new Effort("full", powers(3, 12), 20, 300, 120, 0.5, 3);

@@ -63,6 +63,12 @@ public record MeasuredRun(
     return cause.isEmpty();
   }
 
+  /** Returns the record of a run that was not made. */
+  static MeasuredRun notRun(String method, double tolerance, String cause) {
+    return new MeasuredRun(
+        method, tolerance, 0, cause, 0, 0, 0, 0, 0, 0, 0, Errors.NONE, Double.NaN);
+  }
+
   /** Returns the same run where nobody knows its errors. */
   public MeasuredRun withoutErrors() {
     return new MeasuredRun(

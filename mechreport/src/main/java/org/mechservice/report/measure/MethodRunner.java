@@ -25,6 +25,8 @@ public final class MethodRunner implements AutoCloseable {
   /** The absolute tolerance as a part of the relative one (per SI unit). */
   public static final double ABSOLUTE_PART = 0.01;
 
+  private static final long LOOK_MILLIS = 20;
+
   private final Reference reference;
   private final StateDistance distance;
   private final RunGrid grid;
@@ -49,7 +51,7 @@ public final class MethodRunner implements AutoCloseable {
    * Runs a method once.
    *
    * @param round number for the record
-   * @param limitSeconds after which the run is stopped, s
+   * @param limitSeconds processor time after which the run is stopped, s
    */
   public MeasuredRun run(Candidate candidate, double tolerance, int round, double limitSeconds) {
     return run(candidate, candidate.models().get(), tolerance, round, limitSeconds);
@@ -61,9 +63,8 @@ public final class MethodRunner implements AutoCloseable {
     RunSettings settings = settings(candidate, tolerance);
     Rows rows = new Rows(grid, settings.tEnd());
     RunControl control = new RunControl();
-    ScheduledFuture<?> alarm =
-        watch.schedule(control::stop, (long) (limitSeconds * 1e9), TimeUnit.NANOSECONDS);
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    ScheduledFuture<?> alarm = stopAfter(limitSeconds, control, threads);
     long bytes = threads.getCurrentThreadAllocatedBytes();
     // The thread's own time: other processes of the machine do not count.
     long started = threads.getCurrentThreadCpuTime();
@@ -79,6 +80,22 @@ public final class MethodRunner implements AutoCloseable {
     double seconds = (threads.getCurrentThreadCpuTime() - started) * 1e-9;
     bytes = threads.getCurrentThreadAllocatedBytes() - bytes;
     return measured(candidate, tolerance, round, limitSeconds, report, rows, seconds, bytes);
+  }
+
+  /** Stops a run when its thread has used the time up. */
+  private ScheduledFuture<?> stopAfter(
+      double limitSeconds, RunControl control, ThreadMXBean threads) {
+    long thread = Thread.currentThread().getId();
+    long end = threads.getThreadCpuTime(thread) + (long) (limitSeconds * 1e9);
+    return watch.scheduleAtFixedRate(
+        () -> {
+          if (threads.getThreadCpuTime(thread) > end) {
+            control.stop();
+          }
+        },
+        LOOK_MILLIS,
+        LOOK_MILLIS,
+        TimeUnit.MILLISECONDS);
   }
 
   private RunSettings settings(Candidate candidate, double tolerance) {
