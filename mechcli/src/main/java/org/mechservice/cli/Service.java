@@ -1,14 +1,18 @@
 package org.mechservice.cli;
 
 import java.util.Optional;
+import org.mechservice.client.JarCache;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.ServiceException;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
+import org.mechservice.sim.host.HostOptions;
 
 /** The service a command asks: one on the network, or one started for this command alone. */
 final class Service implements AutoCloseable {
-  private static final ServerSettings EMBEDDED = new ServerSettings("embedded", "127.0.0.1", 0, 1);
+  /** What the user of this process has written may run in it. */
+  private static final ServerSettings EMBEDDED =
+      new ServerSettings("127.0.0.1", 0, new HostOptions("embedded", 1).withUserCode(true));
 
   private final Optional<MechServerProcess> embedded;
   private final MechConnection connection;
@@ -21,12 +25,14 @@ final class Service implements AutoCloseable {
   /**
    * Connects to a service.
    *
-   * @param address its address; empty: an embedded server on a free loopback port
+   * @param asked which; none: an embedded server on a free loopback port
    * @throws org.mechservice.client.ServerLostException if nobody answers there
    */
-  static Service open(String address) {
-    if (!address.isEmpty()) {
-      return new Service(Optional.empty(), MechConnection.open(address));
+  static Service open(ServerOption asked) {
+    if (!asked.address().isEmpty()) {
+      return new Service(
+          Optional.empty(),
+          MechConnection.open(asked.address(), JarCache.ofUser(), asked.identity()));
     }
     MechServerProcess server = MechServerProcess.start(EMBEDDED);
     try {

@@ -43,9 +43,12 @@ final class StandaloneMain {
             className(model.generated()),
             model.generated().className(),
             INTEGRATION + integrator,
-            RuntimeSolver.formOf(model.newInstance(), model.options().settings().integrator())
+            RuntimeSolver.formOf(
+                    model.withoutUserClasses(), model.options().settings().integrator())
                 .getClass()
-                .getName()));
+                .getName(),
+            BuiltColumns.labels(BuiltColumns.of(model)),
+            BuiltColumns.labels(BuiltColumns.shown(model))));
     return classes;
   }
 }

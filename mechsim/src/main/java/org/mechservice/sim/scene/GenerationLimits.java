@@ -8,7 +8,6 @@ import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Output;
 import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
@@ -38,7 +37,8 @@ public final class GenerationLimits {
               + model.mechanism().name()
               + "\" has "
               + String.join("; ", beyond)
-              + ". This version simulates none of it; it runs <dynamic> with one absolute tolerance");
+              + ". This version simulates none of it; it runs <dynamic> with one absolute"
+              + " tolerance");
     }
   }
 
@@ -52,13 +52,6 @@ public final class GenerationLimits {
     if (!settings.absoluteTolerances().isUniform()) {
       beyond.add("absolute tolerances by class of state");
     }
-    add(
-        beyond,
-        "forces written as classes",
-        model.mechanism().forces().stream()
-            .filter(UserForceElement.class::isInstance)
-            .map(ForceElement::name));
-    add(beyond, "outputs", model.outputs().stream().map(Output::name));
     add(beyond, "events", settings.events().stream().map(Event::name));
     return beyond;
   }
@@ -70,6 +63,12 @@ public final class GenerationLimits {
       beyond.add("formulation " + choice.formulation());
     }
     add(beyond, "constraints", mechanism.closures().stream().map(LoopClosure::name));
+    add(
+        beyond,
+        "forces written as classes",
+        mechanism.forces().stream()
+            .filter(UserForceElement.class::isInstance)
+            .map(ForceElement::name));
     add(beyond, "tunable parameters", mechanism.parameters().stream().map(Parameter::name));
     return beyond;
   }

@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.Diagnostic;
 import org.mechservice.idl.IMechClient;
@@ -19,11 +20,12 @@ import org.mechservice.idl.MechSimOperations;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.ModelInfo;
 import org.mechservice.idl.NameValue;
-import org.mechservice.idl.NotAuthorized;
+import org.mechservice.idl.NameValueSeqHolder;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.Parameter;
 import org.mechservice.idl.RoadmapEntry;
+import org.mechservice.idl.RunSetUp;
 import org.mechservice.idl.RuntimeInfo;
 import org.mechservice.idl.ServerFailure;
 import org.mechservice.idl.SimEvent;
@@ -36,7 +38,7 @@ import org.mechservice.sim.build.CompiledModel;
 import org.mechservice.sim.build.GeneratedModel;
 import org.mechservice.sim.build.ModelFactory;
 import org.mechservice.sim.build.PackedJar;
-import org.mechservice.solver.api.Model;
+import org.mechservice.sim.build.user.UserFile;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.simulation.SolverVersion;
 import org.slf4j.Logger;
@@ -83,14 +85,16 @@ final class MechSimServant implements MechSimOperations {
 
   @Override
   public Diagnostic[] loadModel(ModelFile mechml, ModelFile[] userFiles)
-      throws InvalidModel, LimitExceeded, NotAuthorized {
+      throws InvalidModel, LimitExceeded {
     requireAllowedSize(mechml, userFiles);
-    if (userFiles.length > 0) {
-      throw Refusal.notAllowed("user code is not in this version; leave it out");
-    }
     long start = System.nanoTime();
     try {
-      LoadedModel read = LoadedModel.read(mechml.fileName, mechml.content);
+      LoadedModel read =
+          LoadedModel.read(
+              mechml.fileName,
+              mechml.content,
+              Stream.of(userFiles).map(file -> new UserFile(file.fileName, file.content)).toList(),
+              session.host().userCode());
       times.addTreating(System.nanoTime() - start);
       loaded = Optional.of(read);
       generateAhead(read);
@@ -128,16 +132,26 @@ final class MechSimServant implements MechSimOperations {
         () -> Refusal.state(SimState.SIM_CREATED, "no model is loaded; call loadModel first"));
   }
 
+  /** Returns the model as the options of a request want it read. */
+  private LoadedModel requireModel(NameValue[] options)
+      throws InvalidState, InvalidOption, InvalidModel {
+    try {
+      return requireModel().with(ModelOptions.parse(options));
+    } catch (MechmlException e) {
+      throw Refusal.model(e.diagnostics());
+    }
+  }
+
   @Override
   public ModelInfo getModelInfo() throws InvalidState {
     return ModelFacts.info(requireModel());
   }
 
-  /** None: this version folds all parameters into the generated class. */
   @Override
   public Parameter[] parameters() throws InvalidState {
-    requireModel();
-    return new Parameter[0];
+    return requireModel().model().parameters().stream()
+        .map(p -> new Parameter(p.name(), p.unit(), p.value(), p.tunable()))
+        .toArray(Parameter[]::new);
   }
 
   @Override
@@ -154,32 +168,79 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public ModelFile generatedSource(NameValue[] options)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
-    LoadedModel model = requireModel();
+    LoadedModel model = requireModel(options);
     RunOptions asked = RunOptions.parse(options, model.model().settings());
     GeneratedModel generated =
         Built.orRefused(() -> library.generated(model, asked.forJar(), times));
     return new ModelFile(
-        generated.className().replace('.', '/') + ".java",
+        generated.sourceName().replace('.', '/') + ".java",
         generated.source().getBytes(StandardCharsets.UTF_8));
   }
 
   @Override
   public IMechSimRemote createSimulation(NameValue[] options, @Nullable IMechClient client)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
+    return created(options, client).reference();
+  }
+
+  @Override
+  public RunSetUp prepareSimulation(NameValue[] options, @Nullable IMechClient client)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
+    Created created = created(options, client);
+    try {
+      return new RunSetUp(
+          created.reference(),
+          session.openRows(created.run()),
+          Wire.channels(created.run().columns().variables()),
+          facts(created.formulationReason()));
+    } catch (LimitExceeded e) {
+      session.destroy(created.run());
+      throw e;
+    }
+  }
+
+  /** What the report of a run says of its set-up, as far as this side knows it. */
+  private NameValue[] facts(String formulationReason) throws InvalidState {
+    Map<String, String> facts = new LinkedHashMap<>();
+    facts.put("hostName", hostName());
+    facts.put("modelSha256", requireModel().sha256());
+    facts.put("formulationReason", formulationReason);
+    times.asMap().forEach((name, seconds) -> facts.put(name, Double.toString(seconds)));
+    return Wire.nameValues(facts);
+  }
+
+  /** A simulation that was taken in. */
+  private record Created(SimulationRun run, IMechSimRemote reference, String formulationReason) {}
+
+  private Created created(NameValue[] options, @Nullable IMechClient client)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
     admission.requirePlace(session);
-    LoadedModel source = requireModel();
+    LoadedModel source = requireModel(options);
     SimulationSettings ofFile = source.model().settings();
     RunOptions asked = RunOptions.parse(options, ofFile);
     CompiledModel compiled =
         Built.orRefused(() -> library.compiled(source, asked.forRun(ofFile), times));
-    Model model = compiled.newInstance();
+    requireUserCodeAllowed(compiled);
     RunRequest request = new RunRequest(asked.settings(), asked.columns());
-    RunColumns columns = Built.orRefused(() -> runs.columns(model, request));
+    ModelRun task = Built.orRefused(() -> runs.task(compiled.instances(), request));
+    RunColumns columns = Built.orRefused(() -> runs.columns(task.model(), request));
     RunFacts facts = RunFacts.of(session.host().hostName(), source, compiled.generated(), times);
-    SimulationRun run = runs.create(model, request, columns, source, facts, session);
+    SimulationRun run = runs.create(task, columns, source, facts, session);
     IMechSimRemote reference = session.add(run, client);
     session.said(run, messages(source, compiled.generated(), asked));
-    return reference;
+    return new Created(run, reference, compiled.generated().formulationReason());
+  }
+
+  private void requireUserCodeAllowed(CompiledModel compiled) throws NotAvailable {
+    if (compiled.hasUserClasses() && !session.host().userCode()) {
+      throw new NotAvailable(
+          "S-120",
+          "host "
+              + hostName()
+              + " runs no classes of users, and forces of this model are such classes; run it with"
+              + " --mode local or without --server, or ask the operator to start the server with"
+              + " --allow-user-code");
+    }
   }
 
   private static Diagnostic[] messages(
@@ -202,7 +263,7 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public byte[] compileToJar(NameValue[] options, JarInfoHolder info)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
-    LoadedModel source = requireModel();
+    LoadedModel source = requireModel(options);
     RunOptions asked = RunOptions.parse(options, source.model().settings());
     BuildOptions build = asked.forJar();
     CompiledModel compiled = Built.orRefused(() -> library.compiled(source, build, times));
@@ -220,16 +281,34 @@ final class MechSimServant implements MechSimOperations {
             jar.sha256(),
             jar.bytes().length,
             jar.modelBytes(),
-            new byte[0],
+            signature(jar),
             runtime,
             Wire.nameValues(jar.manifest()));
     return jar.bytes();
   }
 
   @Override
+  public byte[] prepareJar(NameValue[] options, JarInfoHolder info, NameValueSeqHolder facts)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
+    byte[] jar = compileToJar(options, info);
+    facts.value = facts("");
+    return jar;
+  }
+
+  /** Returns the signature that travels beside a JAR; empty without TLS, where nobody has a key. */
+  private byte[] signature(PackedJar jar) {
+    return session
+        .host()
+        .orb()
+        .identity()
+        .map(own -> own.sign(jar.bytes()))
+        .orElseGet(() -> new byte[0]);
+  }
+
+  @Override
   public RuntimeInfo getRuntimeInfo() {
     PackedJar jar = ModelFactory.runtimeJar();
-    return new RuntimeInfo(jar.sha256(), jar.bytes().length, new byte[0], SolverVersion.CURRENT);
+    return new RuntimeInfo(jar.sha256(), jar.bytes().length, signature(jar), SolverVersion.CURRENT);
   }
 
   @Override

@@ -1,23 +1,35 @@
 package org.mechservice.sim.service;
 
 import java.io.IOException;
+import java.util.List;
+import java.util.Map;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.api.TunableParameter;
 
 /**
  * Computes in this process.
  *
  * @param solver integrates
+ * @param source makes models like the one used
  * @param model used by this run alone
+ * @param parameters tunable parameters with the values the model has
  * @param request what is wanted
  */
-record ModelRun(Solver solver, Model model, RunRequest request) implements RunTask {
+record ModelRun(
+    Solver solver,
+    ModelSource source,
+    Model model,
+    List<TunableParameter> parameters,
+    RunRequest request)
+    implements RunTask {
   @Override
   public ModelDescription description() {
     return model.description();
@@ -31,6 +43,21 @@ record ModelRun(Solver solver, Model model, RunRequest request) implements RunTa
   @Override
   public void initialState(double[] y) {
     model.initialState(y);
+  }
+
+  @Override
+  public RunTask with(Map<String, String> values) {
+    Model changed = source.model(values);
+    List<TunableParameter> now =
+        source.parameters().stream()
+            .map(p -> values.containsKey(p.name()) ? changed(p, values.get(p.name())) : p)
+            .toList();
+    return new ModelRun(solver, source, changed, now, request);
+  }
+
+  private static TunableParameter changed(TunableParameter parameter, String value) {
+    return new TunableParameter(
+        parameter.name(), parameter.unit(), Double.parseDouble(value.strip()));
   }
 
   @Override

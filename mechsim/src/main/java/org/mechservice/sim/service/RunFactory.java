@@ -5,8 +5,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.UUID;
 import org.mechservice.idl.LimitExceeded;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
@@ -31,40 +31,39 @@ final class RunFactory {
 
   /** Returns the columns of a run. */
   RunColumns columns(Model model, RunRequest request) {
-    if (model instanceof ExplicitModel explicit) {
-      return RunColumns.of(groups -> Simulation.columns(explicit, groups), request.columns());
-    }
-    throw new IllegalArgumentException(
-        "S-061 model \"" + model.description().name() + "\" has no explicit form y' = f(t, y)");
+    return RunColumns.of(groups -> Simulation.columns(model, groups), request.columns());
+  }
+
+  /**
+   * Makes the computing of a run.
+   *
+   * @param source makes its model
+   */
+  ModelRun task(ModelSource source, RunRequest request) {
+    return new ModelRun(solver, source, source.model(), source.parameters(), request);
   }
 
   /**
    * Makes a simulation.
    *
-   * @param model used by it alone
    * @param session whose it is
    * @throws LimitExceeded if its rows would be more than the host or its disk takes
    */
   SimulationRun create(
-      Model model,
-      RunRequest request,
-      RunColumns columns,
-      LoadedModel source,
-      RunFacts facts,
-      Session session)
+      ModelRun task, RunColumns columns, LoadedModel source, RunFacts facts, Session session)
       throws LimitExceeded {
-    requireRoomForRows(request.settings(), columns.count());
+    requireRoomForRows(task.settings(), columns.count());
     RunIdentity identity =
         new RunIdentity(
             UUID.randomUUID().toString(),
             session.id(),
             session.host().hostName(),
             session.owner(),
-            model.description().name(),
+            task.description().name(),
             source.fileName(),
             source.text(),
             System.currentTimeMillis());
-    RunPlan plan = new RunPlan(identity, new ModelRun(solver, model, request), columns, facts);
+    RunPlan plan = new RunPlan(identity, task, columns, facts);
     return new SimulationRun(plan, queue, store, session::stateChanged);
   }
 

@@ -2,6 +2,7 @@ package org.mechservice.sim.service;
 
 import java.util.EnumSet;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
@@ -69,15 +70,13 @@ record RunOptions(
               OPT_TUNABLE.value,
               OPT_STANDALONE.value,
               OPT_COMPACT.value));
-  private static final Set<String> COLUMNS_TO_COME =
-      Set.of("constraints", "reactions", "forces", "outputs");
 
   RunOptions {
     columns = Set.copyOf(columns);
   }
 
   /**
-   * Reads the options of a request.
+   * Reads the options of a request, those of {@link ModelOptions} aside.
    *
    * @throws InvalidOption if an option is unknown, given twice, or its value cannot be used
    * @throws NotAvailable if the contract knows the option and this version does not
@@ -85,18 +84,16 @@ record RunOptions(
   static RunOptions parse(NameValue[] options, SimulationSettings ofFile)
       throws InvalidOption, NotAvailable {
     Map<String, String> given = byName(options);
-    refuseWhatIsToCome(given);
     return new RunOptions(
         given.getOrDefault(OPT_FORMULATION.value, ofFile.formulation()),
         given.getOrDefault(OPT_CLOSURE.value, ofFile.closure()),
         flag(given, OPT_COMPACT.value),
-        columns(given.getOrDefault(OPT_COLUMNS.value, ColumnGroup.JOINTS.label())),
+        columns(given.getOrDefault(OPT_COLUMNS.value, ofFile(ofFile.columns()))),
         settings(given, ofFile),
         flag(given, OPT_STANDALONE.value));
   }
 
-  private static Map<String, String> byName(NameValue[] options)
-      throws InvalidOption, NotAvailable {
+  private static Map<String, String> byName(NameValue[] options) throws InvalidOption {
     Map<String, String> given = new HashMap<>();
     for (NameValue option : options) {
       if (!KNOWN.contains(option.key)) {
@@ -104,25 +101,12 @@ record RunOptions(
             option.key,
             "there is no option \"" + option.key + "\"; known are " + String.join(", ", KNOWN));
       }
-      if (option.key.equals(OPT_SET.value) || option.key.equals(OPT_TUNABLE.value)) {
-        throw Refusal.notAvailable(
-            "option \"" + option.key + "\" is not in this version: change the value in the file");
-      }
-      if (given.put(option.key, option.text.strip()) != null) {
+      boolean ofModel = ModelOptions.KEYS.contains(option.key);
+      if (!ofModel && given.put(option.key, option.text.strip()) != null) {
         throw Refusal.option(option.key, "option \"" + option.key + "\" is given twice");
       }
     }
     return given;
-  }
-
-  private static void refuseWhatIsToCome(Map<String, String> given)
-      throws InvalidOption, NotAvailable {
-    if (!given.getOrDefault(OPT_SIMULATION.value, "1").equals("1")) {
-      throw Refusal.notAvailable(
-          "simulation \""
-              + given.get(OPT_SIMULATION.value)
-              + "\" is not in this version, which runs the first one of a file; use 1");
-    }
   }
 
   private static boolean flag(Map<String, String> given, String name) throws InvalidOption {
@@ -136,7 +120,7 @@ record RunOptions(
     };
   }
 
-  private static Set<ColumnGroup> columns(String text) throws InvalidOption, NotAvailable {
+  private static Set<ColumnGroup> columns(String text) throws InvalidOption {
     Set<ColumnGroup> groups = EnumSet.of(ColumnGroup.JOINTS);
     for (String word : text.split(",", -1)) {
       String label = word.strip();
@@ -149,16 +133,13 @@ record RunOptions(
     return groups;
   }
 
-  private static ColumnGroup group(String label) throws InvalidOption, NotAvailable {
+  private static String ofFile(List<String> columns) {
+    return columns.isEmpty() ? ColumnGroup.JOINTS.label() : String.join(",", columns);
+  }
+
+  private static ColumnGroup group(String label) throws InvalidOption {
     String known =
-        Stream.of(ColumnGroup.values())
-            .map(ColumnGroup::label)
-            .filter(other -> !COLUMNS_TO_COME.contains(other))
-            .collect(Collectors.joining(", "));
-    if (COLUMNS_TO_COME.contains(label)) {
-      throw Refusal.notAvailable(
-          "the column group \"" + label + "\" is not in this version, which has " + known);
-    }
+        Stream.of(ColumnGroup.values()).map(ColumnGroup::label).collect(Collectors.joining(", "));
     for (ColumnGroup group : ColumnGroup.values()) {
       if (group.label().equals(label)) {
         return group;

@@ -262,6 +262,20 @@ public final class Mechanism {
     return parameters;
   }
 
+  /**
+   * Returns the same mechanism with other values of its parameters.
+   *
+   * @param values in the order of {@link #parameters}, in the units of the model file
+   */
+  public Mechanism with(double[] values) {
+    List<Parameter> changed = new ArrayList<>();
+    for (Parameter parameter : parameters) {
+      changed.add(parameter.with(values[changed.size()]));
+    }
+    return new Mechanism(
+        name, root, gravity, bodies, joints, motions, startRoles, closures, forces, changed);
+  }
+
   /** Returns whether a joint's coordinates follow a prescribed motion and are no states. */
   public boolean isDriven(int joint) {
     return motionOfJoint[joint] != NOT_DRIVEN;

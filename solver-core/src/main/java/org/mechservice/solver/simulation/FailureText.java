@@ -72,7 +72,8 @@ final class FailureText {
                   + " coordinates.",
               failure,
               "",
-              "The mechanism locks or branches there; check its dimensions, or end the run before.");
+              "The mechanism locks or branches there; check its dimensions, or end the run"
+                  + " before.");
       case EVENTS_ACCUMULATE ->
           failure(
               "N-021",
@@ -95,6 +96,14 @@ final class FailureText {
               failure,
               state(model, failure.worstComponent()),
               "Loosen the tolerances or shorten the interval.");
+    };
+  }
+
+  /** Returns whether a failure can come from loops that lock, branch or stay open. */
+  static boolean mayLieInLoops(IntegrationFailure.Cause cause) {
+    return switch (cause) {
+      case NOT_FINITE, STEP_TOO_SMALL, NO_CONVERGENCE, SINGULAR_MATRIX, NOT_COMPLETED -> true;
+      default -> false;
     };
   }
 

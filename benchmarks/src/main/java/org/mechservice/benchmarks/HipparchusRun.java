@@ -1,0 +1,52 @@
+package org.mechservice.benchmarks;
+
+import org.hipparchus.ode.ODEIntegrator;
+import org.hipparchus.ode.ODEState;
+import org.hipparchus.ode.OrdinaryDifferentialEquation;
+import org.hipparchus.ode.sampling.ODEStateInterpolator;
+import org.hipparchus.ode.sampling.ODEStepHandler;
+import org.mechservice.solver.integration.suite.Reference;
+import org.mechservice.solver.integration.suite.SuiteProblem;
+
+/** Runs of an integrator of Hipparchus. */
+final class HipparchusRun implements Method.ProblemRun {
+  private final ODEIntegrator integrator;
+  private final StepCount count = new StepCount();
+
+  HipparchusRun(ODEIntegrator integrator) {
+    this.integrator = integrator;
+    integrator.addStepHandler(count);
+  }
+
+  @Override
+  public Method.Cost toEnd(SuiteProblem problem) {
+    Reference reference = problem.reference();
+    count.steps = 0;
+    integrator.integrate(
+        new Equations(problem), new ODEState(0, reference.initialState()), reference.end());
+    return new Method.Cost(count.steps, integrator.getEvaluations());
+  }
+
+  private static final class StepCount implements ODEStepHandler {
+    private long steps;
+
+    @Override
+    public void handleStep(ODEStateInterpolator interpolator) {
+      steps++;
+    }
+  }
+
+  private record Equations(SuiteProblem problem) implements OrdinaryDifferentialEquation {
+    @Override
+    public int getDimension() {
+      return problem.dimension();
+    }
+
+    @Override
+    public double[] computeDerivatives(double t, double[] y) {
+      double[] yDot = new double[y.length];
+      problem.derivative(t, y, yDot);
+      return yDot;
+    }
+  }
+}

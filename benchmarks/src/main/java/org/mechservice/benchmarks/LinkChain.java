@@ -1,0 +1,44 @@
+package org.mechservice.benchmarks;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.solver.mechanism.Attachment;
+import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.mechanism.Revolute;
+import org.mechservice.solver.mechanism.Root;
+import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+
+/** A hanging chain of equal bars, turning about y and about z in turn. */
+final class LinkChain {
+  private static final double LENGTH = 0.1;
+  private static final double MASS = 0.2;
+
+  private LinkChain() {}
+
+  /** Returns a chain. */
+  static Mechanism of(int links) {
+    List<Body> bodies = new ArrayList<>();
+    List<Joint> joints = new ArrayList<>();
+    double across = MASS * LENGTH * LENGTH / 12;
+    for (int i = 0; i < links; i++) {
+      bodies.add(
+          new Body(
+              "link" + i,
+              MASS,
+              new Vector3(0.5 * LENGTH, 0, 0),
+              new InertiaTensor(1e-5, across, across, 0, 0, 0),
+              Origin.NONE));
+      Vector3 onParent = i == 0 ? Vector3.ZERO : new Vector3(LENGTH, 0, 0);
+      Vector3 axis = i % 2 == 0 ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1);
+      Attachment attachment = new Attachment(i - 1, onParent, i, Vector3.ZERO, Rotation.IDENTITY);
+      joints.add(new Revolute("joint" + i, attachment, axis, 0.1, 0.2, Origin.NONE));
+    }
+    Root root = new Root("Ground", Vector3.ZERO, Rotation.IDENTITY);
+    return new Mechanism("Chain" + links, root, new Vector3(0, 0, -9.81), bodies, joints);
+  }
+}

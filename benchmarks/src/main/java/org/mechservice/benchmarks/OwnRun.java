@@ -1,0 +1,24 @@
+package org.mechservice.benchmarks;
+
+import org.mechservice.solver.integration.IntegrationStatistics;
+import org.mechservice.solver.integration.Integrator;
+import org.mechservice.solver.integration.StepResult;
+import org.mechservice.solver.integration.suite.Reference;
+import org.mechservice.solver.integration.suite.SuiteProblem;
+
+/** Runs of one of our integrators. */
+record OwnRun(Integrator integrator) implements Method.ProblemRun {
+  @Override
+  public Method.Cost toEnd(SuiteProblem problem) {
+    Reference reference = problem.reference();
+    StepResult result = integrator.start(problem, 0, reference.initialState(), reference.end());
+    while (result == StepResult.ADVANCED) {
+      result = integrator.step();
+    }
+    if (result != StepResult.REACHED_END) {
+      throw new IllegalStateException(problem.name() + ": " + integrator.failure());
+    }
+    IntegrationStatistics done = integrator.statistics();
+    return new Method.Cost(done.steps(), done.evaluations());
+  }
+}

@@ -1,0 +1,41 @@
+package org.mechservice.benchmarks;
+
+import org.mechservice.solver.integration.suite.SuiteProblem;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+
+/**
+ * Whole runs of small problems, and the right-hand sides alone: what is left per step is the
+ * integrator's own work.
+ */
+@State(Scope.Benchmark)
+public class StepOverhead extends Measured {
+  /** Relative and absolute tolerance of all runs. */
+  static final double TOLERANCE = 1e-6;
+
+  /** Name of a problem of the suite. */
+  @Param({"VanDerPol", "EulerRigidBody", "Kepler", "Hires"})
+  public String problem = "";
+
+  /** What integrates it. */
+  @Param public Method method = Method.ODE113;
+
+  private SuiteProblem equations = SuiteProblem.named("VanDerPol");
+  private Method.ProblemRun run = Method.ODE113.run(TOLERANCE);
+
+  /** Prepares a run. */
+  @Setup
+  public void prepare() {
+    equations = SuiteProblem.named(problem);
+    run = method.run(TOLERANCE);
+  }
+
+  /** Integrates from start to end. */
+  @Benchmark
+  public Method.Cost run() {
+    return run.toEnd(equations);
+  }
+}

@@ -1,0 +1,78 @@
+package org.mechservice.benchmarks;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.assertj.core.data.Offset;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.integration.StepResult;
+import org.mechservice.solver.integration.suite.Kepler;
+
+/** What is measured does what its name says; nothing is timed here. */
+class BenchmarksTest {
+  @EnumSource
+  @ParameterizedTest
+  void methodReachesTheEndOfAnOrbit(Method method) {
+    Method.Cost cost = method.run(StepOverhead.TOLERANCE).toEnd(new Kepler());
+    assertThat(cost.steps()).isPositive();
+    assertThat(cost.evaluations()).isGreaterThan(cost.steps());
+  }
+
+  @Test
+  void overheadRunsAndEvaluationsAreOfTheSameProblem() {
+    StepOverhead whole = new StepOverhead();
+    whole.problem = "Hires";
+    whole.method = Method.ODE15S;
+    whole.prepare();
+    assertThat(whole.run().evaluations()).isPositive();
+    RightHandSide one = new RightHandSide();
+    one.problem = "Hires";
+    one.prepare();
+    assertThat(one.evaluate()).hasSize(8);
+  }
+
+  @ValueSource(strings = {"ODE113", "DE", "ODE15S"})
+  @ParameterizedTest
+  void integrationWithoutEndGoesOn(String method) {
+    StepMemory memory = new StepMemory();
+    memory.method = method;
+    memory.begin();
+    assertThat(memory.step()).isEqualTo(StepResult.ADVANCED);
+  }
+
+  @ValueSource(strings = {"pendulum", "driver", "chain20"})
+  @ParameterizedTest
+  void formulationsAgreeOnTheAccelerations(String scene) {
+    Evaluations evaluations = new Evaluations();
+    evaluations.scene = scene;
+    evaluations.prepare();
+    double[] articulated = evaluations.dtr().clone();
+    double largest = 0;
+    for (double rate : articulated) {
+      largest = Math.max(largest, Math.abs(rate));
+    }
+    double[] composite = evaluations.dsr();
+    for (int i = 0; i < articulated.length; i++) {
+      // Two ways to solve the same equations: round-off grown by the condition of M.
+      assertThat(composite[i] - articulated[i]).isCloseTo(0, within(largest));
+    }
+    assertThat(evaluations.jacobian()).isTrue();
+    for (double residual : evaluations.rr()) {
+      assertThat(residual).isCloseTo(0, within(largest));
+    }
+  }
+
+  private static Offset<Double> within(double largest) {
+    return Offset.offset(1e-8 * (1 + largest));
+  }
+
+  @Test
+  void generatedCodeIsMeasuredAtTheScenesStart() {
+    GeneratedCode generated = new GeneratedCode();
+    generated.scene = "pendulum";
+    generated.prepare();
+    assertThat(generated.derivative()).hasSize(10).doesNotContain(Double.NaN);
+  }
+}
