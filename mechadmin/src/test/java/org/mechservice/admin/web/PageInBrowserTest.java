@@ -17,7 +17,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.admin.AdminConsole;
 import org.mechservice.admin.ScriptedServer;
-import org.mechservice.admin.live.LiveView;
 import org.mechservice.idl.Severity;
 import org.mechservice.idl.SimState;
 
@@ -61,7 +60,7 @@ class PageInBrowserTest {
     lab.happened("host-joined", Severity.SEV_INFO, "", "host workshop joined from 10.0.0.2:8");
     lab.happened("host-lost", Severity.SEV_WARNING, "S-019", "host attic dropped: nobody answers");
     lab.happened("sim-failed", Severity.SEV_ERROR, "N-003", "the step became too small");
-    console = new AdminConsole(List.of(lab.address(), west.address()), LiveView.PATIENCE);
+    console = new AdminConsole(List.of(lab.address(), west.address()), AdminConsole.PATIENCE);
     web = new AdminWeb(console, 0, tokens, Optional.empty());
     browser = Chromium.start();
   }
