@@ -34,7 +34,9 @@ class AdminCommandsIT {
       assertThat(server.stdout() + host.stdout()).isNotEmpty();
       assertThat(commands).isNotEmpty();
       for (String command : commands) {
-        terminal.shell(command.replace("localhost:15000", "localhost:" + port)).orFail();
+        // On a machine that is busy with other tests, answers take long.
+        String patient = "--timeout 60 --server localhost:" + port;
+        terminal.shell(command.replace("--server localhost:15000", patient)).orFail();
       }
     }
   }
