@@ -18,8 +18,13 @@ final class Answers {
 
   /** Returns the same reference, with calls that end with {@code TIMEOUT} when they take long. */
   static org.omg.CORBA.Object inTime(ORB orb, org.omg.CORBA.Object reference) {
+    return within(SECONDS, orb, reference);
+  }
+
+  /** Returns the same reference, with calls that end with {@code TIMEOUT} after some seconds. */
+  static org.omg.CORBA.Object within(int seconds, ORB orb, org.omg.CORBA.Object reference) {
     Any time = orb.create_any();
-    time.insert_ulonglong(SECONDS * TIME_UNITS_PER_SECOND);
+    time.insert_ulonglong(seconds * TIME_UNITS_PER_SECOND);
     try {
       Policy[] policies = {orb.create_policy(RELATIVE_RT_TIMEOUT_POLICY_TYPE.value, time)};
       return reference._set_policy_override(policies, SetOverrideType.ADD_OVERRIDE);

@@ -52,6 +52,8 @@ public final class ServiceOrb implements AutoCloseable {
   private static final OrbField<Selector> SELECTOR =
       new OrbField<>(SelectorManager.class, "selector", Selector.class);
 
+  private static final int LONGEST_ADMIN_CALL_SECONDS = 30;
+
   private final OrbThreads threads = new OrbThreads();
   private final ORB orb;
   private final ObjectAdapters adapters;
@@ -160,14 +162,14 @@ public final class ServiceOrb implements AutoCloseable {
   }
 
   /**
-   * Connects to the administration of a server. Its calls come back within seconds, with an answer
-   * or with {@link org.omg.CORBA.TIMEOUT}.
+   * Connects to the administration of a server. Its calls come back within half a minute, with an
+   * answer or with {@link org.omg.CORBA.TIMEOUT}.
    *
    * @throws ServiceUnreachableException as {@link #connect}
    */
   public MechAdmin connectAdmin(String url) {
     org.omg.CORBA.Object admin = located(url).object(ServiceKey.ADMIN);
-    return MechAdminHelper.unchecked_narrow(Answers.inTime(orb, admin));
+    return MechAdminHelper.unchecked_narrow(Answers.within(LONGEST_ADMIN_CALL_SECONDS, orb, admin));
   }
 
   /**

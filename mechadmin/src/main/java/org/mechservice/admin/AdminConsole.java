@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import org.mechservice.admin.AdminFailure.Reason;
 import org.mechservice.admin.ServerCalls.Pending;
 import org.mechservice.idl.HostStatus;
@@ -16,6 +17,7 @@ import org.mechservice.idl.ServerStatus;
 import org.mechservice.idl.ServiceEvent;
 import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimSummary;
+import org.mechservice.orb.TlsIdentity;
 import org.omg.CORBA.IntHolder;
 
 /**
@@ -34,12 +36,25 @@ public final class AdminConsole implements AutoCloseable {
   private final ServerCalls calls;
 
   /**
+   * Opens a console for servers that are reached without encryption.
+   *
    * @param servers {@code host:port} or URL of each; said twice is said once
    * @param patience longest wait for an answer
    */
   public AdminConsole(List<String> servers, Duration patience) {
+    this(servers, patience, Optional.empty());
+  }
+
+  /**
+   * Opens a console.
+   *
+   * @param servers {@code host:port} or URL of each; said twice is said once
+   * @param patience longest wait for an answer
+   * @param identity who the operator is to the servers; empty: connections are not encrypted
+   */
+  public AdminConsole(List<String> servers, Duration patience, Optional<TlsIdentity> identity) {
     this.servers = List.copyOf(new LinkedHashSet<>(servers));
-    calls = new ServerCalls(patience);
+    calls = new ServerCalls(patience, identity);
   }
 
   /** Returns the addresses of the servers, in the order they were given. */

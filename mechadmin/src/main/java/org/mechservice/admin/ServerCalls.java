@@ -2,6 +2,7 @@ package org.mechservice.admin;
 
 import java.time.Duration;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
@@ -17,6 +18,7 @@ import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotFound;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.ServiceUnreachableException;
+import org.mechservice.orb.TlsIdentity;
 import org.omg.CORBA.COMM_FAILURE;
 import org.omg.CORBA.INTERNAL;
 import org.omg.CORBA.NO_PERMISSION;
@@ -34,7 +36,7 @@ final class ServerCalls implements AutoCloseable {
     T ask(MechAdmin admin) throws UserException;
   }
 
-  private final ServiceOrb orb = ServiceOrb.client();
+  private final ServiceOrb orb;
   private final Duration patience;
   private final Map<String, MechAdmin> connections = new ConcurrentHashMap<>();
   private final ExecutorService threads =
@@ -47,8 +49,10 @@ final class ServerCalls implements AutoCloseable {
 
   /**
    * @param patience longest wait for an answer
+   * @param identity who asks; empty: connections are not encrypted
    */
-  ServerCalls(Duration patience) {
+  ServerCalls(Duration patience, Optional<TlsIdentity> identity) {
+    orb = ServiceOrb.client(identity);
     this.patience = patience;
   }
 

@@ -197,6 +197,17 @@ public final class ScriptedServer implements MechAdminOperations, AutoCloseable 
     return summary;
   }
 
+  /** Lets all that run make a step. */
+  public synchronized void advance() {
+    for (SimDetail one : simulations.values()) {
+      Progress info = one.summary.info;
+      if (info.state == SimState.SIM_RUNNING) {
+        info.simTime = (info.simTime + 0.01) % info.endTime;
+        info.stepsDone++;
+      }
+    }
+  }
+
   /** Adds a simulation that has failed. */
   public synchronized SimSummary failed(String id, String host, String model, String text) {
     SimSummary summary = simulation(id, host, model, SimState.SIM_FAILED);

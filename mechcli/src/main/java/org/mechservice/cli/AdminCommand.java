@@ -2,6 +2,7 @@ package org.mechservice.cli;
 
 import com.google.gson.JsonElement;
 import java.io.PrintWriter;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -24,6 +25,7 @@ import org.mechservice.idl.LogLine;
 import org.mechservice.idl.SimDetail;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -60,9 +62,19 @@ final class AdminCommand implements Callable<Integer> {
       names = "--server",
       paramLabel = "URL",
       scope = ScopeType.INHERIT,
+      split = ",",
       description =
           "Server as host:port or URL; may be given several times (default: localhost:15000).")
   private List<String> servers = List.of();
+
+  @Option(
+      names = "--timeout",
+      paramLabel = "S",
+      scope = ScopeType.INHERIT,
+      description = "Longest wait for a server's answer, s (default: 4).")
+  private int timeout = (int) AdminConsole.PATIENCE.toSeconds();
+
+  @Mixin private TlsOption tls = new TlsOption();
 
   @Option(
       names = "--json",
@@ -72,8 +84,7 @@ final class AdminCommand implements Callable<Integer> {
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
-  /** Returns the servers asked for. */
-  List<String> servers() {
+  private List<String> servers() {
     return servers.isEmpty() ? List.of("localhost:15000") : servers;
   }
 
@@ -89,9 +100,17 @@ final class AdminCommand implements Callable<Integer> {
     return spec.commandLine().getErr();
   }
 
+  /** Opens a console. */
+  AdminConsole open() {
+    if (timeout < 1) {
+      throw new UsageException("S-041 --timeout is " + timeout + "; it must be 1 or more");
+    }
+    return new AdminConsole(servers(), Duration.ofSeconds(timeout), tls.identity());
+  }
+
   /** Opens a console for some work. */
   int console(Work work) throws Exception {
-    try (AdminConsole console = new AdminConsole(servers(), AdminConsole.PATIENCE)) {
+    try (AdminConsole console = open()) {
       return work.with(console, out());
     }
   }

@@ -5,7 +5,6 @@ import java.util.concurrent.Callable;
 import org.jline.terminal.Terminal;
 import org.jline.terminal.TerminalBuilder;
 import org.mechservice.admin.AdminConsole;
-import org.mechservice.admin.live.LiveView;
 import org.mechservice.admin.watch.Watch;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ParentCommand;
@@ -20,7 +19,7 @@ final class AdminWatchCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     try (Terminal terminal = terminal();
-        AdminConsole console = new AdminConsole(admin.servers(), LiveView.PATIENCE)) {
+        AdminConsole console = admin.open()) {
       new Watch(console, terminal).run();
     }
     return ExitStatus.DONE;

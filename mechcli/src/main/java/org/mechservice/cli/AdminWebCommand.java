@@ -7,7 +7,6 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.admin.AdminConsole;
-import org.mechservice.admin.live.LiveView;
 import org.mechservice.admin.web.AccessTokens;
 import org.mechservice.admin.web.AdminWeb;
 import picocli.CommandLine.Command;
@@ -47,7 +46,7 @@ final class AdminWebCommand implements Callable<Integer> {
   public Integer call() throws Exception {
     ListenOptions.usable(port);
     AccessTokens tokens = tokenFile == null ? AccessTokens.random() : AccessTokens.kept(tokenFile);
-    try (AdminConsole console = new AdminConsole(admin.servers(), LiveView.PATIENCE);
+    try (AdminConsole console = admin.open();
         AdminWeb web = new AdminWeb(console, port, tokens, Optional.ofNullable(auditFile))) {
       tell(web.url(tokens.monitor()), web.url(tokens.admin()));
       admin.out().flush();

@@ -4,12 +4,14 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.mechservice.orb.TlsIdentity;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ScopeType;
 
 /** Who this process is on the network. */
 final class TlsOption {
   @Option(
       names = "--tls",
       paramLabel = "FOLDER",
+      scope = ScopeType.INHERIT,
       defaultValue = "${env:MECH_TLS}",
       description =
           "Encrypt connections, with the certificates of this folder (see mech keys); MECH_TLS"

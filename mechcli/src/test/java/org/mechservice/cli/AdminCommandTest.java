@@ -68,7 +68,8 @@ class AdminCommandTest {
   private int admin(String... words) {
     out.getBuffer().setLength(0);
     err.getBuffer().setLength(0);
-    List<String> line = new ArrayList<>(List.of("admin", "--server", SERVER.url()));
+    List<String> line =
+        new ArrayList<>(List.of("admin", "--timeout", "60", "--server", SERVER.url()));
     line.addAll(List.of(words));
     return Mech.run(new PrintWriter(out), new PrintWriter(err), line.toArray(String[]::new));
   }

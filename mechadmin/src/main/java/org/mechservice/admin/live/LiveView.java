@@ -18,9 +18,6 @@ import org.mechservice.idl.ServiceEvent;
  * that hangs delays nothing but its own line. Thread-safe.
  */
 public final class LiveView implements AutoCloseable {
-  /** A server asks its hosts for two seconds at most before it answers. */
-  public static final Duration PATIENCE = Duration.ofSeconds(3);
-
   private static final int EVENTS_KEPT = 500;
 
   /** Ten minutes, at one sample a second. */

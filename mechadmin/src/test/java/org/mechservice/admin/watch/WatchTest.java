@@ -20,7 +20,6 @@ import org.junit.jupiter.api.Test;
 import org.mechservice.admin.AdminConsole;
 import org.mechservice.admin.ScriptedServer;
 import org.mechservice.admin.ServerReading;
-import org.mechservice.admin.live.LiveView;
 import org.mechservice.idl.SimState;
 
 /** The full screen: what it shows, and what its keys do on a terminal of its own. */
@@ -143,7 +142,7 @@ class WatchTest {
         ExternalTerminal terminal =
             new ExternalTerminal(
                 "test", "xterm", new PipedInputStream(keys), seen, StandardCharsets.UTF_8);
-        AdminConsole console = new AdminConsole(List.of(server.address()), LiveView.PATIENCE)) {
+        AdminConsole console = new AdminConsole(List.of(server.address()), AdminConsole.PATIENCE)) {
       terminal.setSize(new Size(120, 24));
       Thread watching = new Thread(() -> new Watch(console, terminal).run());
       watching.start();

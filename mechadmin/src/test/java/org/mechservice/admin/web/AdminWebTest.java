@@ -14,6 +14,7 @@ import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterAll;
@@ -26,7 +27,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.admin.AdminConsole;
 import org.mechservice.admin.ScriptedServer;
-import org.mechservice.admin.live.LiveView;
 import org.mechservice.idl.Severity;
 import org.mechservice.idl.SimState;
 import org.mechservice.orb.PortInUseException;
@@ -35,6 +35,9 @@ import org.mechservice.orb.PortInUseException;
 class AdminWebTest {
   private static final AccessTokens TOKENS =
       new AccessTokens("monitor-monitor-monitor", "admin-admin-admin-admin");
+
+  /** Long for a server that answers on a busy machine, short for one that hangs. */
+  private static final Duration PATIENCE = Duration.ofSeconds(8);
 
   @TempDir private static Path folder;
 
@@ -49,7 +52,7 @@ class AdminWebTest {
     server = new ScriptedServer("lab");
     server.host("big", 0.25, true, "");
     server.simulation("sim-1", "big", "arm", SimState.SIM_RUNNING);
-    console = new AdminConsole(List.of(server.address()), LiveView.PATIENCE);
+    console = new AdminConsole(List.of(server.address()), PATIENCE);
     web = new AdminWeb(console, 0, TOKENS, Optional.of(folder.resolve("audit.jsonl")));
     admin = new Page(web.port(), TOKENS.admin());
     monitor = new Page(web.port(), TOKENS.monitor());

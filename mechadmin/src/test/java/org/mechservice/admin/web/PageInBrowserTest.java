@@ -2,8 +2,14 @@ package org.mechservice.admin.web;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.google.gson.JsonArray;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -11,7 +17,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.admin.AdminConsole;
 import org.mechservice.admin.ScriptedServer;
-import org.mechservice.admin.live.LiveView;
 import org.mechservice.idl.Severity;
 import org.mechservice.idl.SimState;
 
@@ -55,7 +60,7 @@ class PageInBrowserTest {
     lab.happened("host-joined", Severity.SEV_INFO, "", "host workshop joined from 10.0.0.2:8");
     lab.happened("host-lost", Severity.SEV_WARNING, "S-019", "host attic dropped: nobody answers");
     lab.happened("sim-failed", Severity.SEV_ERROR, "N-003", "the step became too small");
-    console = new AdminConsole(List.of(lab.address(), west.address()), LiveView.PATIENCE);
+    console = new AdminConsole(List.of(lab.address(), west.address()), AdminConsole.PATIENCE);
     web = new AdminWeb(console, 0, tokens, Optional.empty());
     browser = Chromium.start();
   }
@@ -102,5 +107,178 @@ class PageInBrowserTest {
     browser.awaitText("mech admin --server " + lab.address() + " drain host:workshop");
     browser.screenshot(PICTURES.resolve("admin-host.png"));
     assertThat(browser.complaints()).isEmpty();
+  }
+
+  @Test
+  void namesOfStrangersStayText() throws Exception {
+    String script = "<script>window.hacked = 1</script>";
+    String image = "<img src=x onerror='window.hacked = 1'>";
+    lab.host("\"><b onmouseover=alert(1)>/%2e%00#?&", 0.1, true, image);
+    lab.simulation(
+        "eeee-" + image, "\"><b onmouseover=alert(1)>/%2e%00#?&", script, SimState.SIM_RUNNING);
+    lab.failed("ffff-1", "javascript:alert(1)", image, script + "\u202e gnirts");
+    lab.happened("sim-failed", Severity.SEV_ERROR, "N-003", image);
+    browser.open(web.url(tokens.admin()));
+    browser.awaitText(script);
+    for (String view : List.of("", "simulations", "failures", "events")) {
+      browser.evaluate("location.hash = '#/" + view + "'");
+      browser.awaitText(view.equals("events") ? image : view.equals("failures") ? image : script);
+    }
+    browser.evaluate(
+        "location.hash = '#/sim/' + encodeURIComponent('"
+            + lab.address()
+            + "') + '/' + encodeURIComponent("
+            + Chromium.quoted("eeee-" + image)
+            + ")");
+    browser.awaitText(script);
+    browser.click("summary", "Model");
+    browser.awaitText("<!-- " + script + " -->");
+    browser.click("dl a", "\"><b onmouseover");
+    browser.await("document.querySelector('h1').textContent.startsWith('\"><b')");
+    browser.click("button", "Drain");
+    browser.awaitText("drain 'host:\"><b");
+    assertThat(browser.evaluate("window.hacked === undefined").getAsBoolean()).isTrue();
+    assertThat(
+            browser
+                .evaluate("document.querySelectorAll('main img, main b[onmouseover]').length")
+                .getAsInt())
+        .isZero();
+    assertThat(browser.complaints()).isEmpty();
+  }
+
+  @Test
+  void keyboardAloneReachesAnActionAndConfirmsIt() throws Exception {
+    browser.open(web.url(tokens.admin()));
+    browser.awaitText("FiveBarPendulum");
+    for (int i = 0; i < 60 && !focused().equals("Drain"); i++) {
+      browser.press("Tab");
+    }
+    assertThat(focused()).isEqualTo("Drain");
+    browser.press("Enter");
+    browser.awaitText("mech admin --server " + lab.address() + " drain");
+    assertThat(
+            browser
+                .evaluate("document.querySelector('dialog').contains(document.activeElement)")
+                .getAsBoolean())
+        .isTrue();
+    browser.press("Escape");
+    browser.await("document.querySelector('dialog') === null");
+    assertThat(lab.calls()).isEmpty();
+    browser.press("Enter");
+    browser.awaitText("mech admin --server " + lab.address() + " drain");
+    browser.press("Enter");
+    browser.awaitText("Done: drain the server");
+    assertThat(lab.calls()).containsExactly("drain ");
+    browser.await("[...document.querySelectorAll('.server .chip')][0].textContent === 'draining'");
+  }
+
+  private String focused() throws Exception {
+    return browser.evaluate("document.activeElement.textContent").getAsString();
+  }
+
+  @Test
+  void monitorSeesEverythingAndCanDoNothing() throws Exception {
+    browser.open(web.url(tokens.monitor()));
+    browser.awaitText("FiveBarPendulum");
+    assertThat(
+            browser
+                .evaluate(
+                    "[...document.querySelectorAll('main .actions button, main td button')].every(b"
+                        + " => b.disabled)")
+                .getAsBoolean())
+        .isTrue();
+    String status =
+        "fetch('/api/actions', {method: 'POST', headers: {'Content-Type': 'application/json',"
+            + " Authorization: 'Bearer ' + sessionStorage.getItem('mechadmin-token')}, body:"
+            + " JSON.stringify({server: '"
+            + lab.address()
+            + "', action: 'drain', host: ''})}).then(r => r.status)";
+    assertThat(browser.evaluate(status).getAsInt()).isEqualTo(403);
+    browser.evaluate("location.hash = '#/audit'");
+    browser.awaitText("S-133 ");
+    assertThat(lab.calls()).isEmpty();
+    browser.evaluate("sessionStorage.clear()");
+    browser.open("http://127.0.0.1:" + web.port() + "/");
+    browser.awaitText("This page needs a token");
+  }
+
+  @Test
+  void serverThatHangsIsShownAndTheOthersGoOn() throws Exception {
+    browser.open(web.url(tokens.admin()));
+    browser.awaitText("west");
+    west.hang();
+    browser.awaitText("S-032 the server at " + west.address() + " did not answer in time");
+    browser.awaitText("1 of 2");
+    lab.simulation("eeee-1", "lab", "StillAlive", SimState.SIM_RUNNING);
+    browser.awaitText("StillAlive");
+    west.goOn();
+    browser.awaitText("2 of 2");
+  }
+
+  @Test
+  void thousandFinishedAndTwoHundredRunningStayFluid() throws Exception {
+    for (int i = 0; i < 1000; i++) {
+      lab.simulation("done-" + i, "lab", "Finished" + i, SimState.SIM_DONE);
+    }
+    for (int i = 0; i < 200; i++) {
+      lab.simulation("runs-" + i, "workshop", "Running" + i, SimState.SIM_RUNNING);
+    }
+    browser.look(1280, 900, false);
+    long opened = System.nanoTime();
+    browser.open(web.url(tokens.admin()));
+    browser.awaitText("Running199");
+    double shown = (System.nanoTime() - opened) * 1e-9;
+    browser.evaluate("location.hash = '#/simulations'");
+    browser.awaitText("of 1213");
+    assertThat(browser.evaluate("document.querySelectorAll('tbody tr').length").getAsInt())
+        .isEqualTo(50);
+    browser.evaluate(
+        "window.frames_ = []; (function next(last) { requestAnimationFrame(now => {"
+            + " window.frames_.push(now - last); next(now); }); })(performance.now())");
+    for (int round = 0; round < 20; round++) {
+      lab.advance();
+      Thread.sleep(300);
+    }
+    JsonArray frames =
+        browser.evaluate("window.frames_.slice(1).sort((a, b) => a - b)").getAsJsonArray();
+    browser.evaluate("document.querySelector('input[type=search]').value = 'running19'");
+    long typed = System.nanoTime();
+    browser.evaluate(
+        "document.querySelector('input[type=search]').dispatchEvent(new Event('input'))");
+    browser.awaitText("11 in all");
+    double filtered = (System.nanoTime() - typed) * 1e-9;
+    assertThat(browser.complaints()).isEmpty();
+    report(shown, filtered, frames);
+  }
+
+  private void report(double shown, double filtered, JsonArray frames) throws Exception {
+    Files.writeString(
+        Path.of("../docs/reports/admin-page.md"),
+        String.format(
+            Locale.ROOT,
+            """
+            # The admin page with many simulations
+
+            Measured on %s by `mvn verify -Psoak`: JDK %s, headless Chromium, %d processors, load average %.1f; a scripted server with 1008 finished and 205 running or waiting simulations, of which 200 make progress three times a second.
+
+            | what | measured |
+            |---|---|
+            | from opening the page to the simulations on it | %.2f s |
+            | filter typed to list filtered | %.3f s |
+            | rows on the page | 50 |
+            | time from picture to picture, median of %d | %.0f ms |
+            | of 95 in 100, no longer than | %.0f ms |
+            | longest | %.0f ms |
+            """,
+            LocalDate.now(ZoneOffset.UTC),
+            Runtime.version(),
+            Runtime.getRuntime().availableProcessors(),
+            ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage(),
+            shown,
+            filtered,
+            frames.size(),
+            frames.get(frames.size() / 2).getAsDouble(),
+            frames.get(frames.size() * 95 / 100).getAsDouble(),
+            frames.get(frames.size() - 1).getAsDouble()));
   }
 }

@@ -17,7 +17,15 @@ export function chart(title, options = {}) {
   const latest = el("span", { class: "muted" }, "–");
   const svg = draw("svg", { role: "img", "aria-label": title });
   const node = el("figure", { class: "card" }, el("figcaption", {}, el("b", {}, title), latest), svg);
-  return { node, draw: (x, y) => drawCurve(svg, latest, title, x, y, show, options) };
+  let shown;
+  new ResizeObserver(() => shown?.()).observe(svg);
+  return {
+    node,
+    draw(x, y) {
+      shown = () => drawCurve(svg, latest, title, x, y, show, options);
+      shown();
+    },
+  };
 }
 
 function drawCurve(svg, latest, title, xs, ys, show, options) {

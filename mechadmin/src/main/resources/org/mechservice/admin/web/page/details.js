@@ -3,7 +3,7 @@
 import { drainButton, shutdownButton, stopButton } from "./actions.js";
 import { stream } from "./api.js";
 import { chart } from "./chart.js";
-import { el, facts, fill, meter, setText, tree } from "./dom.js";
+import { el, fill, liveFacts, meter, setText, showJson } from "./dom.js";
 import { age, clock, codeOf, memory, moment, number, percent, stateKind } from "./format.js";
 import { goesOn, path, serverName, store } from "./store.js";
 import { simulationTable } from "./table.js";
@@ -32,9 +32,9 @@ function heading() {
 
 export function serverView(address) {
   const head = heading();
-  const about = el("section", { class: "card" });
+  const about = liveFacts();
   const table = simulationTable({ title: "Simulations", among: row => row.server === address });
-  const node = el("div", {}, head.node, about, table.node, limitCard(address, ""), logCard(address, ""));
+  const node = el("div", {}, head.node, el("section", { class: "card" }, about.node), table.node, limitCard(address, ""), logCard(address, ""));
   fill(head.crumb, el("a", { href: "#/" }, "Overview"), " / server");
   return { node, update };
 
@@ -43,21 +43,21 @@ export function serverView(address) {
     if (!server) return;
     head.show(server.name || address, !server.answers ? "no answer" : server.draining ? "draining" : "up",
       () => server.answers && [drainButton(address, "", server.draining), shutdownButton(address, server.name)]);
-    fill(about, server.answers ? facts([["Address", address], ["Up", age(server.startedAt)], ["Version", `${server.version}, API ${server.apiVersion}`],
-      ["Hosts", server.hostCount], ["Sessions", server.sessions], ["Running", server.running], ["Queued", server.queued]])
-      : [el("p", {}, server.problem), docLink(codeOf(server.problem))]);
+    about.show(server.answers ? [["Address", address], ["Up", age(server.startedAt)], ["Version", `${server.version}, API ${server.apiVersion}`],
+      ["Hosts", server.hostCount], ["Sessions", server.sessions], ["Running", server.running], ["Queued", server.queued]]
+      : [["Address", address], ["Problem", server.problem], ["Help", docLink(codeOf(server.problem)) || ""]]);
     table.update();
   }
 }
 
 export function hostView(server, name) {
   const head = heading();
-  const about = el("section", { class: "card" });
+  const about = liveFacts();
   const cpu = chart("CPU", { range: [0, 1], show: percent, showTick: percent, showX: time });
   const used = chart("Memory", { zero: true, show: memory, showTick: memory, showX: time });
   const busy = chart("Running", { zero: true, steps: true, show: value => String(value), showX: time });
   const table = simulationTable({ title: "Simulations", among: row => row.host === name && row.server === server });
-  const node = el("div", {}, head.node, about, el("div", { class: "curves" }, cpu.node, used.node, busy.node),
+  const node = el("div", {}, head.node, el("section", { class: "card" }, about.node), el("div", { class: "curves" }, cpu.node, used.node, busy.node),
     table.node, limitCard(server, name), logCard(server, name));
   fill(head.crumb, el("a", { href: "#/" }, "Overview"), " / ", el("a", { href: path("server", server) }, serverName(server)), " / host");
   let samples = [];
@@ -80,14 +80,14 @@ export function hostView(server, name) {
     const host = store.hosts.get(`${server} ${name}`);
     if (!host) {
       head.show(name, "no answer", () => []);
-      fill(about, "The server does not know this host now.");
+      about.show([["Problem", "The server does not know this host now."]]);
       return;
     }
     head.show(name, host.state, () => host.reachable && drainButton(server, name, host.draining));
-    fill(about, facts([["Address", host.address], ["Problem", host.problem], ["Up", age(host.startedAt)], ["Last heard of", `${age(host.lastSeen)} ago`],
+    about.show([["Address", host.address], ["Problem", host.problem], ["Up", age(host.startedAt)], ["Last heard of", `${age(host.lastSeen)} ago`],
       ["Version", host.version], ["Processors", host.cores], ["Memory", `${memory(host.memoryUsed)} of ${memory(host.memoryBytes)}`],
       ["Running", `${host.running} of ${host.capacity}`], ["Queued", host.queued], ["Sessions", host.sessions],
-      ...Object.entries(host.statistics)]));
+      ...Object.entries(host.statistics)]);
     table.update();
   }
 }
@@ -95,7 +95,7 @@ export function hostView(server, name) {
 export function simulationView(server, id) {
   const head = heading();
   const bar = meter("progress");
-  const about = el("div");
+  const about = liveFacts();
   const failure = el("div");
   const curves = {
     stepSize: chart("Step size", { unit: "s", log: true }),
@@ -107,11 +107,12 @@ export function simulationView(server, id) {
   const check = section("Check report");
   const report = section("Run report");
   const events = section("Events");
-  const node = el("div", {}, head.node, failure, el("section", { class: "card" }, bar.node, about),
+  const node = el("div", {}, head.node, failure, el("section", { class: "card" }, bar.node, about.node),
     el("div", { class: "curves" }, Object.values(curves).map(curve => curve.node)),
     el("details", { class: "card" }, el("summary", {}, "Model"), model), check.node, report.node, events.node);
   fill(head.crumb, el("a", { href: "#/" }, "Overview"), " / ", el("a", { href: path("server", server) }, serverName(server)), " / ",
     el("span", { class: "mono" }, id));
+  let explained = false;
   const source = stream("simulation", { server, id }, { detail, failure: lost });
   return { node, update, close: source.close };
 
@@ -128,23 +129,32 @@ export function simulationView(server, id) {
   function show(row) {
     head.show(row.model || "(unnamed)", row.state, () => goesOn(row) && stopButton(row));
     bar.show(row.progress, percent(row.progress), row.state);
-    fill(about, facts([["Simulated", `${number(row.time)} of ${number(row.endTime)} s`], ["× real time", number(row.realTimeFactor)],
+    about.show([["Simulated", `${number(row.time)} of ${number(row.endTime)} s`], ["× real time", number(row.realTimeFactor)],
       ["Steps", `${row.steps}, the last ${number(row.stepSize)} s of order ${row.order}`], ["Rows", row.rows],
       ["Queue", row.queuePosition > 0 ? `number ${row.queuePosition}` : ""],
       ["Host", el("a", { href: path("host", row.server, row.host) }, row.host)], ["Owner", row.owner],
       ["Created", `${moment(row.createdAt)}, ${age(row.createdAt)} ago`], ["Ended", row.endedAt === "-" ? "" : moment(row.endedAt)],
-      ["Last message", row.state === "failed" ? "" : row.message]]));
+      ["Last message", row.state === "failed" ? "" : row.message]]);
     if (row.state === "failed" && !failure.hasChildNodes()) showFailure({ text: row.message, code: codeOf(row.message), lastSteps: [] });
   }
 
   function detail(said) {
     show(said);
     if (said.modelText !== undefined) setText(model, said.modelText || "not kept");
-    if (said.checkReport !== undefined) fill(check.body, tree(said.checkReport));
-    fill(report.body, tree(said.report));
-    fill(events.body, eventTable(said.events));
+    if (said.checkReport !== undefined) showJson(check.body, said.checkReport);
+    showJson(report.body, said.report);
+    showEvents(said.events);
     for (const [name, curve] of Object.entries(curves)) curve.draw(said.curves.time, said.curves[name]);
-    if (said.failure) showFailure({ ...said.failure, text: `${said.failure.code} ${said.failure.text}` });
+    if (said.failure && !explained) {
+      explained = true;
+      showFailure({ ...said.failure, text: `${said.failure.code} ${said.failure.text}` });
+    }
+  }
+
+  function showEvents(all) {
+    const last = all.length ? all[all.length - 1].number : 0;
+    if (events.body.last !== last) fill(events.body, eventTable(all));
+    events.body.last = last;
   }
 
   function lost(said) {

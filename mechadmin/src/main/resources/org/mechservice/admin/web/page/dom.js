@@ -40,10 +40,40 @@ export function setText(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
+const told = pairs => pairs.filter(([, value]) => value !== undefined && value !== "");
+
 /** A list of names and values; a value is text or a node. */
 export function facts(pairs) {
-  return el("dl", { class: "facts" }, pairs.filter(([, value]) => value !== undefined && value !== "").map(([name, value]) => [
-    el("dt", {}, name), el("dd", {}, value)]));
+  return el("dl", { class: "facts" }, told(pairs).map(([name, value]) => [el("dt", {}, name), el("dd", {}, value)]));
+}
+
+/** The same, to be shown again and again: what has not changed stays, with its focus and selection. */
+export function liveFacts() {
+  const node = el("dl", { class: "facts" });
+  const shown = new Map();
+  return { node, show };
+
+  function show(pairs) {
+    const now = told(pairs);
+    if (now.map(([name]) => name).join() !== [...shown.keys()].join()) {
+      shown.clear();
+      fill(node, now.map(([name]) => {
+        shown.set(name, el("dd"));
+        return [el("dt", {}, name), shown.get(name)];
+      }));
+    }
+    for (const [name, value] of now) {
+      const text = value instanceof Node ? value.textContent : String(value);
+      if (shown.get(name).textContent !== text) fill(shown.get(name), value);
+    }
+  }
+}
+
+/** Puts JSON into a place in readable form, unless it is there already. */
+export function showJson(place, value) {
+  const text = JSON.stringify(value);
+  if (place.shown !== text) fill(place, tree(value));
+  place.shown = text;
 }
 
 /** A bar from 0 to 1 with its words. */
@@ -64,7 +94,7 @@ export function meter(name) {
 }
 
 /** Any JSON as nested lists. */
-export function tree(value) {
+function tree(value) {
   if (value === null || value === undefined) return "–";
   if (Array.isArray(value)) return value.length ? el("ul", {}, value.map(item => el("li", {}, tree(item)))) : "none";
   if (typeof value === "object") return facts(Object.entries(value).map(([name, member]) => [name, tree(member)]));

@@ -11,12 +11,13 @@ import { simulationTable } from "./table.js";
 export const docLink = code => code && el("a", { href: `/docs/errors/${code}.md`, target: "_blank" }, `About ${code}`);
 
 export function overview() {
-  const tiles = el("div", { class: "tiles" });
+  const tiles = [tile("#/", "servers up"), tile("#/", "hosts up"), tile("#/simulations", "running"), tile("#/simulations", "queued"),
+    tile("#/simulations", "done"), tile("#/failures", "failed")];
   const servers = el("div");
   const cards = new Map();
   const running = simulationTable({ title: "Going on", among: goesOn, filters: false });
   const events = eventList(8);
-  const node = el("div", {}, el("h1", { class: "skip" }, "Overview"), tiles, servers, running.node,
+  const node = el("div", {}, el("h1", { class: "skip" }, "Overview"), el("div", { class: "tiles" }, tiles.map(one => one.node)), servers, running.node,
     el("section", { class: "card flush" }, el("div", { class: "tools" }, el("h2", {}, "Lately")), events.node));
   return { node, update };
 
@@ -26,13 +27,9 @@ export function overview() {
     const hosts = [...store.hosts.values()];
     const lost = hosts.filter(host => !host.reachable).length;
     const count = state => all.filter(row => row.state === state).length;
-    fill(tiles,
-      tile("#/", `${up} of ${store.servers.size}`, "servers up", up < store.servers.size),
-      tile("#/", lost ? `${hosts.length - lost} of ${hosts.length}` : hosts.length, "hosts up", lost > 0),
-      tile("#/simulations", count("running") + count("paused"), "running"),
-      tile("#/simulations", count("queued"), "queued"),
-      tile("#/simulations", count("done"), "done"),
-      tile("#/failures", count("failed"), "failed", count("failed") > 0));
+    const shown = [[`${up} of ${store.servers.size}`, up < store.servers.size], [lost ? `${hosts.length - lost} of ${hosts.length}` : hosts.length, lost > 0],
+      [count("running") + count("paused")], [count("queued")], [count("done")], [count("failed"), count("failed") > 0]];
+    shown.forEach(([value, alarm], i) => tiles[i].show(value, alarm));
     for (const [address] of cards) if (!store.servers.has(address)) { cards.get(address).node.remove(); cards.delete(address); }
     for (const server of store.servers.values()) {
       if (!cards.has(server.address)) {
@@ -46,8 +43,11 @@ export function overview() {
   }
 }
 
-const tile = (href, value, name, alarm = false) =>
-  el("a", { class: `tile ${alarm ? "alarm" : ""}`, href }, el("b", {}, value), el("span", {}, name));
+function tile(href, name) {
+  const number = el("b");
+  const node = el("a", { class: "tile", href }, number, el("span", {}, name));
+  return { node, show(value, alarm = false) { setText(number, String(value)); node.classList.toggle("alarm", alarm); } };
+}
 
 function serverCard() {
   const link = el("a");
