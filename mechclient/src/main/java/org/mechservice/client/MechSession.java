@@ -285,6 +285,20 @@ public final class MechSession implements AutoCloseable {
   }
 
   /**
+   * Fetches the compiled model, and the solver unless it is in the cache, for callers that run it
+   * themselves.
+   *
+   * @throws InvalidOptionException if an option cannot be used
+   * @throws JarRefusedException if a JAR is not the one announced or does not fit this client
+   */
+  public LocalModel fetchModel(SimulationOptions options) {
+    BuiltJar modelJar = compile(options, new NameValueSeqHolder(new NameValue[0]));
+    byte[] runtimeJar = connection.cache().get(modelJar.runtimeSha256(), () -> fetch(modelJar));
+    verifyRuntime(runtimeJar);
+    return new LocalModel(modelJar, FetchedModel.load(modelJar, runtimeJar));
+  }
+
+  /**
    * Builds a JAR of the model.
    *
    * @param standalone whether it carries the solver classes it needs and starts with {@code java

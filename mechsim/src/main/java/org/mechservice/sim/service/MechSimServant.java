@@ -173,7 +173,7 @@ final class MechSimServant implements MechSimOperations {
     GeneratedModel generated =
         Built.orRefused(() -> library.generated(model, asked.forJar(), times));
     return new ModelFile(
-        generated.className().replace('.', '/') + ".java",
+        generated.sourceName().replace('.', '/') + ".java",
         generated.source().getBytes(StandardCharsets.UTF_8));
   }
 

@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.UUID;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.sim.build.CompiledModel;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.RunRequest;
@@ -33,11 +32,7 @@ final class RunFactory {
 
   /** Returns the columns of a run. */
   RunColumns columns(Model model, RunRequest request) {
-    if (model instanceof ExplicitModel explicit) {
-      return RunColumns.of(groups -> Simulation.columns(explicit, groups), request.columns());
-    }
-    throw new IllegalArgumentException(
-        "S-061 model \"" + model.description().name() + "\" has no explicit form y' = f(t, y)");
+    return RunColumns.of(groups -> Simulation.columns(model, groups), request.columns());
   }
 
   /**

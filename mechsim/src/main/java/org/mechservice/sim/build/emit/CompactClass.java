@@ -1,9 +1,10 @@
 package org.mechservice.sim.build.emit;
 
 import java.util.List;
-import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.analysis.ExtendedSource;
 import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.compact.CompactSource;
+import org.mechservice.solver.force.UserForceSource;
 import org.objectweb.asm.ClassWriter;
 import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;
@@ -11,54 +12,62 @@ import org.objectweb.asm.Type;
 
 /**
  * A model's class in compact form: it holds the mechanism as data, and the solver's data-driven
- * formulations compute with them.
+ * formulations compute with them; or the further columns of a model alone, of which code was
+ * generated.
  *
  * @param model what it holds
+ * @param columns groups of columns computed from the data, beside the model, separated by commas;
+ *     empty for none
+ * @param generated simple name of the generated class that is extended by columns; empty if the
+ *     model itself is data
  */
-public record CompactClass(CompactModel model) implements WrittenClass {
-  private static final String OBJECT = "java/lang/Object";
-  private static final String NOTHING_TO_VOID = "()V";
+public record CompactClass(CompactModel model, String columns, String generated)
+    implements WrittenClass {
   private static final String TEXT = "java/lang/String";
   private static final String TEXTS = "[Ljava/lang/String;";
-  private static final String LOADER = "Ljava/lang/ClassLoader;";
-  private static final String LIST = "Ljava/util/List;";
-  private static final String MODEL = Type.getDescriptor(Model.class);
+  private static final String NOTHING_TO_VOID = "()V";
+  private static final String BARE =
+      "("
+          + Type.getDescriptor(CompactModel.class)
+          + Type.getDescriptor(UserForceSource.class)
+          + ")Ljava/lang/Object;";
 
   @Override
   public String simpleName() {
-    return JavaText.className(model.mechanism().name());
+    String name = JavaText.className(model.mechanism().name());
+    return generated.isEmpty() ? name : name + "WithColumns";
+  }
+
+  private Class<?> base() {
+    return columns.isEmpty() ? CompactSource.class : ExtendedSource.class;
   }
 
   @Override
   public String source() {
     SourceLines source = new SourceLines();
     source.line("package " + ModelClass.PACKAGE + ";").blank();
-    if (isTunable()) {
-      source.line("import java.util.List;");
+    source.line("import " + base().getName() + ";");
+    if (!generated.isEmpty()) {
+      source.line("import " + CompactModel.class.getName() + ";");
+      source.line("import " + UserForceSource.class.getName() + ";");
     }
-    source.line("import org.mechservice.solver.api.Model;");
-    source.line("import org.mechservice.solver.api.ModelSource;");
-    if (isTunable()) {
-      source.line("import org.mechservice.solver.api.TunableParameter;");
-    }
-    source.line("import org.mechservice.solver.compact.CompactModel;").blank();
+    source.blank();
     source.documentation(
         List.of(
             JavaText.comment("Model \"" + model.mechanism().name() + "\" in compact form: data.")));
-    source.open("public final class " + simpleName() + " implements ModelSource");
-    source.line("@Override").open("public Model model()");
-    source.line("return CompactModel.model(" + simpleName() + ".class.getClassLoader(), texts());");
-    source.close();
-    if (isTunable()) {
-      source.blank().line("@Override").open("public List<TunableParameter> parameters()");
-      source.line("return CompactModel.parameters(texts());");
-      source.close();
-      source.blank().line("@Override").open("public Model model(double[] values)");
-      source.line("return CompactModel.model(");
-      source.line("    " + simpleName() + ".class.getClassLoader(), values, texts());");
-      source.close();
+    source.open("public final class " + simpleName() + " extends " + base().getSimpleName());
+    if (!columns.isEmpty()) {
+      source.open("public " + simpleName() + "()");
+      source.line("super(" + literal(columns) + ");");
+      source.close().blank();
     }
-    source.blank().open("private static String[] texts()");
+    if (!generated.isEmpty()) {
+      source.line("@Override");
+      source.open("protected Object bare(CompactModel data, UserForceSource userForces)");
+      source.line("return new " + generated + "();");
+      source.close().blank();
+    }
+    source.line("@Override").open("protected String[] texts()");
     source.line("return new String[] {");
     for (String text : model.texts()) {
       source.line("  " + literal(text) + ",");
@@ -66,10 +75,6 @@ public record CompactClass(CompactModel model) implements WrittenClass {
     source.line("};");
     source.close();
     return source.close().toString();
-  }
-
-  private boolean isTunable() {
-    return !model.mechanism().parameters().isEmpty();
   }
 
   /** Returns a literal of one line, whatever its length; data are not there to be read. */
@@ -89,42 +94,51 @@ public record CompactClass(CompactModel model) implements WrittenClass {
 
   @Override
   public byte[] classFile() {
-    String name = (ModelClass.PACKAGE + "." + simpleName()).replace('.', '/');
     ClassWriter file = new ClassWriter(ClassWriter.COMPUTE_MAXS);
     file.visit(
         Opcodes.V17,
         Opcodes.ACC_PUBLIC | Opcodes.ACC_FINAL | Opcodes.ACC_SUPER,
-        name,
+        internal(simpleName()),
         null,
-        OBJECT,
-        new String[] {Type.getInternalName(ModelSource.class)});
+        Type.getInternalName(base()),
+        null);
     constructor(file);
-    texts(file);
-    method(file, name, "model", "()" + MODEL, "(" + LOADER + TEXTS + ")" + MODEL);
-    if (isTunable()) {
-      method(file, name, "model", "([D)" + MODEL, "(" + LOADER + "[D" + TEXTS + ")" + MODEL);
-      method(file, name, "parameters", "()" + LIST, "(" + TEXTS + ")" + LIST);
+    if (!generated.isEmpty()) {
+      bare(file);
     }
+    texts(file);
     file.visitEnd();
     return file.toByteArray();
   }
 
-  private static void constructor(ClassWriter file) {
-    MethodVisitor code =
-        file.visitMethod(Opcodes.ACC_PUBLIC, "<init>", NOTHING_TO_VOID, null, null);
-    code.visitCode();
+  private static String internal(String simpleName) {
+    return (ModelClass.PACKAGE + "." + simpleName).replace('.', '/');
+  }
+
+  private void constructor(ClassWriter file) {
+    MethodVisitor code = begin(file, Opcodes.ACC_PUBLIC, "<init>", NOTHING_TO_VOID);
     code.visitVarInsn(Opcodes.ALOAD, 0);
-    code.visitMethodInsn(Opcodes.INVOKESPECIAL, OBJECT, "<init>", NOTHING_TO_VOID, false);
-    code.visitInsn(Opcodes.RETURN);
-    code.visitMaxs(0, 0);
-    code.visitEnd();
+    String arguments = NOTHING_TO_VOID;
+    if (!columns.isEmpty()) {
+      code.visitLdcInsn(columns);
+      arguments = "(L" + TEXT + ";)V";
+    }
+    code.visitMethodInsn(
+        Opcodes.INVOKESPECIAL, Type.getInternalName(base()), "<init>", arguments, false);
+    end(code, Opcodes.RETURN);
+  }
+
+  private void bare(ClassWriter file) {
+    MethodVisitor code = begin(file, Opcodes.ACC_PROTECTED, "bare", BARE);
+    code.visitTypeInsn(Opcodes.NEW, internal(generated));
+    code.visitInsn(Opcodes.DUP);
+    code.visitMethodInsn(
+        Opcodes.INVOKESPECIAL, internal(generated), "<init>", NOTHING_TO_VOID, false);
+    end(code, Opcodes.ARETURN);
   }
 
   private void texts(ClassWriter file) {
-    MethodVisitor code =
-        file.visitMethod(
-            Opcodes.ACC_PRIVATE | Opcodes.ACC_STATIC, "texts", "()" + TEXTS, null, null);
-    code.visitCode();
+    MethodVisitor code = begin(file, Opcodes.ACC_PROTECTED, "texts", "()" + TEXTS);
     List<String> texts = model.texts();
     code.visitLdcInsn(texts.size());
     code.visitTypeInsn(Opcodes.ANEWARRAY, TEXT);
@@ -134,30 +148,17 @@ public record CompactClass(CompactModel model) implements WrittenClass {
       code.visitLdcInsn(texts.get(i));
       code.visitInsn(Opcodes.AASTORE);
     }
-    end(code);
+    end(code, Opcodes.ARETURN);
   }
 
-  /** Writes a method that hands everything over to the method of {@link CompactModel}. */
-  private static void method(
-      ClassWriter file, String className, String method, String own, String called) {
-    MethodVisitor code = file.visitMethod(Opcodes.ACC_PUBLIC, method, own, null, null);
+  private static MethodVisitor begin(ClassWriter file, int access, String name, String descriptor) {
+    MethodVisitor code = file.visitMethod(access, name, descriptor, null, null);
     code.visitCode();
-    if (called.contains(LOADER)) {
-      code.visitLdcInsn(Type.getObjectType(className));
-      code.visitMethodInsn(
-          Opcodes.INVOKEVIRTUAL, "java/lang/Class", "getClassLoader", "()" + LOADER, false);
-    }
-    if (own.startsWith("([D")) {
-      code.visitVarInsn(Opcodes.ALOAD, 1);
-    }
-    code.visitMethodInsn(Opcodes.INVOKESTATIC, className, "texts", "()" + TEXTS, false);
-    code.visitMethodInsn(
-        Opcodes.INVOKESTATIC, Type.getInternalName(CompactModel.class), method, called, false);
-    end(code);
+    return code;
   }
 
-  private static void end(MethodVisitor code) {
-    code.visitInsn(Opcodes.ARETURN);
+  private static void end(MethodVisitor code, int returnInstruction) {
+    code.visitInsn(returnInstruction);
     code.visitMaxs(0, 0);
     code.visitEnd();
   }
