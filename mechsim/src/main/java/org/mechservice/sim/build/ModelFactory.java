@@ -10,10 +10,13 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.dynamics.ArticulatedBodyEquations;
+import org.mechservice.sim.build.dynamics.CompositeInertiaEquations;
 import org.mechservice.sim.build.dynamics.EnergyEquations;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.build.dynamics.PoseEquations;
 import org.mechservice.sim.build.dynamics.PowerEquations;
+import org.mechservice.sim.build.dynamics.ResidualEquations;
+import org.mechservice.sim.build.emit.AnalysisTask;
 import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.ModelPlan;
@@ -50,14 +53,40 @@ public final class ModelFactory {
     Mechanism mechanism = model.mechanism();
     ModelNames.requireUsable(mechanism);
     GenerationLimits.require(model);
+    Optional<AnalysisTask> task = AnalysisTask.of(model.settings().task());
+    if (task.isPresent()) {
+      return analysis(model, options, task);
+    }
     String integrator = options.settings().integrator();
     StandaloneMain.requireIntegrator(integrator);
     FormulationChoice choice =
-        FormulationChoice.of(options.formulation(), options.closure(), integrator, mechanism);
+        FormulationChoice.of(
+            options.formulation(), options.closure(), options.settings(), mechanism);
     List<String> notGenerated = GenerationLimits.notGenerated(mechanism, choice);
     return options.compact() || !notGenerated.isEmpty()
         ? compact(model, options, choice, notGenerated)
         : specialised(model, options, choice);
+  }
+
+  /** Returns a model that is not integrated; its data say what is done with it. */
+  private static GeneratedModel analysis(
+      MechmlModel model, BuildOptions options, Optional<AnalysisTask> task) {
+    String name = model.settings().task().element();
+    FormulationChoice choice = new FormulationChoice(name, "none", "the simulation asks for it");
+    Set<ColumnGroup> further = DataColumns.of(model, options, false);
+    further.add(ColumnGroup.JOINTS);
+    return new GeneratedModel(
+        new CompactClass(
+            DataColumns.data(model, options, choice, further),
+            BuiltColumns.labels(further),
+            "",
+            task),
+        Optional.empty(),
+        model.mechanism().name(),
+        name,
+        choice.reason(),
+        0,
+        List.of());
   }
 
   private static GeneratedModel compact(
@@ -75,7 +104,10 @@ public final class ModelFactory {
             : "compact form, since no code is generated yet for " + String.join(", ", notGenerated);
     return new GeneratedModel(
         new CompactClass(
-            DataColumns.data(model, options, choice, further), BuiltColumns.labels(further), ""),
+            DataColumns.data(model, options, choice, further),
+            BuiltColumns.labels(further),
+            "",
+            Optional.empty()),
         Optional.empty(),
         mechanism.name(),
         choice.formulation(),
@@ -106,20 +138,28 @@ public final class ModelFactory {
     Mechanism mechanism = model.mechanism();
     SceneAnalysis scene = SceneAnalysis.of(mechanism);
     Links links = Links.of(mechanism);
-    Program derivative = ArticulatedBodyEquations.derive(links);
+    Program derivative =
+        choice.formulation().equals("DSR")
+            ? CompositeInertiaEquations.derive(links)
+            : ArticulatedBodyEquations.derive(links);
+    Optional<Program> residual =
+        choice.formulation().equals("RR")
+            ? Optional.of(ResidualEquations.derive(links))
+            : Optional.empty();
     List<Omission> leftOut = LeftOut.of(scene, links, options, derivative);
     ModelClass written =
         new ModelClass(
             mechanism,
             description(mechanism, choice, options),
             derivative,
+            residual,
             EnergyEquations.derive(links),
             options.columns().contains(ColumnGroup.BODIES)
                 ? Optional.of(PoseEquations.derive(links))
                 : Optional.empty(),
             PowerEquations.power(links),
             forceValues(links, options),
-            notes(choice, derivative, leftOut));
+            notes(choice, derivative, residual, leftOut));
     Set<ColumnGroup> further = DataColumns.of(model, options, true);
     return new GeneratedModel(
         ModelPlan.of(written),
@@ -129,7 +169,8 @@ public final class ModelFactory {
                 new CompactClass(
                     DataColumns.data(model, options, choice, further),
                     BuiltColumns.labels(further),
-                    written.simpleName())),
+                    written.simpleName(),
+                    Optional.empty())),
         mechanism.name(),
         choice.formulation(),
         choice.reason(),
@@ -151,12 +192,16 @@ public final class ModelFactory {
   }
 
   private static List<String> notes(
-      FormulationChoice choice, Program derivative, List<Omission> leftOut) {
+      FormulationChoice choice,
+      Program derivative,
+      Optional<Program> residual,
+      List<Omission> leftOut) {
     List<String> notes = new ArrayList<>();
     notes.add("Formulation " + choice.formulation() + " (" + choice.reason() + ").");
     notes.add(
         derivative.operationCount()
             + " additions, multiplications and divisions give the derivative of the state.");
+    residual.ifPresent(program -> notes.add(program.operationCount() + " give the residual."));
     StringBuilder list = new StringBuilder("Left out:");
     String separator = " ";
     for (Omission omission : leftOut) {

@@ -1,6 +1,7 @@
 package org.mechservice.solver.simulation;
 
 import org.mechservice.solver.api.Defects;
+import org.mechservice.solver.api.DirectedForces;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.ModelDescription;
@@ -125,6 +126,15 @@ final class FailureText {
         defect.code(), defect.cause(), t, stepSize, order, defect.part(), defect.advice());
   }
 
+  /** Explains an evaluation of generated code at which a force lost its direction. */
+  static Defects.Defect withoutDirection(DirectedForces forces, int result) {
+    return new Defects.Defect(
+        "N-031",
+        "force " + forces.directedForce(DirectedForces.force(result)),
+        "It has no direction: its two points coincide, or its frames are turned by half a turn.",
+        "Move a point or turn a frame, or use an element that suits the motion.");
+  }
+
   /** Explains a start without accelerations. */
   static Failure singularStart(double t, ModelDescription model, int joint) {
     return singularInertia(t, 0, 0, model, joint);
@@ -162,6 +172,9 @@ final class FailureText {
   }
 
   private static String state(ModelDescription model, int component) {
+    if (component >= model.stateCount()) {
+      return "a multiplier of the loops";
+    }
     return component < 0 ? "" : "state \"" + model.states().get(component).name() + "\"";
   }
 }
