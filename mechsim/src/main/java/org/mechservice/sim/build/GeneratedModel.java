@@ -111,10 +111,9 @@ public final class GeneratedModel {
       return data.parameters();
     }
 
-    /** Values of parameters act on forces and motions alone, which nobody asks this model for. */
     @Override
     public Model model(double[] values) {
-      return model();
+      return data.with(values).model(element -> new NoForce());
     }
   }
 

@@ -17,21 +17,31 @@ public final class EventBook {
   private boolean closed;
 
   /**
-   * Adds an event.
+   * Adds an event under a number of this book, and if it has none, with the time of now. The event
+   * itself may be in another book and is not modified.
    *
-   * @param event its number and, if it has none, its time are set
+   * @return what was added
    */
-  public synchronized void add(ServiceEvent event) {
+  public synchronized ServiceEvent add(ServiceEvent event) {
     lastSeqNo++;
-    event.seqNo = lastSeqNo;
-    if (event.happenedAt == 0) {
-      event.happenedAt = System.currentTimeMillis();
-    }
-    events.addLast(event);
+    ServiceEvent added =
+        new ServiceEvent(
+            lastSeqNo,
+            event.happenedAt == 0 ? System.currentTimeMillis() : event.happenedAt,
+            event.kind,
+            event.level,
+            event.code,
+            event.hostName,
+            event.sessionId,
+            event.simId,
+            event.owner,
+            event.text);
+    events.addLast(added);
     if (events.size() > KEPT) {
       events.removeFirst();
     }
     notifyAll();
+    return added;
   }
 
   /**

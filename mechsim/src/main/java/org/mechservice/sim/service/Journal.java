@@ -55,15 +55,13 @@ public final class Journal {
       log.warn(text);
     }
     add(EventBook.level(event.level), text);
-    events.add(event);
-    listener.accept(event);
+    listener.accept(events.add(event));
   }
 
   /** Writes an event of a host down again where a server keeps those of all its hosts. */
   public void retell(ServiceEvent event) {
     add(EventBook.level(event.level), event.hostName + ": " + EventBook.line(event));
-    events.add(event);
-    listener.accept(event);
+    listener.accept(events.add(event));
   }
 
   private synchronized void add(String level, String text) {
