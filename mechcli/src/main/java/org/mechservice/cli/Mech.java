@@ -17,6 +17,7 @@ import picocli.CommandLine.IVersionProvider;
       CheckCommand.class,
       BuildCommand.class,
       ImportCommand.class,
+      ReportCommand.class,
       ServerCommand.class,
       SimhostCommand.class,
       AdminCommand.class,

@@ -15,13 +15,17 @@ import org.mechservice.solver.api.Solver;
 /**
  * A model and the solver it came with, loaded apart from the client's own classes.
  *
- * @param source makes the model
- * @param model an instance for one run
+ * @param modelClass a {@link Model} or a {@link ModelSource}
  * @param solver the server's solver
  * @param formulationReason why the model was generated in its formulation; empty if not said
+ * @param shown column groups its file selects
  */
 record FetchedModel(
-    ModelSource source, Model model, Solver solver, Optional<String> formulationReason) {
+    Class<?> modelClass,
+    Solver solver,
+    Optional<String> formulationReason,
+    Set<ColumnGroup> shown) {
+  private static final String SHOWN_ATTRIBUTE = "Mech-Columns-Shown";
   private static final String API_VERSION_ATTRIBUTE = "Mech-Api-Version";
   private static final String REASON_ATTRIBUTE = "Mech-Formulation-Reason";
 
@@ -36,9 +40,11 @@ record FetchedModel(
     requireSameApi(model);
     FetchedClasses classes = new FetchedClasses(List.of(model, runtime));
     try {
-      ModelSource source = source(classes, modelJar.mainClass());
       return new FetchedModel(
-          source, source.model(), solver(classes), model.attribute(REASON_ATTRIBUTE));
+          modelClass(classes, modelJar.mainClass()),
+          solver(classes),
+          model.attribute(REASON_ATTRIBUTE),
+          ColumnGroup.of(model.attribute(SHOWN_ATTRIBUTE).orElse(ColumnGroup.JOINTS.label())));
     } catch (ReflectiveOperationException | LinkageError | ServiceConfigurationError e) {
       throw refused("cannot be loaded: " + e);
     }
@@ -52,13 +58,13 @@ record FetchedModel(
     }
   }
 
-  private static ModelSource source(FetchedClasses classes, String mainClass)
+  private static Class<?> modelClass(FetchedClasses classes, String mainClass)
       throws ReflectiveOperationException {
     Class<?> type = classes.loadClass(mainClass);
     if (!Model.class.isAssignableFrom(type) && !ModelSource.class.isAssignableFrom(type)) {
       throw refused("names " + mainClass + ", which is no model");
     }
-    return ModelSource.from(type.getDeclaredConstructor().newInstance());
+    return type;
   }
 
   private static Solver solver(FetchedClasses classes) {
@@ -71,8 +77,30 @@ record FetchedModel(
     return new JarRefusedException("S-036", "the model JAR " + why);
   }
 
-  LocalRun prepare(Set<ColumnGroup> columns, Map<String, Object> facts) {
-    RunRequest request = new RunRequest(model.description().defaults(), columns);
+  /**
+   * Returns a new instance of the model, for one run.
+   *
+   * @throws JarRefusedException if the class cannot be used
+   */
+  Model newModel() {
+    return newSource().model();
+  }
+
+  private ModelSource newSource() {
+    try {
+      return ModelSource.from(modelClass.getDeclaredConstructor().newInstance());
+    } catch (ReflectiveOperationException | LinkageError e) {
+      throw refused("cannot be loaded: " + e);
+    }
+  }
+
+  /**
+   * @param columns column groups asked for; empty: those its file selects
+   */
+  LocalRun prepare(Optional<Set<ColumnGroup>> columns, Map<String, Object> facts) {
+    ModelSource source = newSource();
+    Model model = source.model();
+    RunRequest request = new RunRequest(model.description().defaults(), columns.orElse(shown));
     return new LocalRun(source, model, solver, request, facts);
   }
 }

@@ -296,20 +296,4 @@ class ClientContractTest {
           .orElseThrow();
     }
   }
-
-  /** Keeps what it is given. */
-  private static final class Rows implements ResultSink {
-    private List<Variable> columns = List.of();
-    private final List<double[]> rows = new ArrayList<>();
-
-    @Override
-    public void begin(List<Variable> columns) {
-      this.columns = columns;
-    }
-
-    @Override
-    public void row(double[] values) {
-      rows.add(values.clone());
-    }
-  }
 }

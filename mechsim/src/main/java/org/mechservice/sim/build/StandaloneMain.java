@@ -46,7 +46,9 @@ final class StandaloneMain {
             RuntimeSolver.formOf(
                     model.withoutUserClasses(), model.options().settings().integrator())
                 .getClass()
-                .getName()));
+                .getName(),
+            BuiltColumns.labels(BuiltColumns.of(model)),
+            BuiltColumns.labels(BuiltColumns.shown(model))));
     return classes;
   }
 }

@@ -8,7 +8,6 @@ import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Output;
 import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
@@ -53,7 +52,6 @@ public final class GenerationLimits {
     if (!settings.absoluteTolerances().isUniform()) {
       beyond.add("absolute tolerances by class of state");
     }
-    add(beyond, "outputs", model.outputs().stream().map(Output::name));
     add(beyond, "events", settings.events().stream().map(Event::name));
     return beyond;
   }

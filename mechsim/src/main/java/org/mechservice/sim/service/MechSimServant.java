@@ -20,10 +20,12 @@ import org.mechservice.idl.MechSimOperations;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.ModelInfo;
 import org.mechservice.idl.NameValue;
+import org.mechservice.idl.NameValueSeqHolder;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.Parameter;
 import org.mechservice.idl.RoadmapEntry;
+import org.mechservice.idl.RunSetUp;
 import org.mechservice.idl.RuntimeInfo;
 import org.mechservice.idl.ServerFailure;
 import org.mechservice.idl.SimEvent;
@@ -171,12 +173,46 @@ final class MechSimServant implements MechSimOperations {
     GeneratedModel generated =
         Built.orRefused(() -> library.generated(model, asked.forJar(), times));
     return new ModelFile(
-        generated.className().replace('.', '/') + ".java",
+        generated.sourceName().replace('.', '/') + ".java",
         generated.source().getBytes(StandardCharsets.UTF_8));
   }
 
   @Override
   public IMechSimRemote createSimulation(NameValue[] options, @Nullable IMechClient client)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
+    return created(options, client).reference();
+  }
+
+  @Override
+  public RunSetUp prepareSimulation(NameValue[] options, @Nullable IMechClient client)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
+    Created created = created(options, client);
+    try {
+      return new RunSetUp(
+          created.reference(),
+          session.openRows(created.run()),
+          Wire.channels(created.run().columns().variables()),
+          facts(created.formulationReason()));
+    } catch (LimitExceeded e) {
+      session.destroy(created.run());
+      throw e;
+    }
+  }
+
+  /** What the report of a run says of its set-up, as far as this side knows it. */
+  private NameValue[] facts(String formulationReason) throws InvalidState {
+    Map<String, String> facts = new LinkedHashMap<>();
+    facts.put("hostName", hostName());
+    facts.put("modelSha256", requireModel().sha256());
+    facts.put("formulationReason", formulationReason);
+    times.asMap().forEach((name, seconds) -> facts.put(name, Double.toString(seconds)));
+    return Wire.nameValues(facts);
+  }
+
+  /** A simulation that was taken in. */
+  private record Created(SimulationRun run, IMechSimRemote reference, String formulationReason) {}
+
+  private Created created(NameValue[] options, @Nullable IMechClient client)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
     admission.requirePlace(session);
     LoadedModel source = requireModel(options);
@@ -192,7 +228,7 @@ final class MechSimServant implements MechSimOperations {
     SimulationRun run = runs.create(task, columns, source, facts, session);
     IMechSimRemote reference = session.add(run, client);
     session.said(run, messages(source, compiled.generated(), asked));
-    return reference;
+    return new Created(run, reference, compiled.generated().formulationReason());
   }
 
   private void requireUserCodeAllowed(CompiledModel compiled) throws NotAvailable {
@@ -249,6 +285,14 @@ final class MechSimServant implements MechSimOperations {
             runtime,
             Wire.nameValues(jar.manifest()));
     return jar.bytes();
+  }
+
+  @Override
+  public byte[] prepareJar(NameValue[] options, JarInfoHolder info, NameValueSeqHolder facts)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
+    byte[] jar = compileToJar(options, info);
+    facts.value = facts("");
+    return jar;
   }
 
   /** Returns the signature that travels beside a JAR; empty without TLS, where nobody has a key. */

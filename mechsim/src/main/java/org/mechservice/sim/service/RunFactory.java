@@ -5,7 +5,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.UUID;
 import org.mechservice.idl.LimitExceeded;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.RunRequest;
@@ -32,11 +31,7 @@ final class RunFactory {
 
   /** Returns the columns of a run. */
   RunColumns columns(Model model, RunRequest request) {
-    if (model instanceof ExplicitModel explicit) {
-      return RunColumns.of(groups -> Simulation.columns(explicit, groups), request.columns());
-    }
-    throw new IllegalArgumentException(
-        "S-061 model \"" + model.description().name() + "\" has no explicit form y' = f(t, y)");
+    return RunColumns.of(groups -> Simulation.columns(model, groups), request.columns());
   }
 
   /**

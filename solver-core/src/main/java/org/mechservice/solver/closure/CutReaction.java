@@ -9,7 +9,7 @@ import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.spatial.Blocks;
 
 /** What a cut joint exerts on the second of its bodies. Workspace of one thread. */
-final class CutReaction {
+public final class CutReaction {
   private final LoopEquations loops;
   private final int firstRow;
   private final int end;
@@ -29,7 +29,7 @@ final class CutReaction {
   /**
    * @param firstRow the joint's first equation
    */
-  CutReaction(JointClosure closure, TreeGeometry tree, LoopEquations loops, int firstRow) {
+  public CutReaction(JointClosure closure, TreeGeometry tree, LoopEquations loops, int firstRow) {
     this.loops = loops;
     this.firstRow = firstRow;
     int row = firstRow;
@@ -54,7 +54,7 @@ final class CutReaction {
    * @param wrench [force; moment] at the joint's point on body 2, world axes; overwritten from
    *     {@code at}
    */
-  void write(TreeMotion motion, double[] multipliers, double[] wrench, int at) {
+  public void write(TreeMotion motion, double[] multipliers, double[] wrench, int at) {
     Arrays.fill(load, 0);
     for (int row = firstRow; row < end; row++) {
       loops.addForces(row, -sign * multipliers[row], load, tau);

@@ -3,7 +3,6 @@ package org.mechservice.solver.closure;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.dynamics.JointReactions;
-import org.mechservice.solver.linear.SingularValues;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 
 /**
@@ -18,17 +17,12 @@ import org.mechservice.solver.mechanism.closure.JointClosure;
  * nothing allocates after construction.
  */
 public final class Reactions {
-  /** Singular values below this part of the largest are not divided by: a singular position. */
-  private static final double NEGLIGIBLE = 1e-10;
-
   private final ClosedTree work;
   private final int rank;
   private final JointReactions joints;
-  private final SingularValues singular;
+  private final ScaledJacobian jacobian;
   private final List<JointClosure> cutJoints = new ArrayList<>();
   private final CutReaction[] cuts;
-  private final double[] scaled;
-  private final double[] right;
   private final double[] residual;
   private final double[] loads;
   private final double[] tau;
@@ -61,9 +55,7 @@ public final class Reactions {
     joints = new JointReactions(work.motion);
     onJoints = joints.wrench;
     LoopEquations loops = work.loops;
-    singular = new SingularValues(loops.count(), work.nv);
-    scaled = new double[loops.count() * work.nv];
-    right = new double[work.nv];
+    jacobian = new ScaledJacobian(loops, work.units.velocities);
     residual = new double[work.tree.velocityCount];
     loads = new double[work.wrench.length];
     tau = new double[work.tau.length];
@@ -114,7 +106,8 @@ public final class Reactions {
       return false;
     }
     work.formResidual(a, aAt, residual);
-    solve();
+    jacobian.decompose();
+    jacobian.multipliers(jacobian.rank(rank), residual, multipliers);
     System.arraycopy(work.wrench, 0, loads, 0, loads.length);
     System.arraycopy(work.tau, 0, tau, 0, tau.length);
     work.loops.addForces(multipliers, -1, loads, tau);
@@ -123,30 +116,6 @@ public final class Reactions {
       cuts[i].write(work.motion, multipliers, onCutJoints, 6 * i);
     }
     return true;
-  }
-
-  /** Jᵀ λ = −(M v' + b − τ) by least norm, rows over their sizes, columns in units. */
-  private void solve() {
-    LoopEquations loops = work.loops;
-    double[] unit = work.units.velocities;
-    for (int row = 0; row < multipliers.length; row++) {
-      for (int j = 0; j < work.nv; j++) {
-        scaled[row * work.nv + j] =
-            loops.jacobian[row * loops.width() + j] * unit[j] / loops.size(row);
-      }
-    }
-    for (int j = 0; j < work.nv; j++) {
-      right[j] = -residual[j] * unit[j];
-    }
-    singular.decompose(scaled);
-    int regular = 0;
-    while (regular < rank && singular.value(regular) > NEGLIGIBLE * singular.value(0)) {
-      regular++;
-    }
-    singular.solveTransposed(regular, right, multipliers);
-    for (int row = 0; row < multipliers.length; row++) {
-      multipliers[row] /= loops.size(row);
-    }
   }
 
   /**

@@ -3,6 +3,7 @@ package org.mechservice.solver.simulation;
 import java.io.IOException;
 import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.DependentStates;
+import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ProjectedStates;
 import org.mechservice.solver.api.ResidualModel;
@@ -40,7 +41,8 @@ public final class RuntimeSolver implements Solver {
   }
 
   /** Returns the form in which an integrator takes a model's equations. */
-  public static EquationForm formOf(Model model, String integrator) {
+  public static EquationForm formOf(Model asBuilt, String integrator) {
+    Model model = ExtendedModel.bare(asBuilt);
     if (integrator.equals(RESIDUAL) && model instanceof ResidualModel) {
       return new ResidualForm();
     }

@@ -9,9 +9,11 @@ import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunNotes;
@@ -51,10 +53,26 @@ public final class Simulation implements Solver {
    * Returns the columns a run puts out, in order; the first is time.
    *
    * @param groups column groups wanted besides time and the joints' states
-   * @throws IllegalArgumentException if the model was built without one of the groups
+   * @throws IllegalArgumentException if the model was built without one of the groups, or has no
+   *     explicit form (S-061)
    */
-  public static List<Variable> columns(ExplicitModel model, Set<ColumnGroup> groups) {
-    return new RowLayout(model, groups).columns();
+  public static List<Variable> columns(Model model, Set<ColumnGroup> groups) {
+    ExplicitModel explicit = ExplicitForm.explicit(ExtendedModel.bare(model));
+    return new RowLayout(explicit, ExtendedModel.columnsOf(model), groups).columns();
+  }
+
+  /**
+   * Refuses column groups that a model was built without.
+   *
+   * @param built groups it was built with
+   * @throws IllegalArgumentException S-060 naming the first, and how to build the model with it
+   */
+  public static void requireColumns(Model model, Set<ColumnGroup> asked, Set<ColumnGroup> built) {
+    for (ColumnGroup group : ColumnGroup.values()) {
+      if (asked.contains(group) && !built.contains(group)) {
+        throw RowLayout.builtWithout(model, group);
+      }
+    }
   }
 
   @Override
@@ -67,7 +85,9 @@ public final class Simulation implements Solver {
   public RunReport run(
       Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException {
-    return new Run(form.of(model), request, sink, control, checkpoints).toEnd();
+    ModelEquations equations = form.of(ExtendedModel.bare(model));
+    ResultColumns further = ExtendedModel.columnsOf(model);
+    return new Run(equations, further, request, sink, control, checkpoints).toEnd();
   }
 
   /** One run in progress. */
@@ -94,6 +114,7 @@ public final class Simulation implements Solver {
 
     Run(
         ModelEquations equations,
+        ResultColumns further,
         RunRequest request,
         ResultSink sink,
         RunControl control,
@@ -107,7 +128,7 @@ public final class Simulation implements Solver {
       integrator = createIntegrator();
       outputTimes = new OutputTimes(settings);
       checkpoints = new CheckpointWriter(model, request, store);
-      rows = new RowWriter(model, request, sink);
+      rows = new RowWriter(model, further, request, sink);
       work = new WorkMeter(equations, integrator, model, rows.measuresWork(), settings.tStart());
       y = new double[equations.dimension()];
       yDot = new double[equations.dimension()];

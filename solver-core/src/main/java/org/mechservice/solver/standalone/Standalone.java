@@ -3,14 +3,11 @@ package org.mechservice.solver.standalone;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Path;
-import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.Outcome;
@@ -31,12 +28,26 @@ public final class Standalone {
 
   private final ModelSource source;
   private final Simulation simulation;
+  private final Set<ColumnGroup> built;
+  private final Set<ColumnGroup> shown;
   private final PrintStream out;
   private final PrintStream err;
 
-  Standalone(ModelSource source, Simulation simulation, PrintStream out, PrintStream err) {
+  /**
+   * @param built labels of the column groups the model was built with, separated by commas
+   * @param shown labels of those put out where nothing else is asked for
+   */
+  Standalone(
+      ModelSource source,
+      Simulation simulation,
+      String built,
+      String shown,
+      PrintStream out,
+      PrintStream err) {
     this.source = source;
     this.simulation = simulation;
+    this.built = ColumnGroup.of(built);
+    this.shown = ColumnGroup.of(shown);
     this.out = out;
     this.err = err;
   }
@@ -47,27 +58,35 @@ public final class Standalone {
    * @param source makes the model
    * @param integrators makes the integrator the JAR was built with
    * @param form how the equations are handed to it
+   * @param built labels of the column groups the model was built with, separated by commas
+   * @param shown labels of those put out where nothing else is asked for
    * @param args command line; {@code --help} lists the options
    * @return exit status: 0 done, 1 the simulation failed (rows up to the failure are kept), 2 bad
    *     usage
    */
   public static int run(
-      ModelSource source, IntegratorFactory integrators, EquationForm form, String[] args) {
+      ModelSource source,
+      IntegratorFactory integrators,
+      EquationForm form,
+      String built,
+      String shown,
+      String[] args) {
     Simulation simulation = new Simulation(integrators, form);
-    return new Standalone(source, simulation, System.out, System.err).run(args);
+    return new Standalone(source, simulation, built, shown, System.out, System.err).run(args);
   }
 
   int run(String[] args) {
     try {
       Model model = source.model();
       StandaloneOptions options =
-          StandaloneOptions.parse(args, model.description().defaults(), availableColumns(model));
+          StandaloneOptions.parse(args, model.description().defaults(), built, shown);
       if (options.help()) {
         out.print(model.description().name() + "\n" + StandaloneOptions.HELP + parameters());
         return DONE;
       } else if (!options.parameters().isEmpty()) {
         model = source.model(options.parameters());
       }
+      Simulation.requireColumns(model, options.request().columns(), built);
       return options.out().isEmpty() ? runWithoutFile(model, options) : runIntoFile(model, options);
     } catch (UsageException | IllegalArgumentException | IOException e) {
       err.println(e.getMessage());
@@ -124,16 +143,5 @@ public final class Standalone {
       return SIMULATION_FAILED;
     }
     return DONE;
-  }
-
-  private static Set<ColumnGroup> availableColumns(Model model) {
-    Set<ColumnGroup> available = EnumSet.of(ColumnGroup.JOINTS, ColumnGroup.ACCELERATIONS);
-    if (model instanceof BodyPoses) {
-      available.add(ColumnGroup.BODIES);
-    }
-    if (model instanceof Energies) {
-      available.add(ColumnGroup.ENERGY);
-    }
-    return available;
   }
 }

@@ -1,6 +1,7 @@
 package org.mechservice.sim.build.emit;
 
 import java.util.List;
+import org.mechservice.solver.analysis.FurtherColumns;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.compact.CompactModel;
@@ -11,22 +12,31 @@ import org.objectweb.asm.Type;
 
 /**
  * A model's class in compact form: it holds the mechanism as data, and the solver's data-driven
- * formulations compute with them.
+ * formulations compute with them; or the further columns of a model alone, of which code was
+ * generated.
  *
  * @param model what it holds
+ * @param columns groups of columns computed from the data, beside the model, separated by commas;
+ *     empty for none
+ * @param generated simple name of the generated class that is extended by columns; empty if the
+ *     model itself is data
  */
-public record CompactClass(CompactModel model) implements WrittenClass {
+public record CompactClass(CompactModel model, String columns, String generated)
+    implements WrittenClass {
+  private static final String LOADER = "Ljava/lang/ClassLoader;";
+  private static final String TEXTS = "[Ljava/lang/String;";
+
   private static final String OBJECT = "java/lang/Object";
   private static final String NOTHING_TO_VOID = "()V";
   private static final String TEXT = "java/lang/String";
-  private static final String TEXTS = "[Ljava/lang/String;";
-  private static final String LOADER = "Ljava/lang/ClassLoader;";
   private static final String LIST = "Ljava/util/List;";
   private static final String MODEL = Type.getDescriptor(Model.class);
+  private static final int OWN = Opcodes.ACC_PRIVATE | Opcodes.ACC_STATIC;
 
   @Override
   public String simpleName() {
-    return JavaText.className(model.mechanism().name());
+    String name = JavaText.className(model.mechanism().name());
+    return generated.isEmpty() ? name : name + "WithColumns";
   }
 
   @Override
@@ -36,28 +46,44 @@ public record CompactClass(CompactModel model) implements WrittenClass {
     if (isTunable()) {
       source.line("import java.util.List;");
     }
+    if (!columns.isEmpty()) {
+      source.line("import org.mechservice.solver.analysis.FurtherColumns;");
+    }
     source.line("import org.mechservice.solver.api.Model;");
     source.line("import org.mechservice.solver.api.ModelSource;");
     if (isTunable()) {
       source.line("import org.mechservice.solver.api.TunableParameter;");
     }
-    source.line("import org.mechservice.solver.compact.CompactModel;").blank();
+    if (generated.isEmpty()) {
+      source.line("import org.mechservice.solver.compact.CompactModel;");
+    }
+    source.blank();
     source.documentation(
         List.of(
             JavaText.comment("Model \"" + model.mechanism().name() + "\" in compact form: data.")));
     source.open("public final class " + simpleName() + " implements ModelSource");
     source.line("@Override").open("public Model model()");
-    source.line("return CompactModel.model(" + simpleName() + ".class.getClassLoader(), texts());");
+    source.line("return make(texts());");
     source.close();
     if (isTunable()) {
       source.blank().line("@Override").open("public List<TunableParameter> parameters()");
       source.line("return CompactModel.parameters(texts());");
       source.close();
       source.blank().line("@Override").open("public Model model(double[] values)");
-      source.line("return CompactModel.model(");
-      source.line("    " + simpleName() + ".class.getClassLoader(), values, texts());");
+      source.line("return make(CompactModel.tuned(values, texts()));");
       source.close();
     }
+    source.blank().open("private static Model make(String[] data)");
+    source.line("ClassLoader loader = " + simpleName() + ".class.getClassLoader();");
+    String bare =
+        generated.isEmpty() ? "CompactModel.model(loader, data)" : "new " + generated + "()";
+    source.line(
+        "return "
+            + (columns.isEmpty()
+                ? bare
+                : "FurtherColumns.extend(" + bare + ", loader, \"" + columns + "\", data)")
+            + ";");
+    source.close();
     source.blank().open("private static String[] texts()");
     source.line("return new String[] {");
     for (String text : model.texts()) {
@@ -68,8 +94,9 @@ public record CompactClass(CompactModel model) implements WrittenClass {
     return source.close().toString();
   }
 
+  /** Models whose equations are generated have their parameters folded. */
   private boolean isTunable() {
-    return !model.mechanism().parameters().isEmpty();
+    return generated.isEmpty() && !model.mechanism().parameters().isEmpty();
   }
 
   /** Returns a literal of one line, whatever its length; data are not there to be read. */
@@ -100,10 +127,11 @@ public record CompactClass(CompactModel model) implements WrittenClass {
         new String[] {Type.getInternalName(ModelSource.class)});
     constructor(file);
     texts(file);
-    method(file, name, "model", "()" + MODEL, "(" + LOADER + TEXTS + ")" + MODEL);
+    make(file, name);
+    ofTexts(file, name, "model", "()" + MODEL, "");
     if (isTunable()) {
-      method(file, name, "model", "([D)" + MODEL, "(" + LOADER + "[D" + TEXTS + ")" + MODEL);
-      method(file, name, "parameters", "()" + LIST, "(" + TEXTS + ")" + LIST);
+      ofTexts(file, name, "model", "([D)" + MODEL, "tuned");
+      ofTexts(file, name, "parameters", "()" + LIST, "parameters");
     }
     file.visitEnd();
     return file.toByteArray();
@@ -121,9 +149,7 @@ public record CompactClass(CompactModel model) implements WrittenClass {
   }
 
   private void texts(ClassWriter file) {
-    MethodVisitor code =
-        file.visitMethod(
-            Opcodes.ACC_PRIVATE | Opcodes.ACC_STATIC, "texts", "()" + TEXTS, null, null);
+    MethodVisitor code = file.visitMethod(OWN, "texts", "()" + TEXTS, null, null);
     code.visitCode();
     List<String> texts = model.texts();
     code.visitLdcInsn(texts.size());
@@ -137,22 +163,53 @@ public record CompactClass(CompactModel model) implements WrittenClass {
     end(code);
   }
 
-  /** Writes a method that hands everything over to the method of {@link CompactModel}. */
-  private static void method(
-      ClassWriter file, String className, String method, String own, String called) {
-    MethodVisitor code = file.visitMethod(Opcodes.ACC_PUBLIC, method, own, null, null);
+  /** Data are the first variable of the method, the loader the second. */
+  private void make(ClassWriter file, String name) {
+    MethodVisitor code = file.visitMethod(OWN, "make", "(" + TEXTS + ")" + MODEL, null, null);
     code.visitCode();
-    if (called.contains(LOADER)) {
-      code.visitLdcInsn(Type.getObjectType(className));
-      code.visitMethodInsn(
-          Opcodes.INVOKEVIRTUAL, "java/lang/Class", "getClassLoader", "()" + LOADER, false);
+    code.visitLdcInsn(Type.getObjectType(name));
+    code.visitMethodInsn(
+        Opcodes.INVOKEVIRTUAL, "java/lang/Class", "getClassLoader", "()" + LOADER, false);
+    code.visitVarInsn(Opcodes.ASTORE, 1);
+    bare(code);
+    if (!columns.isEmpty()) {
+      code.visitVarInsn(Opcodes.ALOAD, 1);
+      code.visitLdcInsn(columns);
+      code.visitVarInsn(Opcodes.ALOAD, 0);
+      String arguments = "(L" + OBJECT + ";" + LOADER + "L" + TEXT + ";" + TEXTS + ")";
+      toModel(code, FurtherColumns.class, "extend", arguments);
     }
-    if (own.startsWith("([D")) {
+    end(code);
+  }
+
+  /**
+   * Writes a method of the interface.
+   *
+   * @param called method of {@link CompactModel} that takes its arguments and the texts; empty:
+   *     none
+   */
+  private static void ofTexts(
+      ClassWriter file, String className, String method, String descriptor, String called) {
+    MethodVisitor code = file.visitMethod(Opcodes.ACC_PUBLIC, method, descriptor, null, null);
+    code.visitCode();
+    boolean values = descriptor.startsWith("([D");
+    if (values) {
       code.visitVarInsn(Opcodes.ALOAD, 1);
     }
     code.visitMethodInsn(Opcodes.INVOKESTATIC, className, "texts", "()" + TEXTS, false);
-    code.visitMethodInsn(
-        Opcodes.INVOKESTATIC, Type.getInternalName(CompactModel.class), method, called, false);
+    boolean toModel = descriptor.endsWith(MODEL);
+    if (!called.isEmpty()) {
+      code.visitMethodInsn(
+          Opcodes.INVOKESTATIC,
+          Type.getInternalName(CompactModel.class),
+          called,
+          "(" + (values ? "[D" : "") + TEXTS + ")" + (toModel ? TEXTS : LIST),
+          false);
+    }
+    if (toModel) {
+      code.visitMethodInsn(
+          Opcodes.INVOKESTATIC, className, "make", "(" + TEXTS + ")" + MODEL, false);
+    }
     end(code);
   }
 
@@ -160,5 +217,28 @@ public record CompactClass(CompactModel model) implements WrittenClass {
     code.visitInsn(Opcodes.ARETURN);
     code.visitMaxs(0, 0);
     code.visitEnd();
+  }
+
+  /** Pushes the model without further columns. */
+  private void bare(MethodVisitor code) {
+    if (generated.isEmpty()) {
+      code.visitVarInsn(Opcodes.ALOAD, 1);
+      code.visitVarInsn(Opcodes.ALOAD, 0);
+      toModel(code, CompactModel.class, "model", "(" + LOADER + TEXTS + ")");
+      return;
+    }
+    String own = (ModelClass.PACKAGE + "." + generated).replace('.', '/');
+    code.visitTypeInsn(Opcodes.NEW, own);
+    code.visitInsn(Opcodes.DUP);
+    code.visitMethodInsn(Opcodes.INVOKESPECIAL, own, "<init>", NOTHING_TO_VOID, false);
+  }
+
+  private static void toModel(MethodVisitor code, Class<?> owner, String name, String arguments) {
+    code.visitMethodInsn(
+        Opcodes.INVOKESTATIC,
+        Type.getInternalName(owner),
+        name,
+        arguments + Type.getDescriptor(Model.class),
+        false);
   }
 }

@@ -11,15 +11,16 @@ import org.mechservice.sim.build.emit.MethodSizes;
 class CompactLocalsTest {
   private static double run(String body) throws ReflectiveOperationException {
     String source =
-        "package org.mechservice.model; public class A { public static double a(double p, double[] x)"
-            + " {"
+        "package org.mechservice.model; public class A { public static double a(double p, double[]"
+            + " x) {"
             + body
             + "} }";
     ModelClassLoader loader =
         new ModelClassLoader(
             new TreeMap<>(
                 ModelCompiler.compile(
-                    "org.mechservice.model.A", source, Collections.emptySortedMap())));
+                    "org.mechservice.model.A", source, Collections.emptySortedMap())),
+            ClassLoader.getPlatformClassLoader());
     Method method =
         loader.loadClass("org.mechservice.model.A").getMethod("a", double.class, double[].class);
     return (double) method.invoke(null, 3.0, new double[] {1, 2, 4});
