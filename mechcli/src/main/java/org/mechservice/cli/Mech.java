@@ -18,6 +18,7 @@ import picocli.CommandLine.IVersionProvider;
       BuildCommand.class,
       ImportCommand.class,
       ReportCommand.class,
+      StabilityCommand.class,
       ServerCommand.class,
       SimhostCommand.class,
       AdminCommand.class,

@@ -78,15 +78,11 @@ record FetchedModel(
   }
 
   /**
-   * Returns a new instance of the model, for one run.
+   * Returns a new source of the model: one for each run.
    *
    * @throws JarRefusedException if the class cannot be used
    */
-  Model newModel() {
-    return newSource().model();
-  }
-
-  private ModelSource newSource() {
+  ModelSource newSource() {
     try {
       return ModelSource.from(modelClass.getDeclaredConstructor().newInstance());
     } catch (ReflectiveOperationException | LinkageError e) {

@@ -294,6 +294,7 @@ public final class MechSession implements AutoCloseable {
   public LocalModel fetchModel(SimulationOptions options) {
     BuiltJar modelJar = compile(options, new NameValueSeqHolder(new NameValue[0]));
     byte[] runtimeJar = connection.cache().get(modelJar.runtimeSha256(), () -> fetch(modelJar));
+    verifyRuntime(runtimeJar);
     return new LocalModel(modelJar, FetchedModel.load(modelJar, runtimeJar));
   }
 

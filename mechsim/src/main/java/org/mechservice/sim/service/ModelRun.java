@@ -3,6 +3,7 @@ package org.mechservice.sim.service;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
+import org.mechservice.sim.worker.WorkerResult;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.ModelSource;
@@ -22,13 +23,15 @@ import org.mechservice.solver.api.TunableParameter;
  * @param model used by this run alone
  * @param parameters tunable parameters with the values the model has
  * @param request what is wanted
+ * @param clock of the thread that computes
  */
 record ModelRun(
     Solver solver,
     ModelSource source,
     Model model,
     List<TunableParameter> parameters,
-    RunRequest request)
+    RunRequest request,
+    ThreadClock clock)
     implements RunTask {
   @Override
   public ModelDescription description() {
@@ -48,11 +51,16 @@ record ModelRun(
   @Override
   public RunTask with(Map<String, String> values) {
     Model changed = source.model(values);
-    List<TunableParameter> now =
-        source.parameters().stream()
-            .map(p -> values.containsKey(p.name()) ? changed(p, values.get(p.name())) : p)
-            .toList();
-    return new ModelRun(solver, source, changed, now, request);
+    return new ModelRun(
+        solver, source, changed, changed(source.parameters(), values), request, clock);
+  }
+
+  /** Returns parameters with other values of some, which are numbers. */
+  static List<TunableParameter> changed(
+      List<TunableParameter> parameters, Map<String, String> values) {
+    return parameters.stream()
+        .map(p -> values.containsKey(p.name()) ? changed(p, values.get(p.name())) : p)
+        .toList();
   }
 
   private static TunableParameter changed(TunableParameter parameter, String value) {
@@ -61,7 +69,14 @@ record ModelRun(
   }
 
   @Override
-  public RunReport run(ResultSink sink, RunControl control) throws IOException {
-    return solver.run(model, request, sink, control);
+  public long cpuNanos() {
+    return clock.nanos();
+  }
+
+  @Override
+  public WorkerResult run(ResultSink sink, RunControl control) throws IOException {
+    clock.start();
+    RunReport report = solver.run(model, request, sink, control);
+    return new WorkerResult(report.asMap(), report.outcome());
   }
 }

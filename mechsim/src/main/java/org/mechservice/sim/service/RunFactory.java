@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.UUID;
 import org.mechservice.idl.LimitExceeded;
+import org.mechservice.sim.build.CompiledModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.RunRequest;
@@ -35,12 +36,20 @@ final class RunFactory {
   }
 
   /**
-   * Makes the computing of a run.
+   * Makes the computing of a run: here, or where the model has classes of users, in a process of
+   * its own.
    *
-   * @param source makes its model
+   * @param memoryBytes most memory of a process of its own; negative: what Java takes by itself
    */
-  ModelRun task(ModelSource source, RunRequest request) {
-    return new ModelRun(solver, source, source.model(), source.parameters(), request);
+  RunTask task(CompiledModel compiled, RunRequest request, long memoryBytes) {
+    return compiled.hasUserClasses()
+        ? new WorkerRun(compiled, request, memoryBytes)
+        : here(compiled.instances(), request);
+  }
+
+  private ModelRun here(ModelSource source, RunRequest request) {
+    return new ModelRun(
+        solver, source, source.model(), source.parameters(), request, new ThreadClock());
   }
 
   /**
@@ -50,7 +59,7 @@ final class RunFactory {
    * @throws LimitExceeded if its rows would be more than the host or its disk takes
    */
   SimulationRun create(
-      ModelRun task, RunColumns columns, LoadedModel source, RunFacts facts, Session session)
+      RunTask task, RunColumns columns, LoadedModel source, RunFacts facts, Session session)
       throws LimitExceeded {
     requireRoomForRows(task.settings(), columns.count());
     RunIdentity identity =

@@ -89,45 +89,17 @@ public record CompactModel(
   }
 
   /**
-   * Makes the model of a compact class.
-   *
-   * @param loader finds the classes of user forces
-   * @param texts what {@link #texts} returned
-   */
-  public static Model model(ClassLoader loader, String... texts) {
-    return of(List.of(texts)).model(userForces(loader));
-  }
-
-  /** Returns what makes user forces of classes that a loader finds. */
-  public static UserForceSource userForces(ClassLoader loader) {
-    return new LoadedUserForces(loader);
-  }
-
-  /**
-   * Returns the texts of a model with other values of its parameters.
+   * Returns the model with other values of its parameters.
    *
    * @param values in the order and units of {@link #parameters}
-   * @param texts what {@link #texts} returned
    */
-  public static String[] tuned(double[] values, String... texts) {
-    CompactModel data = of(List.of(texts));
-    CompactModel changed =
-        new CompactModel(
-            data.mechanism.with(values),
-            data.formulation,
-            data.closure,
-            data.settings,
-            data.outputs);
-    return changed.texts().toArray(new String[0]);
+  public CompactModel with(double[] values) {
+    return new CompactModel(mechanism.with(values), formulation, closure, settings, outputs);
   }
 
-  /**
-   * Returns the parameters of a compact class that may be changed before a run.
-   *
-   * @param texts what {@link #texts} returned
-   */
-  public static List<TunableParameter> parameters(String... texts) {
-    return of(List.of(texts)).mechanism.parameters().stream()
+  /** Returns the parameters that may be changed before a run. */
+  public List<TunableParameter> parameters() {
+    return mechanism.parameters().stream()
         .map(p -> new TunableParameter(p.name(), p.unitInFile(), p.valueInFile()))
         .toList();
   }

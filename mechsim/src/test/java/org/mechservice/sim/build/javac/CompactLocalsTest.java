@@ -11,8 +11,8 @@ import org.mechservice.sim.build.emit.MethodSizes;
 class CompactLocalsTest {
   private static double run(String body) throws ReflectiveOperationException {
     String source =
-        "package org.mechservice.model; public class A { public static double a(double p, double[]"
-            + " x) {"
+        "package org.mechservice.model; public class A { public static double a(double p, double[] x)"
+            + " {"
             + body
             + "} }";
     ModelClassLoader loader =
@@ -20,7 +20,7 @@ class CompactLocalsTest {
             new TreeMap<>(
                 ModelCompiler.compile(
                     "org.mechservice.model.A", source, Collections.emptySortedMap())),
-            ClassLoader.getPlatformClassLoader());
+            CompactLocalsTest.class.getClassLoader());
     Method method =
         loader.loadClass("org.mechservice.model.A").getMethod("a", double.class, double[].class);
     return (double) method.invoke(null, 3.0, new double[] {1, 2, 4});
