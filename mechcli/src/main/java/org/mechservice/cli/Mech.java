@@ -16,6 +16,7 @@ import picocli.CommandLine.IVersionProvider;
       SimulateCommand.class,
       CheckCommand.class,
       BuildCommand.class,
+      ImportCommand.class,
       ReportCommand.class,
       StabilityCommand.class,
       ServerCommand.class,

@@ -81,6 +81,25 @@ class WholeWayTest {
   }
 
   @Test
+  void robotIsImportedWithItsLossesToldAndSimulated() throws Exception {
+    String robot = Path.of("..", "examples", "robot", "arm.urdf").toString();
+    assertThat(mech("import", robot, "-o", file("arm.xml"))).isZero();
+    assertThat(err.toString()).contains(robot + ":22:5: M-085 link \"upper\": collision");
+    err.getBuffer().setLength(0);
+    assertThat(mech("simulate", file("arm.xml"), "--quiet", "--out", file("arm.csv"))).isZero();
+    assertThat(err.toString()).isEmpty();
+    assertThat(folder.resolve("arm.csv")).content().startsWith("t,shoulder.q,elbow.q,grip.q,");
+  }
+
+  @Test
+  void strictImportThatWouldLoseSomethingWritesNothing() {
+    String robot = Path.of("..", "examples", "robot", "arm.urdf").toString();
+    assertThat(mech("import", robot, "-o", file("arm.xml"), "--strict")).isEqualTo(2);
+    assertThat(err.toString()).contains("S-127 " + robot + " has 4 things");
+    assertThat(folder.resolve("arm.xml")).doesNotExist();
+  }
+
+  @Test
   void reportHasTheHashOfTheFileWritten() throws Exception {
     mech("simulate", MODEL, "--json", "--out", file("r.csv"));
     JsonObject report = JsonParser.parseString(out.toString()).getAsJsonObject();

@@ -1,9 +1,16 @@
 package org.mechservice.client;
 
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.security.cert.Certificate;
+import java.util.List;
 import java.util.Optional;
+import org.mechservice.idl.DiagnosticSeqHolder;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.MechSim;
+import org.mechservice.idl.ModelFile;
 import org.mechservice.orb.Endpoint;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.TlsIdentity;
@@ -119,6 +126,37 @@ public final class MechConnection implements AutoCloseable {
       session = createSession(server, hostName);
     }
     return new MechSession(this, callsTo(session, server), session, connectSeconds + watch.lap());
+  }
+
+  /**
+   * Lets the server translate a model of another format into MechML.
+   *
+   * @param file a robot in URDF
+   * @throws IOException if the file cannot be read
+   * @throws InvalidModelException if it cannot be used; says what and where
+   * @throws NotAvailableException if the server does not know its format
+   */
+  public ImportedModel importModel(Path file) throws IOException {
+    String name = String.valueOf(file.getFileName());
+    ModelFile foreign = new ModelFile(name, Files.readAllBytes(file));
+    ServerChoice.Chosen server = servers.chosen();
+    DiagnosticSeqHolder losses = new DiagnosticSeqHolder();
+    try {
+      ModelFile model = server.calls().get(() -> server.server().importModel(foreign, losses));
+      return new ImportedModel(
+          new String(model.content, StandardCharsets.UTF_8),
+          located(ModelMessage.listOf(losses.value), name, file));
+    } catch (InvalidModelException e) {
+      throw new InvalidModelException(
+          e.code(), String.valueOf(e.getMessage()), located(e.messages(), name, file));
+    }
+  }
+
+  /** The server only knows the file's name; the user wrote a path. */
+  private static List<ModelMessage> located(List<ModelMessage> said, String name, Path file) {
+    return said.stream()
+        .map(m -> m.fileName().equals(name) ? m.inFile(file.toString()) : m)
+        .toList();
   }
 
   private static MechSim createSession(ServerChoice.Chosen server, String hostName) {

@@ -14,8 +14,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.urdf.UrdfImport;
 
-/** What is said about broken files, word for word: broken/NAME.xml gives broken/NAME.txt. */
+/**
+ * What is said about broken files, word for word: broken/NAME.xml gives broken/NAME.txt, and
+ * broken-urdf/NAME.urdf broken-urdf/NAME.txt.
+ */
 class BrokenFileTest {
   /** Files that are broken by what is asked of them. */
   private static final Map<String, ReadOptions> ASKED =
@@ -39,11 +43,37 @@ class BrokenFileTest {
     assertThat(messages).isEqualTo(Resources.text("broken/" + name + ".txt"));
   }
 
+  static Stream<String> robots() throws IOException {
+    return Resources.text("broken-urdf")
+        .lines()
+        .filter(f -> f.endsWith(".urdf"))
+        .map(f -> f.substring(0, f.length() - 5));
+  }
+
+  @ParameterizedTest
+  @MethodSource("robots")
+  void messagesAboutARobotAreThoseOfTheGoldenFile(String name) throws IOException {
+    String messages = ofRobot(name).stream().map(d -> d + "\n").collect(Collectors.joining());
+    assertThat(messages).isEqualTo(Resources.text("broken-urdf/" + name + ".txt"));
+  }
+
+  private static List<Diagnostic> ofRobot(String name) {
+    try {
+      byte[] content = Resources.bytes("broken-urdf/" + name + ".urdf");
+      return UrdfImport.of(name + ".urdf", content).losses();
+    } catch (MechmlException e) {
+      return e.diagnostics();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
   @Test
   void everyMessageOfTheCatalogueHasABrokenFile() throws IOException {
     Set<String> shown =
-        names()
-            .flatMap(name -> diagnostics(name).stream())
+        Stream.concat(
+                names().flatMap(name -> diagnostics(name).stream()),
+                robots().flatMap(name -> ofRobot(name).stream()))
             .map(Diagnostic::code)
             .collect(Collectors.toSet());
     assertThat(shown)

@@ -7,6 +7,7 @@ import org.mechservice.idl.API_VERSION;
 import org.mechservice.idl.DiagnosticSeqHolder;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.InvalidModel;
 import org.mechservice.idl.Limit;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MechServerOperations;
@@ -19,12 +20,18 @@ import org.mechservice.idl.ServerInfo;
 import org.mechservice.orb.Caller;
 import org.mechservice.orb.ServiceVersion;
 import org.mechservice.sim.service.LimitsInForce;
+import org.mechservice.sim.service.ModelImport;
 import org.mechservice.sim.service.Refusal;
 
 /** Where clients connect. */
 final class MechServerServant implements MechServerOperations {
   private static final String[] CAPABILITIES = {
-    "formulation=DTR", "integrator=ode113", "integrator=DE", "jar=model", "jar=standalone"
+    "formulation=DTR",
+    "integrator=ode113",
+    "integrator=DE",
+    "jar=model",
+    "jar=standalone",
+    "import=urdf"
   };
 
   private final String name;
@@ -92,8 +99,9 @@ final class MechServerServant implements MechServerOperations {
   }
 
   @Override
-  public ModelFile importModel(ModelFile foreign, DiagnosticSeqHolder losses) throws NotAvailable {
-    throw Refusal.notAvailable("importing other formats is not in this version; send MechML");
+  public ModelFile importModel(ModelFile foreign, DiagnosticSeqHolder losses)
+      throws InvalidModel, NotAvailable, LimitExceeded {
+    return ModelImport.translate(foreign, losses, limits.now());
   }
 
   @Override

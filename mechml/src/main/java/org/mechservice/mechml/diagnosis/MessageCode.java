@@ -55,7 +55,13 @@ public enum MessageCode {
   FORCE_VALUE("M-070"),
   FORCE_ATTRIBUTE("M-071"),
   CLASS_NAME("M-072"),
-  PROFILE("M-073");
+  PROFILE("M-073"),
+  NOT_URDF("M-080"),
+  URDF_MISSING("M-081"),
+  URDF_NUMBER("M-082"),
+  URDF_TREE("M-083"),
+  URDF_JOINT("M-084"),
+  URDF_LOST("M-085");
 
   private final String code;
 

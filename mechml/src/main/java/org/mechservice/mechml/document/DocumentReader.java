@@ -50,10 +50,33 @@ public final class DocumentReader {
     return new DocumentReader(diagnostics).read(content);
   }
 
+  /**
+   * Reads an XML file of another language, whose grammar is not checked. It may have no DOCTYPE,
+   * hence no entities of its own; text between tags is left aside.
+   *
+   * @param content the file's bytes; not modified
+   * @param diagnostics takes what is wrong
+   * @return the outermost element
+   * @throws MechmlException if the file is too large, not well-formed, or has a DOCTYPE
+   */
+  public static Element readForeign(byte[] content, Diagnostics diagnostics)
+      throws MechmlException {
+    DocumentReader reader = new DocumentReader(diagnostics);
+    reader.builder.takeForeign();
+    return reader.read(content, false).root();
+  }
+
   private Document read(byte[] content) throws MechmlException {
+    Document document = read(content, true);
+    explainInvalidity(document.root());
+    diagnostics.throwIfErrors();
+    return document;
+  }
+
+  private Document read(byte[] content, boolean own) throws MechmlException {
     Optional<Document> document = Optional.empty();
     try {
-      document = parse(content);
+      document = parse(content, own);
     } catch (Refusal refusal) {
       diagnostics.error(refusal.code(), refusal.place(), refusal.text());
     } catch (SAXException | RuntimeException e) {
@@ -66,37 +89,40 @@ public final class DocumentReader {
           "the file is not written in the encoding it claims, UTF-8 if it claims none; save it as"
               + " UTF-8");
     }
-    document.map(Document::root).ifPresent(this::explainInvalidity);
-    diagnostics.throwIfErrors();
+    if (document.isEmpty()) {
+      diagnostics.throwIfErrors();
+    }
     return document.orElseThrow();
   }
 
-  private Optional<Document> parse(byte[] content) throws SAXException, IOException {
+  private Optional<Document> parse(byte[] content, boolean own) throws SAXException, IOException {
     if (content.length > Limits.BYTES) {
       throw new Refusal(
           MessageCode.TOO_LARGE,
           Place.FILE,
           Phrase.of("the file has %d bytes; %d are allowed", content.length, Limits.BYTES));
     }
-    parser().parse(new InputSource(new ByteArrayInputStream(content)));
+    parser(own).parse(new InputSource(new ByteArrayInputStream(content)));
     return builder.document(!dtd.isUnasked());
   }
 
   /** The classes are named, so that no setting of the machine can put others in their place. */
-  private SAXParser parser() throws SAXException {
+  private SAXParser parser(boolean own) throws SAXException {
     DTDConfiguration configuration = new DTDConfiguration();
     configuration.setErrorHandler(errors);
     SAXParser parser = new SAXParser(configuration);
     parser.setLocale(Locale.ENGLISH);
-    parser.setFeature(VALIDATION, true);
+    parser.setFeature(VALIDATION, own);
     parser.setFeature(NAMESPACES, false);
     SecurityManager limits = new SecurityManager();
     limits.setEntityExpansionLimit(Limits.ENTITY_REFERENCES);
     parser.setProperty(SECURITY, limits);
     parser.setProperty(LEXICAL, builder);
-    parser.setProperty(DECLARATIONS, grammarReader);
     parser.setContentHandler(builder);
-    parser.setEntityResolver(dtd);
+    if (own) {
+      parser.setProperty(DECLARATIONS, grammarReader);
+      parser.setEntityResolver(dtd);
+    }
     return parser;
   }
 

@@ -24,7 +24,8 @@ import org.xml.sax.ext.DefaultHandler2;
  */
 final class ElementBuilder extends DefaultHandler2 {
   /** Elements whose name stands for the whole file, so messages do not repeat it. */
-  private static final Set<String> NOT_OWNERS = Set.of("MechML", "MBSmodel", "body1", "body2");
+  private static final Set<String> NOT_OWNERS =
+      Set.of("MechML", "MBSmodel", "robot", "body1", "body2");
 
   /**
    * An element whose end has not been read.
@@ -46,6 +47,7 @@ final class ElementBuilder extends DefaultHandler2 {
   private Optional<String> systemId = Optional.empty();
   private Optional<Element> root = Optional.empty();
   private boolean inDtd;
+  private boolean foreign;
   private int elements;
   private int line = 1;
   private int column = 1;
@@ -68,6 +70,11 @@ final class ElementBuilder extends DefaultHandler2 {
    */
   Optional<Document> document(boolean hasDoctype) {
     return root.map(r -> new Document(systemId.filter(id -> hasDoctype), prolog, r, epilog));
+  }
+
+  /** Lets text stand between tags, and no DOCTYPE before them. */
+  void takeForeign() {
+    foreign = true;
   }
 
   /** Returns the innermost element whose end has not been read, without its children. */
@@ -158,7 +165,7 @@ final class ElementBuilder extends DefaultHandler2 {
   @Override
   public void characters(char[] text, int start, int length) {
     String content = new String(text, start, length).strip();
-    if (!content.isEmpty() && !diagnostics.isFull()) {
+    if (!foreign && !content.isEmpty() && !diagnostics.isFull()) {
       innermost().ifPresent(element -> reportText(element, content));
     }
     passed();
@@ -184,7 +191,12 @@ final class ElementBuilder extends DefaultHandler2 {
   }
 
   @Override
-  public void startDTD(String name, @Nullable String publicId, @Nullable String dtdId) {
+  public void startDTD(String name, @Nullable String publicId, @Nullable String dtdId)
+      throws SAXException {
+    if (foreign) {
+      throw new Refusal(
+          MessageCode.OWN_DECLARATION, here.place(), "the file has a DOCTYPE; leave it out");
+    }
     inDtd = true;
     // Without DOCTYPE the parser announces the bundled grammar with the file's own id, which is
     // none.

@@ -1,0 +1,142 @@
+package org.mechservice.mechml.urdf;
+
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.mechml.document.Comment;
+import org.mechservice.mechml.document.Document;
+import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.urdf.UrdfRobot.Inertial;
+import org.mechservice.mechml.urdf.UrdfRobot.Joint;
+import org.mechservice.mechml.urdf.UrdfRobot.Link;
+import org.mechservice.mechml.urdf.UrdfRobot.Mimic;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * A robot as a MechML document. Bodies have the frames of their links; a joint's point and vectors
+ * have its name on both bodies.
+ */
+final class MechmlRobot {
+  /** Acceleration of free fall, m/s², which URDF leaves to the simulator; z is up by convention. */
+  private static final String GRAVITY = "-9.81";
+
+  private final UrdfRobot robot;
+  private final UrdfTree tree;
+  private final String fileName;
+  private final RobotJoints joints;
+
+  MechmlRobot(String fileName, UrdfRobot robot, UrdfTree tree) {
+    this.fileName = fileName;
+    this.robot = robot;
+    this.tree = tree;
+    joints = new RobotJoints(robot, tree);
+  }
+
+  Document document() {
+    Tag mechml = new Tag("MechML").add(simulation()).add(model());
+    List<Comment> prolog =
+        List.of(
+            new Comment(
+                " Made from "
+                    + fileName.replaceAll("-{2,}|\\p{Cntrl}", "_")
+                    + ". URDF says nothing of gravity, of what a run is like, of the stiffness of"
+                    + " stops and of the speed at which friction sets in: those are ours. "));
+    return new Document(Optional.of("mechml.dtd"), prolog, mechml.element(), List.of());
+  }
+
+  private static Tag simulation() {
+    Tag dynamic =
+        new Tag("dynamic")
+            .add(new Tag("timeSet").set("tini", "0").set("tend", "1").set("tstep", "0.01"))
+            .add(
+                new Tag("integrator")
+                    .set("name", "auto")
+                    .set("relTol", "1e-6")
+                    .set("absTol", "1e-8"));
+    return new Tag("MBSsimulation").add(dynamic);
+  }
+
+  private Element model() {
+    Tag bodies = new Tag("Bodies");
+    Tag all = new Tag("Joints");
+    Tag couplings = new Tag("Constraints");
+    Tag start = new Tag("relCoorVals");
+    robot.links().forEach(link -> bodies.add(body(link)));
+    for (Joint joint : robot.joints()) {
+      all.add(joints.joint(joint));
+      joint.mimic().ifPresent(mimic -> couplings.add(coupling(joint, mimic)));
+      joints.start(joint).ifPresent(start::add);
+    }
+    Tag model =
+        new Tag("MBSmodel")
+            .set("name", robot.name())
+            .set("massUnits", "kg")
+            .set("lengthUnits", "m");
+    model.addUnlessEmpty(joints.parameters()).add(bodies).add(all);
+    return model
+        .addUnlessEmpty(couplings)
+        .add(
+            new Tag("Forces")
+                .add(new Tag("gravity").set("gx", "0").set("gy", "0").set("gz", GRAVITY)))
+        .add(
+            new Tag("topology").add(new Tag("root").set("name", tree.root())).addUnlessEmpty(start))
+        .element();
+  }
+
+  private Element body(Link link) {
+    Tag body = Tag.of("body", link.element()).set("name", link.name());
+    link.mesh().ifPresent(mesh -> body.set("graphSrc", mesh));
+    joints.frames(link.name()).forEach(body::add);
+    link.inertial().ifPresent(inertial -> inertia(body, inertial));
+    return body.element();
+  }
+
+  private static void inertia(Tag body, Inertial inertial) {
+    Vector3 cog = inertial.frame().at();
+    Element from = inertial.element();
+    if (!cog.equals(Vector3.ZERO)) {
+      body.add(Tag.of("cog", from, body).set("x", cog.x()).set("y", cog.y()).set("z", cog.z()));
+    }
+    body.add(Tag.of("mass", from, body).set("value", inertial.mass()));
+    double[] m = turned(inertial.frame().turn(), inertial.moments());
+    Tag tensor = Tag.of("inertiaTensor", from, body);
+    List<String> names = List.of("Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz");
+    for (int i = 0; i < m.length; i++) {
+      tensor.set(names.get(i), m[i]);
+    }
+    body.add(tensor);
+  }
+
+  /** Returns R I Rᵀ: the tensor in the axes of the link. */
+  private static double[] turned(Rotation turn, List<Double> moments) {
+    double[] i = moments.stream().mapToDouble(Double::doubleValue).toArray();
+    if (turn.equals(Rotation.IDENTITY)) {
+      return i;
+    }
+    Vector3[] rows = {
+      turn.apply(new Vector3(i[0], i[3], i[4])),
+      turn.apply(new Vector3(i[3], i[1], i[5])),
+      turn.apply(new Vector3(i[4], i[5], i[2]))
+    };
+    // rows[k] is R times column k of I; its components are those of the rows of R I.
+    Vector3 x = turn.apply(new Vector3(rows[0].x(), rows[1].x(), rows[2].x()));
+    Vector3 y = turn.apply(new Vector3(rows[0].y(), rows[1].y(), rows[2].y()));
+    Vector3 z = turn.apply(new Vector3(rows[0].z(), rows[1].z(), rows[2].z()));
+    return new double[] {x.x(), y.y(), z.z(), x.y(), x.z(), y.z()};
+  }
+
+  private static Element coupling(Joint joint, Mimic mimic) {
+    Tag coupling =
+        Tag.of("CoordConstraint", mimic.element())
+            .set("name", joint.name() + " follows " + mimic.joint())
+            .set("constant", mimic.offset());
+    return coupling
+        .add(
+            Tag.of("term", mimic.element(), coupling).set("joint", joint.name()).set("factor", "1"))
+        .add(
+            Tag.of("term", mimic.element(), coupling)
+                .set("joint", mimic.joint())
+                .set("factor", -mimic.multiplier()))
+        .element();
+  }
+}

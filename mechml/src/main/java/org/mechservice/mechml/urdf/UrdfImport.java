@@ -1,0 +1,74 @@
+package org.mechservice.mechml.urdf;
+
+import java.util.List;
+import org.mechservice.mechml.Diagnostic;
+import org.mechservice.mechml.MechmlException;
+import org.mechservice.mechml.ReadOptions;
+import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Phrase;
+import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.mechml.document.Document;
+import org.mechservice.mechml.document.DocumentReader;
+import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.resolve.ModelResolver;
+
+/**
+ * A robot in MechML.
+ *
+ * @param document the model file
+ * @param losses what of the robot's file is not in it, in file order: warnings M-085
+ */
+public record UrdfImport(Document document, List<Diagnostic> losses) {
+  private static final String ROBOT = "robot";
+
+  public UrdfImport {
+    losses = List.copyOf(losses);
+  }
+
+  /**
+   * Translates a robot. Nothing but the bytes given is read; meshes are carried over by name.
+   *
+   * @param fileName name for messages
+   * @param content bytes of a URDF file; not modified
+   * @throws MechmlException if it is no URDF, contradicts itself, or is no mechanism; places are
+   *     those of the URDF file
+   */
+  public static UrdfImport of(String fileName, byte[] content) throws MechmlException {
+    Diagnostics diagnostics = new Diagnostics(fileName);
+    Element robot = DocumentReader.readForeign(content, diagnostics);
+    requireRobot(robot, diagnostics);
+    Losses losses = new Losses(fileName);
+    UrdfRobot read = new UrdfReader(diagnostics, losses).read(robot);
+    diagnostics.throwIfErrors();
+    UrdfTree tree = UrdfTree.of(read, diagnostics);
+    diagnostics.throwIfErrors();
+    Document document = new MechmlRobot(fileName, read, tree).document();
+    // Its elements have the places of those they were made from: messages are about the robot's.
+    ModelResolver.resolve(document.root(), ReadOptions.NONE, diagnostics);
+    return new UrdfImport(document, losses.inFileOrder());
+  }
+
+  private static void requireRobot(Element robot, Diagnostics diagnostics) throws MechmlException {
+    if (!robot.name().equals(ROBOT)) {
+      diagnostics.error(
+          MessageCode.NOT_URDF,
+          robot.place(),
+          Phrase.of(
+              "the outermost element is <%s>; that of a URDF file is <robot>",
+              Quoted.plain(robot.name())));
+    }
+    robot.children().stream()
+        .filter(child -> child.name().startsWith("xacro:"))
+        .findFirst()
+        .ifPresent(
+            xacro ->
+                diagnostics.error(
+                    MessageCode.NOT_URDF,
+                    xacro.place(),
+                    Phrase.of(
+                        "<%s> is a macro; let xacro write the URDF file first",
+                        Quoted.plain(xacro.name()))));
+    diagnostics.throwIfErrors();
+  }
+}

@@ -1,0 +1,156 @@
+package org.mechservice.mechml.urdf;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.mechml.diagnosis.Nearest;
+import org.mechservice.mechml.diagnosis.Phrase;
+import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.urdf.UrdfRobot.Joint;
+import org.mechservice.mechml.urdf.UrdfRobot.Link;
+import org.mechservice.mechml.urdf.UrdfRobot.Mimic;
+import org.mechservice.mechml.urdf.UrdfRobot.Range;
+
+/**
+ * How the links of a robot hang together.
+ *
+ * @param root the link that is nobody's child
+ * @param start positions at the start by the joints' names: zero, or as near to it as the limits
+ *     allow; what follows another joint follows it
+ */
+record UrdfTree(String root, Map<String, Double> start) {
+  UrdfTree {
+    start = Map.copyOf(start);
+  }
+
+  /** Returns the tree; what it returns is of no use if there is an error. */
+  static UrdfTree of(UrdfRobot robot, Diagnostics diagnostics) {
+    Reader reader = new Reader(robot, diagnostics);
+    reader.requireLinks();
+    String root = diagnostics.hasErrors() ? "" : reader.root();
+    return new UrdfTree(root, reader.start());
+  }
+
+  private static final class Reader {
+    private final UrdfRobot robot;
+    private final Diagnostics diagnostics;
+    private final Map<String, Link> links = new LinkedHashMap<>();
+    private final Map<String, Joint> joints = new LinkedHashMap<>();
+    private final Map<String, Joint> above = new HashMap<>();
+
+    Reader(UrdfRobot robot, Diagnostics diagnostics) {
+      this.robot = robot;
+      this.diagnostics = diagnostics;
+      robot.links().forEach(link -> links.put(link.name(), link));
+      robot.joints().forEach(joint -> joints.put(joint.name(), joint));
+    }
+
+    private void error(MessageCode code, Element element, String text) {
+      diagnostics.error(code, element.place(), element.label() + ": " + text);
+    }
+
+    void requireLinks() {
+      for (Joint joint : robot.joints()) {
+        requireLink(joint, "parent", joint.parent());
+        requireLink(joint, "child", joint.child());
+      }
+    }
+
+    String root() {
+      for (Joint joint : robot.joints()) {
+        Joint other = above.putIfAbsent(joint.child(), joint);
+        if (other != null) {
+          error(
+              MessageCode.URDF_TREE,
+              joint.element(),
+              Phrase.of(
+                  "link %s is the child of joint %s already; the links of a robot form a tree",
+                  Quoted.of(joint.child()), Quoted.of(other.name())));
+        }
+      }
+      List<String> roots = links.keySet().stream().filter(l -> !above.containsKey(l)).toList();
+      if (roots.size() > 1) {
+        error(
+            MessageCode.URDF_TREE,
+            element(roots.get(1)),
+            Phrase.of(
+                "no joint has it as its child, nor link %s; a robot has one such link, its root",
+                Quoted.of(roots.get(0))));
+      }
+      links.keySet().forEach(this::requireWayUp);
+      return roots.isEmpty() ? "" : roots.get(0);
+    }
+
+    private Element element(String link) {
+      return Optional.ofNullable(links.get(link)).orElseThrow().element();
+    }
+
+    private void requireLink(Joint joint, String end, String name) {
+      if (!links.containsKey(name)) {
+        error(
+            MessageCode.UNKNOWN_NAME,
+            joint.element(),
+            Phrase.of(
+                "its %s, link %s, does not exist%s",
+                end, Quoted.of(name), Nearest.suggestion(name, links.keySet())));
+      }
+    }
+
+    /** Links that lead to each other have no root among them. */
+    private void requireWayUp(String link) {
+      Set<String> seen = new HashSet<>();
+      Joint joint = above.get(link);
+      while (joint != null && seen.add(joint.parent())) {
+        if (joint.parent().equals(link)) {
+          error(
+              MessageCode.URDF_TREE,
+              joint.element(),
+              Phrase.of(
+                  "link %s is its own ancestor; the links of a robot form a tree",
+                  Quoted.of(link)));
+          return;
+        }
+        joint = above.get(joint.parent());
+      }
+    }
+
+    Map<String, Double> start() {
+      Map<String, Double> start = new HashMap<>();
+      robot.joints().stream()
+          .filter(joint -> joint.type().isSingle())
+          .forEach(joint -> start.put(joint.name(), position(joint, start, new HashSet<>())));
+      return start;
+    }
+
+    private double position(Joint joint, Map<String, Double> known, Set<String> asked) {
+      Double done = known.get(joint.name());
+      if (done != null || joint.mimic().isEmpty()) {
+        return done == null ? joint.limits().map(Range::nearestToZero).orElse(0.0) : done;
+      }
+      Mimic mimic = joint.mimic().get();
+      Joint other = joints.get(mimic.joint());
+      if (other == null || !other.type().isSingle()) {
+        error(
+            MessageCode.URDF_JOINT,
+            mimic.element(),
+            Phrase.of(
+                "joint %s %s%s",
+                Quoted.of(mimic.joint()),
+                other == null ? "does not exist" : "has no coordinate to follow",
+                Nearest.suggestion(mimic.joint(), joints.keySet())));
+        return 0;
+      } else if (!asked.add(joint.name())) {
+        error(MessageCode.URDF_JOINT, mimic.element(), "the joint follows itself in the end");
+        return 0;
+      }
+      return mimic.multiplier() * position(other, known, asked) + mimic.offset();
+    }
+  }
+}
