@@ -17,9 +17,10 @@ import org.mechservice.solver.api.Solver;
  *
  * @param model an instance for one run
  * @param solver the server's solver
+ * @param sha256 of the model's JAR
  * @param formulationReason why the model was generated in its formulation; empty if not said
  */
-record FetchedModel(Model model, Solver solver, Optional<String> formulationReason) {
+record FetchedModel(Model model, Solver solver, String sha256, Optional<String> formulationReason) {
   private static final String API_VERSION_ATTRIBUTE = "Mech-Api-Version";
   private static final String REASON_ATTRIBUTE = "Mech-Formulation-Reason";
 
@@ -37,6 +38,7 @@ record FetchedModel(Model model, Solver solver, Optional<String> formulationReas
       return new FetchedModel(
           instance(classes, modelJar.mainClass()),
           solver(classes),
+          Sha256.of(modelJar.bytes()),
           model.attribute(REASON_ATTRIBUTE));
     } catch (ReflectiveOperationException | LinkageError | ServiceConfigurationError e) {
       throw refused("cannot be loaded: " + e);
@@ -72,6 +74,6 @@ record FetchedModel(Model model, Solver solver, Optional<String> formulationReas
 
   LocalRun prepare(Set<ColumnGroup> columns, Map<String, Object> facts) {
     RunRequest request = new RunRequest(model.description().defaults(), columns);
-    return new LocalRun(model, solver, request, facts);
+    return new LocalRun(model, solver, sha256, request, facts);
   }
 }

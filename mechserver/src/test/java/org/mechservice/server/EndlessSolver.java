@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.concurrent.locks.LockSupport;
 import org.mechservice.sim.host.SimHost;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
@@ -28,7 +27,7 @@ final class EndlessSolver implements Solver {
   @Override
   public RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
       throws IOException {
-    List<Variable> columns = Simulation.columns((ExplicitModel) model, request.columns());
+    List<Variable> columns = Simulation.columns(model, request.columns());
     sink.begin(columns);
     double[] row = new double[columns.size()];
     do {

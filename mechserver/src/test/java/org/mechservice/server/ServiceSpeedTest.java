@@ -27,7 +27,6 @@ import org.mechservice.idl.ResultCursor;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.service.LimitsInForce;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.Solver;
@@ -46,7 +45,7 @@ class ServiceSpeedTest {
   /** Puts out rows as fast as they are kept. */
   private static final Solver FAST =
       (model, request, sink, control) -> {
-        var columns = Simulation.columns((ExplicitModel) model, request.columns());
+        var columns = Simulation.columns(model, request.columns());
         sink.begin(columns);
         double[] row = new double[columns.size()];
         for (int i = 0; i < ROWS; i++) {

@@ -82,7 +82,7 @@ public record CheckReport(
             model.settings().closure(),
             model.settings().run().integrator(),
             model.mechanism());
-    List<String> notGenerated = GenerationLimits.notGenerated(model.mechanism(), choice);
+    List<String> notGenerated = GenerationLimits.notGenerated(model.watchedMechanism(), choice);
     if (!notGenerated.isEmpty()) {
       String why = "none is generated yet for " + String.join(", ", notGenerated);
       return new Generation(choice, 0, List.of(new Omission("code of its own", why)));

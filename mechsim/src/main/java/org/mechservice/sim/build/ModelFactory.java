@@ -46,7 +46,7 @@ public final class ModelFactory {
    *     says why and what does
    */
   public static GeneratedModel generate(MechmlModel model, BuildOptions options) {
-    Mechanism mechanism = model.mechanism();
+    Mechanism mechanism = model.watchedMechanism();
     ModelNames.requireUsable(mechanism);
     GenerationLimits.require(model);
     String integrator = options.settings().integrator();

@@ -5,6 +5,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.mechservice.sim.build.emit.MainClass;
 import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.solver.simulation.EquationForm;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
 /** The main class of a standalone JAR: it joins one model and one integrator. */
@@ -36,16 +37,15 @@ final class StandaloneMain {
   /** Returns the model's classes with the main class, by binary name. */
   static SortedMap<String, byte[]> classFiles(CompiledModel model) {
     SortedMap<String, byte[]> classes = new TreeMap<>(model.classFiles());
-    String integrator = INTEGRATORS.getOrDefault(model.options().settings().integrator(), "");
+    String name = model.options().settings().integrator();
+    EquationForm form = RuntimeSolver.formOf(model.newInstance(), name);
     classes.put(
         className(model.generated()),
         MainClass.of(
             className(model.generated()),
             model.generated().className(),
-            INTEGRATION + integrator,
-            RuntimeSolver.formOf(model.newInstance(), model.options().settings().integrator())
-                .getClass()
-                .getName()));
+            INTEGRATION + INTEGRATORS.getOrDefault(name, ""),
+            form));
     return classes;
   }
 }

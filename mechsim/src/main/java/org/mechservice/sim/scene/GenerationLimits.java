@@ -38,7 +38,8 @@ public final class GenerationLimits {
               + model.mechanism().name()
               + "\" has "
               + String.join("; ", beyond)
-              + ". This version simulates none of it; it runs <dynamic> with one absolute tolerance");
+              + ". This version simulates none of it; it runs <dynamic> with one absolute"
+              + " tolerance");
     }
   }
 
@@ -59,7 +60,6 @@ public final class GenerationLimits {
             .filter(UserForceElement.class::isInstance)
             .map(ForceElement::name));
     add(beyond, "outputs", model.outputs().stream().map(Output::name));
-    add(beyond, "events", settings.events().stream().map(Event::name));
     return beyond;
   }
 
@@ -71,6 +71,9 @@ public final class GenerationLimits {
     }
     add(beyond, "constraints", mechanism.closures().stream().map(LoopClosure::name));
     add(beyond, "tunable parameters", mechanism.parameters().stream().map(Parameter::name));
+    add(beyond, "events", mechanism.events().stream().map(Event::name));
+    List<Double> jumps = mechanism.timeJumps(0, Double.POSITIVE_INFINITY);
+    add(beyond, "jumps at the times", jumps.stream().map(time -> time + " s"));
     return beyond;
   }
 

@@ -176,7 +176,7 @@ final class MechSimServant implements MechSimOperations {
     RunRequest request = new RunRequest(asked.settings(), asked.columns());
     RunColumns columns = Built.orRefused(() -> runs.columns(model, request));
     RunFacts facts = RunFacts.of(session.host().hostName(), source, compiled.generated(), times);
-    SimulationRun run = runs.create(model, request, columns, source, facts, session);
+    SimulationRun run = runs.create(model, compiled, request, columns, source, facts, session);
     IMechSimRemote reference = session.add(run, client);
     session.said(run, messages(source, compiled.generated(), asked));
     return reference;

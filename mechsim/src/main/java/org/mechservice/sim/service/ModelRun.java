@@ -1,6 +1,7 @@
 package org.mechservice.sim.service;
 
 import java.io.IOException;
+import java.util.Optional;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.ResultSink;
@@ -16,8 +17,10 @@ import org.mechservice.solver.api.Solver;
  * @param solver integrates
  * @param model used by this run alone
  * @param request what is wanted
+ * @param checkpoints of the run
  */
-record ModelRun(Solver solver, Model model, RunRequest request) implements RunTask {
+record ModelRun(Solver solver, Model model, RunRequest request, RunCheckpoints checkpoints)
+    implements RunTask {
   @Override
   public ModelDescription description() {
     return model.description();
@@ -34,7 +37,12 @@ record ModelRun(Solver solver, Model model, RunRequest request) implements RunTa
   }
 
   @Override
+  public Optional<RunCheckpoints> checkpointsOfRun() {
+    return Optional.of(checkpoints);
+  }
+
+  @Override
   public RunReport run(ResultSink sink, RunControl control) throws IOException {
-    return solver.run(model, request, sink, control);
+    return solver.run(model, request, sink, control, checkpoints);
   }
 }

@@ -5,7 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.UUID;
 import org.mechservice.idl.LimitExceeded;
-import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.sim.build.CompiledModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
@@ -31,22 +31,20 @@ final class RunFactory {
 
   /** Returns the columns of a run. */
   RunColumns columns(Model model, RunRequest request) {
-    if (model instanceof ExplicitModel explicit) {
-      return RunColumns.of(groups -> Simulation.columns(explicit, groups), request.columns());
-    }
-    throw new IllegalArgumentException(
-        "S-061 model \"" + model.description().name() + "\" has no explicit form y' = f(t, y)");
+    return RunColumns.of(groups -> Simulation.columns(model, groups), request.columns());
   }
 
   /**
    * Makes a simulation.
    *
    * @param model used by it alone
+   * @param compiled what it is an instance of
    * @param session whose it is
    * @throws LimitExceeded if its rows would be more than the host or its disk takes
    */
   SimulationRun create(
       Model model,
+      CompiledModel compiled,
       RunRequest request,
       RunColumns columns,
       LoadedModel source,
@@ -64,7 +62,9 @@ final class RunFactory {
             source.fileName(),
             source.text(),
             System.currentTimeMillis());
-    RunPlan plan = new RunPlan(identity, new ModelRun(solver, model, request), columns, facts);
+    RunCheckpoints checkpoints = new RunCheckpoints(compiled::sha256, Simulation.canBeSaved(model));
+    ModelRun task = new ModelRun(solver, model, request, checkpoints);
+    RunPlan plan = new RunPlan(identity, task, columns, facts);
     return new SimulationRun(plan, queue, store, session::stateChanged);
   }
 

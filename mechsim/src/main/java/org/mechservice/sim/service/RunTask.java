@@ -1,6 +1,7 @@
 package org.mechservice.sim.service;
 
 import java.io.IOException;
+import java.util.Optional;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
@@ -21,6 +22,11 @@ interface RunTask {
    * @param y overwritten
    */
   void initialState(double[] y);
+
+  /** Returns the checkpoints of the run; empty if it leaves none and can be taken up from none. */
+  default Optional<RunCheckpoints> checkpointsOfRun() {
+    return Optional.empty();
+  }
 
   /**
    * Computes.

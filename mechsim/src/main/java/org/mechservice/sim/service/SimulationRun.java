@@ -88,6 +88,11 @@ final class SimulationRun implements Runnable, ResultSink {
     return plan.task().description().states();
   }
 
+  /** Returns its checkpoints; empty if it can have none. */
+  Optional<RunCheckpoints> checkpoints() {
+    return plan.task().checkpointsOfRun().filter(RunCheckpoints::possible);
+  }
+
   private RunSettings settings() {
     return plan.task().settings();
   }

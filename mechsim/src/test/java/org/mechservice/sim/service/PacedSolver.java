@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.concurrent.locks.LockSupport;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
@@ -40,7 +39,7 @@ public final class PacedSolver implements Solver {
   @Override
   public RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
       throws IOException {
-    List<Variable> columns = Simulation.columns((ExplicitModel) model, request.columns());
+    List<Variable> columns = Simulation.columns(model, request.columns());
     sink.begin(columns);
     double[] row = new double[columns.size()];
     for (long i = 0; i < rows; i++) {

@@ -6,11 +6,12 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapeEvaluation;
 import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.mechanism.Parameter;
 
 /**
  * Expressions of time, parameters and the state, evaluated in a motion that someone else sweeps.
  */
-final class ExpressionInputs {
+public final class ExpressionInputs {
   private final TapeEvaluation tape;
   private final LeafInput[] inputs;
   private final double[] parameters;
@@ -18,9 +19,15 @@ final class ExpressionInputs {
   /** ∂(result)/∂(leaf), leaves of one result after the other. */
   private final double[][] gradients;
 
-  ExpressionInputs(TreeMotion motion, List<Expression> expressions) {
+  /**
+   * Prepares expressions, parameters at the values the mechanism gives them.
+   *
+   * @throws IllegalArgumentException if one refers to what the motion does not have
+   */
+  public ExpressionInputs(TreeMotion motion, List<Expression> expressions) {
     tape = new TapeEvaluation(new Tape(expressions));
-    parameters = new double[motion.tree().mechanism().parameters().size()];
+    parameters =
+        motion.tree().mechanism().parameters().stream().mapToDouble(Parameter::value).toArray();
     List<Expression> leaves = tape.tape().leaves();
     inputs = new LeafInput[leaves.size()];
     for (int i = 0; i < inputs.length; i++) {
@@ -29,19 +36,21 @@ final class ExpressionInputs {
     gradients = new double[expressions.size()][inputs.length];
   }
 
-  void parameters(double[] values) {
+  /** Takes the values of the mechanism's parameters, SI units. */
+  public void parameters(double[] values) {
     System.arraycopy(values, 0, parameters, 0, parameters.length);
   }
 
-  /** Evaluates all results. */
-  void evaluate(double t) {
+  /** Evaluates all results in the motion of the last sweep, places in the world included. */
+  public void evaluate(double t) {
     for (int i = 0; i < inputs.length; i++) {
       tape.setLeaf(i, inputs[i].value(t));
     }
     tape.values();
   }
 
-  double value(int result) {
+  /** Returns a result of the last {@link #evaluate}. */
+  public double value(int result) {
     return tape.value(result);
   }
 
@@ -78,7 +87,8 @@ final class ExpressionInputs {
     }
   }
 
-  void accepted() {
+  /** Takes note of an accepted state: angles of cut joints go on counting from here. */
+  public void accepted() {
     for (LeafInput input : inputs) {
       input.accepted();
     }

@@ -9,7 +9,9 @@ import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.ModelState;
+import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.integration.Integrator;
+import org.mechservice.solver.integration.PiecewiseSystem;
 import org.mechservice.solver.integration.SavedSystem;
 import org.mechservice.solver.integration.StateTransfer;
 import org.mechservice.solver.integration.StepResult;
@@ -19,12 +21,13 @@ import org.mechservice.solver.integration.UnitGroups;
  * What every form of a model's equations tells an integrator: which states are Euler parameters;
  * and what the last evaluation that failed had to say.
  */
-public abstract class ModelEquations implements UnitGroups, SavedSystem {
+public abstract class ModelEquations implements UnitGroups, PiecewiseSystem, SavedSystem {
   private static final int EULER_PARAMETERS = 4;
 
   private final ExplicitModel model;
   private final int dimension;
   private final int[] groupStarts;
+  private List<Double> breakpoints = List.of();
   private int result = ExplicitModel.REGULAR;
 
   ModelEquations(ExplicitModel model, int dimension) {
@@ -81,6 +84,24 @@ public abstract class ModelEquations implements UnitGroups, SavedSystem {
    */
   boolean closeLoops(double t, double[] y) {
     return true;
+  }
+
+  /** Takes the times at which the equations jump. */
+  final void breakAt(List<Double> times) {
+    breakpoints = List.copyOf(times);
+  }
+
+  @Override
+  public final List<Double> breakpoints() {
+    return breakpoints;
+  }
+
+  /** Returns the name of an unknown. */
+  final String name(int unknown) {
+    List<Variable> states = model.description().states();
+    return unknown < states.size()
+        ? states.get(unknown).name()
+        : "multiplier " + (unknown - states.size());
   }
 
   /** Returns the model. */

@@ -35,8 +35,11 @@ final class OutputTimes {
     return count;
   }
 
-  /** Returns the time of row {@code index}, s. */
+  /** Returns the time of row {@code index}, s; infinite behind the last one. */
   double time(long index) {
+    if (index >= count) {
+      return Double.POSITIVE_INFINITY;
+    }
     if (index == count - 1) {
       return end;
     }

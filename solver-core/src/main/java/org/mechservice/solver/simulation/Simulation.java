@@ -18,6 +18,7 @@ import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.WatchedModel;
 import org.mechservice.solver.integration.IntegrationFailure;
 import org.mechservice.solver.integration.IntegrationStatistics;
 import org.mechservice.solver.integration.Integrator;
@@ -49,10 +50,16 @@ public final class Simulation implements Solver {
    * Returns the columns a run puts out, in order; the first is time.
    *
    * @param groups column groups wanted besides time and the joints' states
-   * @throws IllegalArgumentException if the model was built without one of the groups
+   * @throws IllegalArgumentException if the model was built without one of the groups, or has no
+   *     explicit form (S-061)
    */
-  public static List<Variable> columns(ExplicitModel model, Set<ColumnGroup> groups) {
-    return new RowLayout(model, groups).columns();
+  public static List<Variable> columns(Model model, Set<ColumnGroup> groups) {
+    return new RowLayout(ExplicitForm.explicit(WatchedModel.bare(model)), groups).columns();
+  }
+
+  /** Returns whether runs of a model can leave checkpoints. */
+  public static boolean canBeSaved(Model model) {
+    return CheckpointWriter.canBeSaved(WatchedModel.bare(model));
   }
 
   @Override
@@ -65,7 +72,10 @@ public final class Simulation implements Solver {
   public RunReport run(
       Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException {
-    return new Run(form.of(model), request, sink, control, checkpoints).toEnd();
+    requireUsable(request.settings());
+    ModelEquations equations = form.of(model);
+    RunEvents events = form.events(model, equations, request.settings());
+    return new Run(equations, events, request, sink, control, checkpoints).toEnd();
   }
 
   /** One run in progress. */
@@ -75,6 +85,7 @@ public final class Simulation implements Solver {
     private final RunControl control;
     private final Integrator integrator;
     private final ModelEquations equations;
+    private final RunEvents events;
     private final OutputTimes outputTimes;
     private final RowWriter rows;
     private final WorkMeter work;
@@ -88,17 +99,18 @@ public final class Simulation implements Solver {
 
     Run(
         ModelEquations equations,
+        RunEvents events,
         RunRequest request,
         ResultSink sink,
         RunControl control,
         Checkpoints store)
         throws IOException {
       this.equations = equations;
+      this.events = events;
       this.model = equations.model();
       this.settings = request.settings();
       this.control = control;
-      requireUsable(settings);
-      integrator = createIntegrator();
+      integrator = events.watch(createIntegrator());
       outputTimes = new OutputTimes(settings);
       checkpoints = new CheckpointWriter(model, request, store);
       rows = new RowWriter(model, request, sink);
@@ -180,26 +192,35 @@ public final class Simulation implements Solver {
         steps++;
         int badColumn = writeRowsOfStep();
         if (badColumn != RowWriter.ALL_FINITE) {
-          return rowFailed(outputTimes.time(nextRow), badColumn);
+          return rowFailed(dueRow(), badColumn);
         }
-        boolean goesOn = goOn();
-        if (result == StepResult.ADVANCED) {
-          checkpoints.keepIfDue(!goesOn, this::transfer);
-          if (!goesOn) {
-            return new Outcome.Stopped();
-          }
+        if (events.failure().isPresent()) {
+          return new Outcome.Failed(events.failure().get());
+        }
+        work.add(events.takeWork());
+        if (!proceed(result == StepResult.ADVANCED)) {
+          return new Outcome.Stopped();
         }
       }
       return new Outcome.Completed();
     }
 
+    /** Obeys the control between two steps, and keeps a checkpoint where the run may be left. */
+    private boolean proceed(boolean unfinished) throws IOException {
+      boolean stands = control.holdsAt(timeReached, steps);
+      boolean kept = unfinished && checkpoints.keepIfDue(stands, this::transfer);
+      if (goOn() || !unfinished) {
+        return true;
+      }
+      if (!kept) {
+        checkpoints.keepIfDue(true, this::transfer);
+      }
+      return false;
+    }
+
     private int writeRowsOfStep() throws IOException {
       timeReached = Math.min(integrator.time(), settings.tEnd());
-      for (; nextRow < outputTimes.count(); nextRow++) {
-        double t = outputTimes.time(nextRow);
-        if (t > timeReached) {
-          break;
-        }
+      for (double t = dueRow(); t <= timeReached; t = dueRow()) {
         integrator.interpolate(t, y, yDot);
         if (!equations.closeLoops(t, y) || !work.advance(t)) {
           return LOOPS_OPEN;
@@ -208,8 +229,23 @@ public final class Simulation implements Solver {
         if (badColumn != RowWriter.ALL_FINITE) {
           return badColumn;
         }
+        rowWritten(t);
       }
       return work.advance(timeReached) ? RowWriter.ALL_FINITE : LOOPS_OPEN;
+    }
+
+    /** Returns when the next row is due: an output time, or an event. */
+    private double dueRow() {
+      return Math.min(outputTimes.time(nextRow), events.dueRow());
+    }
+
+    private void rowWritten(double t) {
+      if (t == events.dueRow()) {
+        events.rowWritten();
+      }
+      if (t == outputTimes.time(nextRow)) {
+        nextRow++;
+      }
     }
 
     private boolean goOn() {
@@ -236,7 +272,7 @@ public final class Simulation implements Solver {
                 equations.defect().get(), failure.time(), failure.stepSize(), failure.order()));
       }
       return new Outcome.Failed(
-          FailureText.of(failure, model.description(), equations.singularJoint()));
+          FailureText.of(failure, model.description(), equations.singularJoint(), events.part()));
     }
 
     private Outcome rowFailed(double t, int column) {
@@ -248,6 +284,7 @@ public final class Simulation implements Solver {
 
     private List<RunNotes.Note> notes() {
       List<RunNotes.Note> notes = new ArrayList<>(rows.notes());
+      notes.addAll(events.notes());
       if (model instanceof RunNotes noted) {
         notes.addAll(0, noted.notes());
       }

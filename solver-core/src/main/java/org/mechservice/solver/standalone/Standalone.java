@@ -17,6 +17,7 @@ import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.WatchedModel;
 import org.mechservice.solver.integration.IntegratorFactory;
 import org.mechservice.solver.simulation.EquationForm;
 import org.mechservice.solver.simulation.Simulation;
@@ -109,10 +110,11 @@ public final class Standalone {
 
   private Set<ColumnGroup> availableColumns() {
     Set<ColumnGroup> available = EnumSet.of(ColumnGroup.JOINTS, ColumnGroup.ACCELERATIONS);
-    if (model instanceof BodyPoses) {
+    Model bare = WatchedModel.bare(model);
+    if (bare instanceof BodyPoses) {
       available.add(ColumnGroup.BODIES);
     }
-    if (model instanceof Energies) {
+    if (bare instanceof Energies) {
       available.add(ColumnGroup.ENERGY);
     }
     return available;

@@ -6,6 +6,7 @@ import org.mechservice.solver.integration.Integrator;
 import org.mechservice.solver.integration.IntegratorFactory;
 import org.mechservice.solver.integration.IntegratorSettings;
 import org.mechservice.solver.simulation.EquationForm;
+import org.mechservice.solver.simulation.WatchedForm;
 import org.mechservice.solver.standalone.Standalone;
 import org.objectweb.asm.ClassWriter;
 import org.objectweb.asm.MethodVisitor;
@@ -45,18 +46,17 @@ public final class MainClass {
    * @param className its own name, as those that follow fully qualified
    * @param model class of the model
    * @param integrator class of the integrator
-   * @param form class of the form its equations are handed to the integrator in
+   * @param form how its equations are handed to the integrator
    */
-  public static byte[] of(String className, String model, String integrator, String form) {
-    return new MainClass()
-        .write(internal(className), internal(model), internal(integrator), internal(form));
+  public static byte[] of(String className, String model, String integrator, EquationForm form) {
+    return new MainClass().write(internal(className), internal(model), internal(integrator), form);
   }
 
   private static String internal(String className) {
     return className.replace('.', '/');
   }
 
-  private byte[] write(String className, String model, String integrator, String form) {
+  private byte[] write(String className, String model, String integrator, EquationForm form) {
     classFile.visit(
         Opcodes.V17,
         Opcodes.ACC_PUBLIC | Opcodes.ACC_FINAL | Opcodes.ACC_SUPER,
@@ -92,7 +92,7 @@ public final class MainClass {
     end(code, Opcodes.ARETURN);
   }
 
-  private void main(String className, String model, String form) {
+  private void main(String className, String model, EquationForm form) {
     String strings = "[Ljava/lang/String;";
     MethodVisitor code =
         begin(Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC, "main", "(" + strings + ")V");
@@ -119,6 +119,20 @@ public final class MainClass {
         false);
     code.visitMethodInsn(Opcodes.INVOKESTATIC, "java/lang/System", "exit", "(I)V", false);
     end(code, Opcodes.RETURN);
+  }
+
+  /** Leaves a form on the stack; one that watches a run has the other within. */
+  private static void create(MethodVisitor code, EquationForm form) {
+    if (form instanceof WatchedForm watched) {
+      String around = Type.getInternalName(WatchedForm.class);
+      code.visitTypeInsn(Opcodes.NEW, around);
+      code.visitInsn(Opcodes.DUP);
+      create(code, watched.equations());
+      String constructor = "(" + Type.getDescriptor(EquationForm.class) + ")V";
+      code.visitMethodInsn(Opcodes.INVOKESPECIAL, around, "<init>", constructor, false);
+    } else {
+      create(code, Type.getInternalName(form.getClass()));
+    }
   }
 
   private static void create(MethodVisitor code, String className) {
