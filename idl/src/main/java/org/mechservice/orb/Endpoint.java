@@ -22,7 +22,7 @@ public record Endpoint(String host, int port) {
     try {
       for (Profile profile : new ParsedIOR((org.jacorb.orb.ORB) orb, reference).getProfiles()) {
         if (profile instanceof IIOPProfile iiop && iiop.getAddress() instanceof IIOPAddress at) {
-          return new Endpoint(at.getIP(), at.getPort());
+          return new Endpoint(at.getIP(), port(iiop, at));
         }
       }
     } catch (RuntimeException e) {
@@ -30,6 +30,10 @@ public record Endpoint(String host, int port) {
       throw new IllegalArgumentException("S-006 the IOR is damaged", e);
     }
     throw new IllegalArgumentException("S-006 the IOR names no address that can be connected to");
+  }
+
+  private static int port(IIOPProfile profile, IIOPAddress plain) {
+    return profile.getSSL() == null ? plain.getPort() : profile.getSSLPort();
   }
 
   /** Returns {@code host:port}. */

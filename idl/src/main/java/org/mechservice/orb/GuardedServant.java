@@ -23,10 +23,20 @@ import org.slf4j.LoggerFactory;
 public final class GuardedServant implements InvocationHandler {
   private static final Logger LOG = LoggerFactory.getLogger(GuardedServant.class);
 
-  private final Object servant;
-  private final Runnable called;
+  /** What comes before every call. */
+  public interface Before {
+    /**
+     * Lets the call through.
+     *
+     * @throws UserException if the caller may not make it; the operation must know the exception
+     */
+    void call() throws UserException;
+  }
 
-  private GuardedServant(Object servant, Runnable called) {
+  private final Object servant;
+  private final Before called;
+
+  private GuardedServant(Object servant, Before called) {
     this.servant = servant;
     this.called = called;
   }
@@ -37,7 +47,7 @@ public final class GuardedServant implements InvocationHandler {
    * @param operations the operations interface of the IDL compiler
    * @param called runs before every call; renews a lease, for instance
    */
-  public static <T> T of(Class<T> operations, T servant, Runnable called) {
+  public static <T> T of(Class<T> operations, T servant, Before called) {
     return operations.cast(
         Proxy.newProxyInstance(
             operations.getClassLoader(),
@@ -49,7 +59,7 @@ public final class GuardedServant implements InvocationHandler {
   public @Nullable Object invoke(Object proxy, Method method, Object @Nullable [] arguments)
       throws UserException {
     try {
-      called.run();
+      called.call();
       return method.invoke(servant, arguments);
     } catch (InvocationTargetException e) {
       Throwable thrown = e.getCause() == null ? e : e.getCause();

@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Made by the ORB from its properties, hence public.
  */
-public final class InboundSocketFactory implements ServerSocketFactory, Configurable {
+public class InboundSocketFactory implements ServerSocketFactory, Configurable {
   /** The property that names the set of connections. */
   static final String CONNECTIONS_PROPERTY = "mechservice.inbound";
 
@@ -31,7 +31,7 @@ public final class InboundSocketFactory implements ServerSocketFactory, Configur
 
   @Override
   public ServerSocket createServerSocket(int port) throws IOException {
-    return new Port(known(), port, null);
+    return new Port(port, null);
   }
 
   @Override
@@ -42,7 +42,7 @@ public final class InboundSocketFactory implements ServerSocketFactory, Configur
   @Override
   public ServerSocket createServerSocket(int port, int backlog, InetAddress address)
       throws IOException {
-    return new Port(known(), port, address);
+    return new Port(port, address);
   }
 
   private InboundConnections known() {
@@ -52,21 +52,22 @@ public final class InboundSocketFactory implements ServerSocketFactory, Configur
     return connections;
   }
 
-  private static final class Port extends ServerSocket {
-    private final InboundConnections connections;
+  /** Returns what the ORB reads from and writes to, of a connection that was accepted. */
+  Socket ready(Socket accepted) throws IOException {
+    return accepted;
+  }
 
-    Port(InboundConnections connections, int port, @Nullable InetAddress address)
-        throws IOException {
+  private final class Port extends ServerSocket {
+    Port(int port, @Nullable InetAddress address) throws IOException {
       super(port, BACKLOG, address);
-      this.connections = connections;
     }
 
     @Override
     public Socket accept() throws IOException {
-      Socket accepted = new Accepted(connections);
+      Socket accepted = new Accepted(known());
       implAccept(accepted);
-      connections.add(accepted);
-      return accepted;
+      known().add(accepted);
+      return ready(accepted);
     }
   }
 

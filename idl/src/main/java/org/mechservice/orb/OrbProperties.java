@@ -19,11 +19,16 @@ final class OrbProperties {
   // that send half a message and fall silent do not fill the server.
   private static final String IDLE_TIMEOUT_MILLIS = "300000";
 
+  // CORBA's security options, hexadecimal: 20 for trust in the target, 40 for trust in the client.
+  private static final String ENCRYPTED = "20";
+  private static final String MUTUAL = "60";
+
   private OrbProperties() {}
 
   /** Properties of a client: it connects where it is told and serves callbacks only. */
   static Properties client(Peers peers) {
     Properties properties = common(peers);
+    peers.tls().ifPresent(tls -> encrypt(properties, 0));
     // The server finds the way back to a client by the address the client claims to listen on, so
     // two clients must not claim the same one.
     properties.setProperty("OAIAddr", privateLoopbackAddress());
@@ -58,7 +63,11 @@ final class OrbProperties {
   private static Properties listening(ListenAddress address, Peers peers) {
     Properties properties = common(peers);
     properties.setProperty("OAIAddr", address.host());
-    properties.setProperty("OAPort", Integer.toString(address.port()));
+    if (peers.tls().isPresent()) {
+      encrypt(properties, address.port());
+    } else {
+      properties.setProperty("OAPort", Integer.toString(address.port()));
+    }
     properties.setProperty("jacorb.connection.client.pending_reply_timeout", "5000");
     properties.setProperty("jacorb.connection.server.max_receptor_threads", "300");
     properties.setProperty("jacorb.connection.server.timeout", IDLE_TIMEOUT_MILLIS);
@@ -98,7 +107,35 @@ final class OrbProperties {
     properties.setProperty(
         "jacorb.net.server_socket_factory", InboundSocketFactory.class.getName());
     properties.setProperty(InboundSocketFactory.CONNECTIONS_PROPERTY, peers.inbound().id());
+    properties.setProperty(
+        "org.omg.PortableInterceptor.ORBInitializerClass.caller",
+        CallerInterceptor.class.getName());
+    peers
+        .tls()
+        .ifPresent(
+            tls -> properties.setProperty(TlsOutboundSocketFactory.PEERS_PROPERTY, tls.id()));
     return properties;
+  }
+
+  /**
+   * Lets an ORB speak over TLS and in no other way, and take calls only from callers with a
+   * certificate. The ORB writes the options into its references; what it does is up to its socket
+   * factories.
+   *
+   * @param port where it listens; 0: on any free port
+   */
+  private static void encrypt(Properties properties, int port) {
+    properties.setProperty("OASSLPort", Integer.toString(port));
+    properties.setProperty("jacorb.security.support_ssl", "on");
+    properties.setProperty("jacorb.ssl.socket_factory", TlsOutboundSocketFactory.class.getName());
+    properties.setProperty(
+        "jacorb.ssl.server_socket_factory", TlsInboundSocketFactory.class.getName());
+    for (String side : new String[] {"server", "corbaloc_ssliop"}) {
+      properties.setProperty("jacorb.security.ssl." + side + ".supported_options", MUTUAL);
+      properties.setProperty("jacorb.security.ssl." + side + ".required_options", MUTUAL);
+    }
+    properties.setProperty("jacorb.security.ssl.client.supported_options", MUTUAL);
+    properties.setProperty("jacorb.security.ssl.client.required_options", ENCRYPTED);
   }
 
   private static String privateLoopbackAddress() {

@@ -27,19 +27,20 @@ public final class OutboundSocketFactory extends DefaultSocketFactory {
 
   @Override
   public Socket createSocket(String host, int port) throws IOException {
-    requireAllowed(host, port);
+    requireAllowed(list, InetAddress.getByName(host), port);
     return super.createSocket(host, port);
   }
 
   @Override
   protected Socket doCreateSocket(String host, int port, int timeout) throws IOException {
-    requireAllowed(host, port);
+    requireAllowed(list, InetAddress.getByName(host), port);
     return super.doCreateSocket(host, port, timeout);
   }
 
-  private void requireAllowed(String host, int port) throws IOException {
-    if (!list.allows(InetAddress.getByName(host), port)) {
-      throw new ConnectException("connections to " + host + ":" + port + " are not allowed");
+  static void requireAllowed(OutboundAllowList list, InetAddress address, int port)
+      throws IOException {
+    if (!list.allows(address, port)) {
+      throw new ConnectException("connections to " + address + ":" + port + " are not allowed");
     }
   }
 }

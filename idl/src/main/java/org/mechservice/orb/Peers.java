@@ -1,25 +1,31 @@
 package org.mechservice.orb;
 
+import java.util.Optional;
+
 /**
  * Whom an ORB is connected with.
  *
  * @param outbound where it may connect to
  * @param inbound who is connected to it
+ * @param tls how connections are encrypted; empty: they are not
  */
-record Peers(OutboundAllowList outbound, InboundConnections inbound) {
+record Peers(OutboundAllowList outbound, InboundConnections inbound, Optional<TlsPeers> tls) {
   /** Peers of an ORB that connects wherever it is told. */
-  static Peers ofClient() {
-    return new Peers(OutboundAllowList.ofEverything(), new InboundConnections());
+  static Peers ofClient(Optional<TlsIdentity> identity) {
+    return new Peers(
+        OutboundAllowList.ofEverything(), new InboundConnections(), identity.map(TlsPeers::new));
   }
 
   /** Peers of an ORB that connects to nobody until it is allowed to. */
-  static Peers ofServer() {
-    return new Peers(OutboundAllowList.ofNothing(), new InboundConnections());
+  static Peers ofServer(Optional<TlsIdentity> identity) {
+    return new Peers(
+        OutboundAllowList.ofNothing(), new InboundConnections(), identity.map(TlsPeers::new));
   }
 
   /** Closes what others have opened. */
   void close() {
     inbound.closeAll();
     outbound.forget();
+    tls.ifPresent(TlsPeers::forget);
   }
 }

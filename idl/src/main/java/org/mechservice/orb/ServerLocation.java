@@ -1,11 +1,15 @@
 package org.mechservice.orb;
 
+import java.net.InetAddress;
+import java.net.UnknownHostException;
 import java.util.Locale;
+import java.util.Optional;
 import org.mechservice.idl.API_VERSION;
 import org.mechservice.idl.MechServer;
 import org.mechservice.idl.MechServerHelper;
 import org.mechservice.idl.ServerInfo;
 import org.omg.CORBA.COMM_FAILURE;
+import org.omg.CORBA.NO_PERMISSION;
 import org.omg.CORBA.ORB;
 import org.omg.CORBA.SystemException;
 import org.omg.CORBA.TIMEOUT;
@@ -16,8 +20,10 @@ final class ServerLocation {
   private final ORB orb;
   private final ServiceUrl url;
   private final Endpoint endpoint;
+  private final Optional<TlsPeers> tls;
 
-  private ServerLocation(ORB orb, ServiceUrl url, Endpoint endpoint) {
+  private ServerLocation(ORB orb, ServiceUrl url, Endpoint endpoint, Optional<TlsPeers> tls) {
+    this.tls = tls;
     this.orb = orb;
     this.url = url;
     this.endpoint = endpoint;
@@ -29,15 +35,15 @@ final class ServerLocation {
    * @throws IllegalArgumentException with code S-006 if the reference names no address
    * @throws ServiceUnreachableException with code S-020 if the naming service does not know
    */
-  static ServerLocation of(ORB orb, ServiceUrl url) {
+  static ServerLocation of(ORB orb, ServiceUrl url, Optional<TlsPeers> tls) {
     if (url.isName()) {
       org.omg.CORBA.Object named =
           NamingService.at(orb, url.host(), url.port()).resolve(url.name());
-      return of(orb, ServiceUrl.parse(orb.object_to_string(named)));
+      return of(orb, ServiceUrl.parse(orb.object_to_string(named)), tls);
     } else if (url.isReference()) {
-      return new ServerLocation(orb, url, Endpoint.of(orb, url.reference()));
+      return new ServerLocation(orb, url, Endpoint.of(orb, url.reference()), tls);
     }
-    return new ServerLocation(orb, url, new Endpoint(url.host(), url.port()));
+    return new ServerLocation(orb, url, new Endpoint(url.host(), url.port()), tls);
   }
 
   Endpoint endpoint() {
@@ -54,16 +60,16 @@ final class ServerLocation {
     if (url.isReference() && key == ServiceKey.SERVER) {
       return orb.string_to_object(url.reference());
     }
-    return orb.string_to_object(ServiceUrl.corbaloc(endpoint, key));
+    return orb.string_to_object(ServiceUrl.corbaloc(endpoint, key, tls.isPresent()));
   }
 
   /**
-   * Asks the server who it is.
+   * Asks the server who it is, and returns its answer.
    *
    * @throws ServiceUnreachableException if nobody answers in time, or not a MechService that speaks
    *     this API
    */
-  void requireService() {
+  ServerInfo requireService() {
     ServerInfo info = ask();
     if (!major(info.apiVersion).equals(major(API_VERSION.value))) {
       throw new ServiceUnreachableException(
@@ -77,23 +83,53 @@ final class ServerLocation {
               info.serverVersion),
           null);
     }
+    return info;
   }
 
   private ServerInfo ask() {
     try {
       return askOnce();
-    } catch (COMM_FAILURE e) {
-      throw new ServiceUnreachableException(
-          "S-005 what answers at " + this + " is not a MechService, or it is just closing", e);
-    } catch (TRANSIENT e) {
-      throw new ServiceUnreachableException(
-          "S-002 no server answers at " + this + "; is it running, and is the address right?", e);
+    } catch (COMM_FAILURE | TRANSIENT | NO_PERMISSION e) {
+      throw noConnection(e);
     } catch (TIMEOUT e) {
       throw new ServiceUnreachableException(
           "S-002 no answer from " + this + " within " + Answers.SECONDS + " s", e);
     } catch (SystemException e) {
       throw new ServiceUnreachableException(
           "S-005 what answers at " + this + " is not a MechService", e);
+    }
+  }
+
+  private ServiceUnreachableException noConnection(SystemException e) {
+    Optional<String> refusal = tls.flatMap(peers -> peers.refusedAt(numeric()));
+    if (refusal.isPresent()) {
+      return new ServiceUnreachableException(
+          "S-152 no trust between this process and the server at " + this + ": " + refusal.get(),
+          e);
+    } else if (e instanceof TRANSIENT) {
+      return new ServiceUnreachableException(
+          "S-002 no server answers at " + this + "; is it running, and is the address right?", e);
+    } else if (e instanceof NO_PERMISSION) {
+      return new ServiceUnreachableException(
+          "S-151 one of this process and the server at "
+              + this
+              + " uses TLS and the other does not; give both certificates with --tls",
+          e);
+    }
+    return new ServiceUnreachableException(
+        "S-005 what answers at "
+            + this
+            + " is not a MechService, or it is just closing"
+            + (tls.isPresent() ? ", or it does not accept this process's certificate" : ""),
+        e);
+  }
+
+  /** Returns the address as sockets have it. */
+  private Endpoint numeric() {
+    try {
+      return new Endpoint(InetAddress.getByName(endpoint.host()).getHostAddress(), endpoint.port());
+    } catch (UnknownHostException e) {
+      return endpoint;
     }
   }
 

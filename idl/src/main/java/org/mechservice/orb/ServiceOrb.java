@@ -5,7 +5,9 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.UnknownHostException;
 import java.nio.channels.Selector;
+import java.security.cert.X509Certificate;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Properties;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jacorb.util.SelectorManager;
@@ -18,6 +20,7 @@ import org.mechservice.idl.IMechClientPOATie;
 import org.mechservice.idl.MechAdmin;
 import org.mechservice.idl.MechAdminHelper;
 import org.mechservice.idl.MechServer;
+import org.mechservice.idl.ServerInfo;
 import org.omg.CORBA.INITIALIZE;
 import org.omg.CORBA.ORB;
 import org.omg.CORBA.UserException;
@@ -70,9 +73,18 @@ public final class ServiceOrb implements AutoCloseable {
     }
   }
 
-  /** Starts an ORB for a client. Its callbacks are called one at a time, in order. */
+  /** Starts an ORB for a client without encryption. */
   public static ServiceOrb client() {
-    Peers peers = Peers.ofClient();
+    return client(Optional.empty());
+  }
+
+  /**
+   * Starts an ORB for a client. Its callbacks are called one at a time, in order.
+   *
+   * @param identity who the client is; empty: its connections are not encrypted
+   */
+  public static ServiceOrb client(Optional<TlsIdentity> identity) {
+    Peers peers = Peers.ofClient(identity);
     return new ServiceOrb(OrbProperties.client(peers), true, peers);
   }
 
@@ -82,7 +94,7 @@ public final class ServiceOrb implements AutoCloseable {
    * @throws PortInUseException if the address is taken or not this machine's
    */
   public static ServiceOrb server(ListenAddress address) {
-    Peers peers = Peers.ofServer();
+    Peers peers = Peers.ofServer(address.tls());
     return listening(address, OrbProperties.server(address, peers), peers);
   }
 
@@ -92,7 +104,7 @@ public final class ServiceOrb implements AutoCloseable {
    * @throws PortInUseException if the address is taken or not this machine's
    */
   public static ServiceOrb host(ListenAddress address) {
-    Peers peers = Peers.ofServer();
+    Peers peers = Peers.ofServer(address.tls());
     return listening(address, OrbProperties.host(address, peers), peers);
   }
 
@@ -127,7 +139,24 @@ public final class ServiceOrb implements AutoCloseable {
    * @throws IllegalArgumentException with code S-006 if the URL is none
    */
   public MechServer connect(String url) {
-    return located(url).connect();
+    return connectTo(url).server();
+  }
+
+  /**
+   * A server that answered.
+   *
+   * @param server its object
+   * @param info what it said of itself
+   */
+  public record Connected(MechServer server, ServerInfo info) {}
+
+  /**
+   * Connects to a server like {@link #connect}, and returns its answer too, which took a round
+   * trip.
+   */
+  public Connected connectTo(String url) {
+    ServerLocation location = found(url);
+    return new Connected(location.connect(), location.requireService());
   }
 
   /**
@@ -150,19 +179,28 @@ public final class ServiceOrb implements AutoCloseable {
   }
 
   private ServerLocation located(String written) {
+    ServerLocation location = found(written);
+    location.requireService();
+    return location;
+  }
+
+  private ServerLocation found(String written) {
     ServiceUrl url = ServiceUrl.parse(written);
-    if (url.isName()) {
+    url.requireFits(peers.tls().isPresent());
+    if (!url.isReference()) {
       allow(url.host(), url.port());
     }
-    ServerLocation location = ServerLocation.of(orb, url);
+    ServerLocation location = ServerLocation.of(orb, url, peers.tls());
     allow(location.endpoint().host(), location.endpoint().port());
-    location.requireService();
     return location;
   }
 
   private void allow(String host, int port) {
     try {
       peers.outbound().allow(host, port);
+      if (peers.tls().isPresent()) {
+        peers.tls().get().calledBy(host);
+      }
     } catch (UnknownHostException e) {
       throw new ServiceUnreachableException(
           "S-002 no server at " + host + ":" + port + ": no such host; check the name", e);
@@ -249,6 +287,16 @@ public final class ServiceOrb implements AutoCloseable {
     return Endpoint.of(orb, orb.object_to_string(reference));
   }
 
+  /** Returns who this process is, if its connections are encrypted. */
+  public Optional<TlsIdentity> identity() {
+    return peers.tls().map(TlsPeers::identity);
+  }
+
+  /** Returns what the server at an address has shown when it was connected to. */
+  public Optional<X509Certificate> certificateAt(Endpoint endpoint) {
+    return peers.tls().flatMap(tls -> tls.shownAt(endpoint));
+  }
+
   /** Returns a reference as text that any ORB can read, {@code IOR:...}. */
   public String toIor(org.omg.CORBA.Object reference) {
     return orb.object_to_string(reference);
@@ -261,7 +309,7 @@ public final class ServiceOrb implements AutoCloseable {
 
   /** Returns the URL of a published object. */
   public String url(ServiceKey key) {
-    return ServiceUrl.corbaloc(endpoint(), key);
+    return ServiceUrl.corbaloc(endpoint(), key, peers.tls().isPresent());
   }
 
   /**

@@ -12,8 +12,9 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Where a server is, as a user writes it: {@code host:port}, {@code host}, {@code
- * corbaloc:iiop:1.2@host:port/MechServer}, {@code corbaname:iiop:1.2@host:port#MechServer}, {@code
- * IOR:...}, or the name of a file that holds one of these.
+ * corbaloc:iiop:1.2@host:port/MechServer}, the same with {@code ssliop} over TLS, {@code
+ * corbaname:iiop:1.2@host:port#MechServer}, {@code IOR:...}, or the name of a file that holds one
+ * of these.
  */
 final class ServiceUrl {
   /** The port of a server that names none. */
@@ -21,7 +22,7 @@ final class ServiceUrl {
 
   private static final Pattern CORBALOC =
       Pattern.compile(
-          "corbaloc:(?:iiop)?:(?:1\\.[012]@)?(\\[[0-9a-fA-F:]+]|[^:/@\\[\\]]+)(?::(\\d+))?(?:/.*)?");
+          "corbaloc:(iiop|ssliop|):(?:1\\.[012]@)?(\\[[0-9a-fA-F:]+]|[^:/@\\[\\]]+)(?::(\\d+))?(?:/.*)?");
   private static final Pattern SHORT =
       Pattern.compile("(\\[[0-9a-fA-F:]+]|[A-Za-z0-9._-]+)(?::(\\d{1,5}))?");
   private static final Pattern CORBANAME =
@@ -39,8 +40,18 @@ final class ServiceUrl {
   private final String host;
   private final int port;
   private final String name;
+  private final Scheme scheme;
 
-  private ServiceUrl(String written, String stringified, String host, int port, String name) {
+  /** What a URL says of encryption. */
+  private enum Scheme {
+    PLAIN,
+    ENCRYPTED,
+    LEFT_OPEN
+  }
+
+  private ServiceUrl(
+      String written, String stringified, String host, int port, String name, Scheme scheme) {
+    this.scheme = scheme;
     this.written = written;
     this.stringified = stringified;
     this.host = host;
@@ -57,14 +68,15 @@ final class ServiceUrl {
     String text = written.strip();
     Matcher corbaloc = CORBALOC.matcher(text);
     if (corbaloc.matches()) {
-      return at(written, corbaloc, DEFAULT_PORT, "");
+      Scheme scheme = corbaloc.group(1).equals("ssliop") ? Scheme.ENCRYPTED : Scheme.PLAIN;
+      return at(written, corbaloc, 2, DEFAULT_PORT, "", scheme);
     }
     Matcher corbaname = CORBANAME.matcher(text);
     if (corbaname.matches()) {
-      return at(written, corbaname, NAMING_PORT, corbaname.group(3));
+      return at(written, corbaname, 1, NAMING_PORT, corbaname.group(3), Scheme.LEFT_OPEN);
     }
     if (text.startsWith("IOR:")) {
-      return new ServiceUrl(written, text, "", 0, "");
+      return new ServiceUrl(written, text, "", 0, "", Scheme.LEFT_OPEN);
     }
     String inFile = contentOfFile(text);
     if (!inFile.isEmpty()) {
@@ -72,18 +84,23 @@ final class ServiceUrl {
     }
     Matcher shorthand = SHORT.matcher(text);
     if (shorthand.matches()) {
-      return at(written, shorthand, DEFAULT_PORT, "");
+      return at(written, shorthand, 1, DEFAULT_PORT, "", Scheme.LEFT_OPEN);
     }
     throw notAUrl(written, null);
   }
 
-  private static ServiceUrl at(String written, Matcher address, int defaultPort, String name) {
+  /**
+   * @param first group of the host; that of the port follows
+   */
+  private static ServiceUrl at(
+      String written, Matcher address, int first, int defaultPort, String name, Scheme scheme) {
     try {
-      int port = address.group(2) == null ? defaultPort : Integer.parseInt(address.group(2));
+      String given = address.group(first + 1);
+      int port = given == null ? defaultPort : Integer.parseInt(given);
       if (port < 1 || port > 65535) {
         throw notAUrl(written, null);
       }
-      return new ServiceUrl(written, "", address.group(1), port, name);
+      return new ServiceUrl(written, "", address.group(first), port, name, scheme);
     } catch (NumberFormatException e) {
       throw notAUrl(written, e);
     }
@@ -115,8 +132,29 @@ final class ServiceUrl {
   }
 
   /** Returns the URL of one of the server's objects at an endpoint. */
-  static String corbaloc(Endpoint endpoint, ServiceKey key) {
-    return "corbaloc:iiop:1.2@" + endpoint + "/" + key.key();
+  static String corbaloc(Endpoint endpoint, ServiceKey key, boolean encrypted) {
+    return (encrypted ? "corbaloc:ssliop:1.2@" : "corbaloc:iiop:1.2@") + endpoint + "/" + key.key();
+  }
+
+  /**
+   * Makes sure that what the URL says of encryption is what the process does.
+   *
+   * @throws IllegalArgumentException with code S-151 if it is not
+   */
+  void requireFits(boolean encrypted) {
+    if (scheme == Scheme.ENCRYPTED && !encrypted) {
+      throw new IllegalArgumentException(
+          "S-151 "
+              + written
+              + " is encrypted, and this process has no certificate; give it one"
+              + " with --tls FOLDER");
+    } else if (scheme == Scheme.PLAIN && encrypted) {
+      throw new IllegalArgumentException(
+          "S-151 "
+              + written
+              + " is not encrypted, and this process has been told to use TLS; write"
+              + " HOST:PORT or corbaloc:ssliop:1.2@HOST:PORT/MechServer, or leave --tls out");
+    }
   }
 
   /** Returns whether this is a stringified reference, whose address only an ORB can read. */

@@ -63,7 +63,7 @@ final class BuildCommand implements Callable<Integer> {
     OutputFile.requireUsable(target);
     SimulationOptions asInFile = SimulationOptions.asInFile();
     SimulationOptions options = method.addTo(compact ? asInFile.compact() : asInFile);
-    try (Service service = Service.open(server.address());
+    try (Service service = Service.open(server);
         MechSession session = service.connection().openSession()) {
       session.loadModel(model).forEach(spec.commandLine().getErr()::println);
       BuiltJar jar = session.build(options, standalone);
@@ -71,6 +71,11 @@ final class BuildCommand implements Callable<Integer> {
         writeSource(session.generatedSource(options), sourceFolder.get());
       }
       OutputFile.write(target, jar.bytes());
+      if (jar.signature().length > 0) {
+        OutputFile.write(
+            target.resolveSibling(target.getFileName() + VerifyCommand.SIGNATURE_SUFFIX),
+            jar.signature());
+      }
       tell(jar, session.runtimeJarBytes());
       return ExitStatus.DONE;
     }

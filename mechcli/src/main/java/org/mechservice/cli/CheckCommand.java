@@ -30,7 +30,7 @@ final class CheckCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    try (Service service = Service.open(server.address());
+    try (Service service = Service.open(server);
         MechSession session = service.connection().openSession()) {
       session.loadModel(model);
       spec.commandLine().getOut().println(session.checkReport(json).stripTrailing());

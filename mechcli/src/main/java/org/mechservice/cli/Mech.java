@@ -16,9 +16,12 @@ import picocli.CommandLine.IVersionProvider;
       SimulateCommand.class,
       CheckCommand.class,
       BuildCommand.class,
+      ReportCommand.class,
       ServerCommand.class,
       SimhostCommand.class,
       AdminCommand.class,
+      KeysCommand.class,
+      VerifyCommand.class,
       CommandLine.HelpCommand.class
     },
     synopsisSubcommandLabel = "COMMAND",

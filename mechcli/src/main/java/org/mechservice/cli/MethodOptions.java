@@ -4,6 +4,8 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.solver.api.ColumnGroup;
 import picocli.CommandLine.Option;
@@ -39,7 +41,7 @@ final class MethodOptions {
       hideParamSyntax = true,
       description =
           "Columns of the results besides time and joints: joints, accelerations, bodies, energy,"
-              + " separated by commas, or all.")
+              + " constraints, reactions, forces, outputs, separated by commas, or all.")
   private List<String> columns = List.of();
 
   /** Returns the options given with these added. */
@@ -75,6 +77,10 @@ final class MethodOptions {
     throw new UsageException(
         "S-041 --columns: \""
             + name
-            + "\" is no column group; there are joints, accelerations, bodies, energy, and all");
+            + "\" is no column group; there are "
+            + Stream.of(ColumnGroup.values())
+                .map(ColumnGroup::label)
+                .collect(Collectors.joining(", "))
+            + ", and all");
   }
 }

@@ -1,7 +1,10 @@
 package org.mechservice.cli;
 
+import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.mechservice.server.MechServerProcess;
+import org.mechservice.server.PlacementPolicy;
 import org.mechservice.server.ServerSettings;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -30,6 +33,31 @@ final class ServerCommand implements Callable<Integer> {
           "Simulations it runs at once; 0: only its hosts run any (default: number of processors).")
   private int capacity = Runtime.getRuntime().availableProcessors();
 
+  @Mixin private HostingOptions hosting = new HostingOptions();
+
+  @Option(
+      names = "--placement",
+      paramLabel = "POLICY",
+      description =
+          "How the host of a session is chosen: order, least-loaded or pinned (default:"
+              + " least-loaded).")
+  private String placement = PlacementPolicy.LEAST_LOADED.label();
+
+  @Option(
+      names = "--ior-file",
+      paramLabel = "FILE",
+      description =
+          "Write the server's reference to this file, which clients can name as --server.")
+  private Optional<Path> iorFile = Optional.empty();
+
+  @Option(
+      names = "--naming",
+      paramLabel = "HOST:PORT",
+      description = "Bind the server as MechServer at this CORBA naming service.")
+  private Optional<String> naming = Optional.empty();
+
+  @Mixin private TlsOption tls = new TlsOption();
+
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
@@ -38,11 +66,29 @@ final class ServerCommand implements Callable<Integer> {
       throw new UsageException("S-041 --capacity is " + capacity + "; it must be 0 or more");
     }
     ServerSettings settings =
-        new ServerSettings(name, listen.address(), listen.port(DEFAULT_PORT), capacity);
+        new ServerSettings(
+            listen.address(),
+            listen.port(DEFAULT_PORT),
+            hosting.of(name, capacity),
+            policy(),
+            iorFile,
+            naming,
+            tls.identity());
     try (MechServerProcess server = MechServerProcess.start(settings)) {
       spec.commandLine().getOut().println(server.url());
       Serving.untilEnded(server, server::awaitShutdown);
     }
     return ExitStatus.DONE;
+  }
+
+  private PlacementPolicy policy() {
+    return PlacementPolicy.named(placement)
+        .orElseThrow(
+            () ->
+                new UsageException(
+                    "S-041 --placement is \""
+                        + placement
+                        + "\"; there are "
+                        + PlacementPolicy.labels()));
   }
 }

@@ -1,6 +1,7 @@
 package org.mechservice.cli;
 
 import java.util.Optional;
+import org.mechservice.client.JarCache;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.ServiceException;
 import org.mechservice.server.MechServerProcess;
@@ -21,12 +22,14 @@ final class Service implements AutoCloseable {
   /**
    * Connects to a service.
    *
-   * @param address its address; empty: an embedded server on a free loopback port
+   * @param asked which; none: an embedded server on a free loopback port
    * @throws org.mechservice.client.ServerLostException if nobody answers there
    */
-  static Service open(String address) {
-    if (!address.isEmpty()) {
-      return new Service(Optional.empty(), MechConnection.open(address));
+  static Service open(ServerOption asked) {
+    if (!asked.address().isEmpty()) {
+      return new Service(
+          Optional.empty(),
+          MechConnection.open(asked.address(), JarCache.ofUser(), asked.identity()));
     }
     MechServerProcess server = MechServerProcess.start(EMBEDDED);
     try {

@@ -1,5 +1,6 @@
 package org.mechservice.cli;
 
+import java.util.List;
 import java.util.concurrent.Callable;
 import org.mechservice.sim.host.HostSettings;
 import org.mechservice.sim.host.SimHostProcess;
@@ -21,9 +22,10 @@ final class SimhostCommand implements Callable<Integer> {
   @Option(
       names = "--server",
       required = true,
-      paramLabel = "URL",
-      description = "Server to register with, as host:port or URL.")
-  private String server = "";
+      paramLabel = "URL[,URL...]",
+      split = ",",
+      description = "Servers to register with, as host:port or URL; one of them must be there.")
+  private List<String> servers = List.of();
 
   @Mixin private ListenOptions listen = new ListenOptions();
 
@@ -39,6 +41,10 @@ final class SimhostCommand implements Callable<Integer> {
       description = "Simulations it runs at once (default: number of processors).")
   private int capacity = Runtime.getRuntime().availableProcessors();
 
+  @Mixin private HostingOptions hosting = new HostingOptions();
+
+  @Mixin private TlsOption tls = new TlsOption();
+
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
@@ -47,7 +53,12 @@ final class SimhostCommand implements Callable<Integer> {
       throw new UsageException("S-041 --capacity is " + capacity + "; it must be 1 or more");
     }
     HostSettings settings =
-        new HostSettings(server, name, listen.address(), listen.port(ANY_PORT), capacity);
+        new HostSettings(
+            servers,
+            listen.address(),
+            listen.port(ANY_PORT),
+            hosting.of(name, capacity),
+            tls.identity());
     try (SimHostProcess host = SimHostProcess.start(settings)) {
       spec.commandLine().getOut().println(host.address());
       Serving.untilEnded(host, host::awaitShutdown);

@@ -89,7 +89,7 @@ final class SimulateCommand implements Callable<Integer> {
     CheckpointStore store = checkpoints.open();
     SimulationOptions options = options();
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
-        Service service = Service.open(server.address());
+        Service service = Service.open(server);
         MechSession session = service.connection().openSession(host)) {
       List<ModelMessage> warnings = session.loadModel(model);
       if (!quiet) {

@@ -55,7 +55,8 @@ class ArchitectureTest {
     "sim, sim mechml solver idl orb",
     "server, server sim idl orb",
     "client, client solver idl orb",
-    "admin, admin idl orb"
+    "admin, admin idl orb",
+    "report, report client solver"
   })
   @ParameterizedTest
   void moduleKnowsOnlyTheModulesTheDesignAllows(String module, String allowed) {

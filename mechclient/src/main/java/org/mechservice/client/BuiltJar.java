@@ -14,6 +14,7 @@ import org.mechservice.idl.JarInfo;
  * @param mainClass class to start, or the model class of a JAR that needs the runtime JAR
  * @param modelClassBytes compressed size of the model's own classes
  * @param runtimeSha256 hash of the runtime JAR it needs; empty if it stands alone
+ * @param signature detached signature by the server's key; empty: it has none
  * @param manifest formulation, integrator, what was left out and why
  */
 @SuppressWarnings("ArrayRecordComponent") // a file's bytes: handed on, never changed
@@ -24,6 +25,7 @@ public record BuiltJar(
     String mainClass,
     long modelClassBytes,
     String runtimeSha256,
+    byte[] signature,
     Map<String, String> manifest) {
   public BuiltJar {
     manifest = Collections.unmodifiableMap(new LinkedHashMap<>(manifest));
@@ -42,6 +44,7 @@ public record BuiltJar(
         info.mainClass,
         info.modelBytes,
         info.runtimeSha256,
+        info.signature,
         ModelSummary.textsOf(info.manifest));
   }
 }

@@ -15,12 +15,19 @@ import org.mechservice.solver.api.Solver;
 /**
  * A model and the solver it came with, loaded apart from the client's own classes.
  *
- * @param model an instance for one run
+ * @param modelClass a {@link Model} or a {@link ModelSource}
  * @param solver the server's solver
  * @param sha256 of the model's JAR
  * @param formulationReason why the model was generated in its formulation; empty if not said
+ * @param shown column groups its file selects
  */
-record FetchedModel(Model model, Solver solver, String sha256, Optional<String> formulationReason) {
+record FetchedModel(
+    Class<?> modelClass,
+    Solver solver,
+    String sha256,
+    Optional<String> formulationReason,
+    Set<ColumnGroup> shown) {
+  private static final String SHOWN_ATTRIBUTE = "Mech-Columns-Shown";
   private static final String API_VERSION_ATTRIBUTE = "Mech-Api-Version";
   private static final String REASON_ATTRIBUTE = "Mech-Formulation-Reason";
 
@@ -36,10 +43,11 @@ record FetchedModel(Model model, Solver solver, String sha256, Optional<String> 
     FetchedClasses classes = new FetchedClasses(List.of(model, runtime));
     try {
       return new FetchedModel(
-          instance(classes, modelJar.mainClass()),
+          modelClass(classes, modelJar.mainClass()),
           solver(classes),
           Sha256.of(modelJar.bytes()),
-          model.attribute(REASON_ATTRIBUTE));
+          model.attribute(REASON_ATTRIBUTE),
+          ColumnGroup.of(model.attribute(SHOWN_ATTRIBUTE).orElse(ColumnGroup.JOINTS.label())));
     } catch (ReflectiveOperationException | LinkageError | ServiceConfigurationError e) {
       throw refused("cannot be loaded: " + e);
     }
@@ -53,13 +61,13 @@ record FetchedModel(Model model, Solver solver, String sha256, Optional<String> 
     }
   }
 
-  private static Model instance(FetchedClasses classes, String mainClass)
+  private static Class<?> modelClass(FetchedClasses classes, String mainClass)
       throws ReflectiveOperationException {
     Class<?> type = classes.loadClass(mainClass);
     if (!Model.class.isAssignableFrom(type) && !ModelSource.class.isAssignableFrom(type)) {
       throw refused("names " + mainClass + ", which is no model");
     }
-    return ModelSource.of(type.getDeclaredConstructor().newInstance());
+    return type;
   }
 
   private static Solver solver(FetchedClasses classes) {
@@ -72,8 +80,25 @@ record FetchedModel(Model model, Solver solver, String sha256, Optional<String> 
     return new JarRefusedException("S-036", "the model JAR " + why);
   }
 
-  LocalRun prepare(Set<ColumnGroup> columns, Map<String, Object> facts) {
-    RunRequest request = new RunRequest(model.description().defaults(), columns);
+  /**
+   * Returns a new instance of the model, for one run.
+   *
+   * @throws JarRefusedException if the class cannot be used
+   */
+  Model newModel() {
+    try {
+      return ModelSource.of(modelClass.getDeclaredConstructor().newInstance());
+    } catch (ReflectiveOperationException | LinkageError e) {
+      throw refused("cannot be loaded: " + e);
+    }
+  }
+
+  /**
+   * @param columns column groups asked for; empty: those its file selects
+   */
+  LocalRun prepare(Optional<Set<ColumnGroup>> columns, Map<String, Object> facts) {
+    Model model = newModel();
+    RunRequest request = new RunRequest(model.description().defaults(), columns.orElse(shown));
     return new LocalRun(model, solver, sha256, request, facts);
   }
 }

@@ -1,11 +1,12 @@
 package org.mechservice.client;
 
+import java.security.cert.Certificate;
+import java.util.Optional;
 import org.mechservice.idl.IMechClient;
-import org.mechservice.idl.MechServer;
 import org.mechservice.idl.MechSim;
 import org.mechservice.orb.Endpoint;
 import org.mechservice.orb.ServiceOrb;
-import org.mechservice.orb.ServiceUnreachableException;
+import org.mechservice.orb.TlsIdentity;
 
 /**
  * A connection to a MechService. Thread-safe.
@@ -27,9 +28,7 @@ import org.mechservice.orb.ServiceUnreachableException;
  */
 public final class MechConnection implements AutoCloseable {
   private final ServiceOrb orb;
-  private final RemoteCalls calls;
-  private final MechServer server;
-  private final ServiceDescription service;
+  private final ServerChoice servers;
   private final JarCache cache;
   private final LeaseRenewal leases = new LeaseRenewal();
   private final double connectSeconds;
@@ -37,18 +36,17 @@ public final class MechConnection implements AutoCloseable {
   private MechConnection(String address, JarCache cache, ServiceOrb orb) {
     this.orb = orb;
     this.cache = cache;
-    calls = new RemoteCalls(address);
     Stopwatch watch = new Stopwatch();
-    server = orb.connect(address);
-    service = ServiceDescription.of(calls.get(server::getInfo));
+    servers = new ServerChoice(orb, address);
     connectSeconds = watch.lap();
   }
 
   /**
-   * Connects to a server; fetched JARs are kept in the user's cache.
+   * Connects to a server without encryption; fetched JARs are kept in the user's cache.
    *
    * @param address {@code host:port} or a URL such as {@code
-   *     corbaloc:iiop:1.2@host:port/MechServer}
+   *     corbaloc:iiop:1.2@host:port/MechServer}; several, separated by commas, where the next is
+   *     used when one is gone
    * @throws ServerLostException if nobody answers there, or something else than a MechService
    * @throws InvalidOptionException if the address is none
    */
@@ -57,34 +55,41 @@ public final class MechConnection implements AutoCloseable {
   }
 
   /**
-   * Connects to a server.
+   * Connects to a server without encryption.
    *
-   * @param address {@code host:port} or a URL
+   * @param address {@code host:port} or a URL, or several
    * @param cache keeps fetched JARs
    * @throws ServerLostException if nobody answers there, or something else than a MechService
    * @throws InvalidOptionException if the address is none
    */
   public static MechConnection open(String address, JarCache cache) {
-    ServiceOrb orb = ServiceOrb.client();
+    return open(address, cache, Optional.empty());
+  }
+
+  /**
+   * Connects to a server.
+   *
+   * @param address {@code host:port} or a URL, or several
+   * @param cache keeps fetched JARs
+   * @param identity who the client is, over TLS; JARs are then taken only with the server's
+   *     signature. Empty: without encryption
+   * @throws ServerLostException if nobody answers there, or something else than a MechService
+   * @throws InvalidOptionException if the address is none
+   */
+  public static MechConnection open(
+      String address, JarCache cache, Optional<TlsIdentity> identity) {
+    ServiceOrb orb = ServiceOrb.client(identity);
     try {
       return new MechConnection(address, cache, orb);
-    } catch (ServiceUnreachableException e) {
-      orb.close();
-      String text = String.valueOf(e.getMessage());
-      throw new ServerLostException(ServiceException.codeOf(text, "S-030"), text, address);
-    } catch (IllegalArgumentException e) {
-      orb.close();
-      String text = String.valueOf(e.getMessage());
-      throw new InvalidOptionException(ServiceException.codeOf(text, "S-030"), text, "server");
     } catch (ServiceException e) {
       orb.close();
       throw e;
     }
   }
 
-  /** Returns what the server said of itself when the connection was made. */
+  /** Returns what the server that is used said of itself when the connection was made. */
   public ServiceDescription service() {
-    return service;
+    return servers.chosen().description();
   }
 
   /**
@@ -105,15 +110,35 @@ public final class MechConnection implements AutoCloseable {
    */
   public MechSession openSession(String hostName) {
     Stopwatch watch = new Stopwatch();
+    ServerChoice.Chosen server = servers.chosen();
+    MechSim session;
+    try {
+      session = createSession(server, hostName);
+    } catch (ServerLostException e) {
+      server = servers.instead(server, e);
+      session = createSession(server, hostName);
+    }
+    return new MechSession(this, callsTo(session, server), session, connectSeconds + watch.lap());
+  }
+
+  private static MechSim createSession(ServerChoice.Chosen server, String hostName) {
     String user = System.getProperty("user.name");
-    MechSim session = calls.get(() -> server.createSession(user, hostName, null));
-    return new MechSession(this, callsTo(session), session, connectSeconds + watch.lap());
+    return server.calls().get(() -> server.server().createSession(user, hostName, null));
   }
 
   /** A session may live on a host of its own; messages then name that address. */
-  private RemoteCalls callsTo(MechSim session) {
+  private RemoteCalls callsTo(MechSim session, ServerChoice.Chosen server) {
     Endpoint place = orb.endpointOf(session);
-    return place.equals(orb.endpointOf(server)) ? calls : new RemoteCalls(place.toString());
+    return place.equals(orb.endpointOf(server.server()))
+        ? server.calls()
+        : new RemoteCalls(place.toString());
+  }
+
+  /** Returns what makes sure that a JAR comes from the host of a session. */
+  JarOrigin originOf(MechSim session) {
+    return new JarOrigin(
+        orb.identity().isPresent(),
+        orb.certificateAt(orb.endpointOf(session)).map(Certificate::getPublicKey));
   }
 
   LeaseRenewal leases() {

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -14,6 +15,9 @@ import org.mechservice.idl.JarInfo;
 import org.mechservice.idl.JarInfoHolder;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
+import org.mechservice.idl.NameValue;
+import org.mechservice.idl.NameValueSeqHolder;
+import org.mechservice.idl.RunSetUp;
 import org.mechservice.idl.RuntimeInfo;
 
 /**
@@ -27,7 +31,10 @@ public final class MechSession implements AutoCloseable {
   private final LeaseRenewal.Hold hold;
   private final double openSeconds;
   private double loadSeconds;
-  private ServerTimes atLoad = new ServerTimes(0, 0, 0);
+  private ServerTimes atLoad = ServerTimes.NONE;
+
+  /** What the session has cost the server when a run was set up last. */
+  private ServerTimes soFar = ServerTimes.NONE;
 
   MechSession(MechConnection connection, RemoteCalls calls, MechSim session, double openSeconds) {
     this.connection = connection;
@@ -86,7 +93,8 @@ public final class MechSession implements AutoCloseable {
     ModelFile model = new ModelFile(fileName, content);
     var warnings = calls.get(() -> session.loadModel(model, new ModelFile[0]));
     loadSeconds = watch.lap();
-    atLoad = serverTimes();
+    atLoad = setsUpInOneCall() ? ServerTimes.NONE : serverTimes();
+    soFar = atLoad;
     return ModelMessage.listOf(warnings);
   }
 
@@ -141,7 +149,64 @@ public final class MechSession implements AutoCloseable {
     return createRun(options, connection.export(listener));
   }
 
+  private boolean setsUpInOneCall() {
+    return connection.service().setsUpInOneCall();
+  }
+
   private RemoteRun createRun(SimulationOptions options, @Nullable IMechClient callback) {
+    return setsUpInOneCall() ? setUp(options, callback) : setUpStepwise(options, callback);
+  }
+
+  private RemoteRun setUp(SimulationOptions options, @Nullable IMechClient callback) {
+    Stopwatch watch = new Stopwatch();
+    RunSetUp answer = calls.get(() -> session.prepareSimulation(options.toNameValues(), callback));
+    double seconds = watch.lap();
+    LeaseRenewal leases = connection.leases();
+    ServerTimes times = timesOfRun(answer.facts);
+    Map<String, Object> facts = new LinkedHashMap<>();
+    facts.put("where", "remote, host " + factOf(answer.facts, "hostName"));
+    facts.putAll(knownFacts(answer.facts));
+    facts.putAll(
+        SetUpTimes.remote(
+            loadSeconds, seconds, atLoad, times, openSeconds + loadSeconds + seconds));
+    return new RemoteRun(
+        calls,
+        answer.simulation,
+        leases.hold(answer.simulation),
+        RowCursor.over(calls, leases, answer.rows, answer.columns),
+        facts);
+  }
+
+  /** Returns what a run has cost the server, and begins anew. */
+  private ServerTimes timesOfRun(NameValue[] facts) {
+    ServerTimes now =
+        ServerTimes.of(
+            Arrays.stream(facts)
+                .filter(fact -> fact.key.matches("t\\dc?s?|tcc"))
+                .toArray(NameValue[]::new));
+    ServerTimes ofRun = now.since(soFar);
+    soFar = now;
+    return ofRun;
+  }
+
+  private static String factOf(NameValue[] facts, String name) {
+    return Arrays.stream(facts)
+        .filter(fact -> fact.key.equals(name))
+        .map(fact -> fact.text)
+        .findFirst()
+        .orElse("");
+  }
+
+  private Map<String, Object> knownFacts(NameValue[] said) {
+    Map<String, Object> facts = new LinkedHashMap<>();
+    facts.put("modelSha256", factOf(said, "modelSha256"));
+    facts.put("formulationReason", factOf(said, "formulationReason"));
+    facts.put("serverVersion", connection.service().version());
+    return facts;
+  }
+
+  /** The way of servers before API 1.1. */
+  private RemoteRun setUpStepwise(SimulationOptions options, @Nullable IMechClient callback) {
     ServerTimes before = serverTimes();
     Stopwatch watch = new Stopwatch();
     IMechSimRemote simulation =
@@ -172,23 +237,41 @@ public final class MechSession implements AutoCloseable {
    * @throws JarRefusedException if a JAR is not the one announced or does not fit this client
    */
   public LocalRun prepareLocalRun(SimulationOptions options) {
-    ServerTimes before = serverTimes();
+    ServerTimes before = setsUpInOneCall() ? soFar : serverTimes();
     Stopwatch watch = new Stopwatch();
-    BuiltJar modelJar = compile(options);
+    NameValueSeqHolder said = new NameValueSeqHolder(new NameValue[0]);
+    BuiltJar modelJar = compile(options, said);
     byte[] runtimeJar = connection.cache().get(modelJar.runtimeSha256(), () -> fetch(modelJar));
+    verifyRuntime(runtimeJar);
     double fetchSeconds = watch.lap();
     FetchedModel fetched = FetchedModel.load(modelJar, runtimeJar);
     double total = openSeconds + loadSeconds + fetchSeconds + watch.lap();
     Map<String, Object> facts = new LinkedHashMap<>();
-    facts.put("where", "local, compiled by host " + hostName());
+    boolean stepwise = said.value.length == 0;
+    facts.put(
+        "where",
+        "local, compiled by host " + (stepwise ? hostName() : factOf(said.value, "hostName")));
     fetched.formulationReason().ifPresent(reason -> facts.put("formulationReason", reason));
-    modelFacts().forEach(facts::putIfAbsent);
-    facts.putAll(
-        SetUpTimes.local(loadSeconds, fetchSeconds, atLoad, serverTimes().since(before), total));
+    (stepwise ? modelFacts() : knownFacts(said.value)).forEach(facts::putIfAbsent);
+    ServerTimes ofRun = stepwise ? serverTimes().since(before) : timesOfRun(said.value);
+    facts.putAll(SetUpTimes.local(loadSeconds, fetchSeconds, atLoad, ofRun, total));
     facts.put("modelJarBytes", (long) modelJar.bytes().length);
     facts.put("modelClassBytes", modelJar.modelClassBytes());
     facts.put("runtimeJarBytes", (long) runtimeJar.length);
     return fetched.prepare(options.columnGroups(), facts);
+  }
+
+  /**
+   * Fetches the compiled model, and the solver unless it is in the cache, for callers that run it
+   * themselves.
+   *
+   * @throws InvalidOptionException if an option cannot be used
+   * @throws JarRefusedException if a JAR is not the one announced or does not fit this client
+   */
+  public LocalModel fetchModel(SimulationOptions options) {
+    BuiltJar modelJar = compile(options, new NameValueSeqHolder(new NameValue[0]));
+    byte[] runtimeJar = connection.cache().get(modelJar.runtimeSha256(), () -> fetch(modelJar));
+    return new LocalModel(modelJar, FetchedModel.load(modelJar, runtimeJar));
   }
 
   /**
@@ -200,7 +283,8 @@ public final class MechSession implements AutoCloseable {
    * @throws JarRefusedException if what arrives is not what was announced
    */
   public BuiltJar build(SimulationOptions options, boolean standalone) {
-    return compile(standalone ? options.standalone() : options);
+    return compile(
+        standalone ? options.standalone() : options, new NameValueSeqHolder(new NameValue[0]));
   }
 
   /** Returns the size of the server's runtime JAR, bytes. */
@@ -209,11 +293,27 @@ public final class MechSession implements AutoCloseable {
     return runtime.sizeBytes;
   }
 
-  private BuiltJar compile(SimulationOptions options) {
+  /**
+   * @param facts overwritten with what the server says of the set-up, if it can
+   */
+  private BuiltJar compile(SimulationOptions options, NameValueSeqHolder facts) {
     JarInfoHolder holder = new JarInfoHolder();
-    byte[] jar = calls.get(() -> session.compileToJar(options.toNameValues(), holder));
+    NameValue[] asked = options.toNameValues();
+    byte[] jar =
+        setsUpInOneCall()
+            ? calls.get(() -> session.prepareJar(asked, holder, facts))
+            : calls.get(() -> session.compileToJar(asked, holder));
     JarInfo info = holder.value;
+    connection.originOf(session).verified(jar, info.signature, "the model JAR");
     return BuiltJar.verified(jar, info);
+  }
+
+  private void verifyRuntime(byte[] runtimeJar) {
+    JarOrigin origin = connection.originOf(session);
+    if (origin.encrypted()) {
+      RuntimeInfo runtime = calls.get(session::getRuntimeInfo);
+      origin.verified(runtimeJar, runtime.signature, "the runtime JAR");
+    }
   }
 
   private byte[] fetch(BuiltJar modelJar) {

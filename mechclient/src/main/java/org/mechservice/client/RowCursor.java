@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.mechservice.idl.Channel;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.MAX_BLOCK_DOUBLES;
 import org.mechservice.idl.MAX_WAIT_MILLIS;
@@ -24,21 +25,26 @@ final class RowCursor implements AutoCloseable {
   private long taken;
   private boolean ended;
 
-  private RowCursor(RemoteCalls calls, ResultCursor cursor, LeaseRenewal.Hold hold) {
+  private RowCursor(
+      RemoteCalls calls, ResultCursor cursor, LeaseRenewal.Hold hold, Channel[] channels) {
     this.calls = calls;
     this.cursor = cursor;
     this.hold = hold;
     columns =
-        Arrays.stream(calls.get(cursor::channels))
-            .map(channel -> new Variable(channel.name, channel.unit))
-            .toList();
+        Arrays.stream(channels).map(channel -> new Variable(channel.name, channel.unit)).toList();
     rowsPerBlock = Math.max(1, MAX_BLOCK_DOUBLES.value / Math.max(1, columns.size()));
   }
 
   /** Opens a cursor over all columns the simulation was created with. */
   static RowCursor open(RemoteCalls calls, LeaseRenewal leases, IMechSimRemote simulation) {
     ResultCursor cursor = calls.get(() -> simulation.openResults(new String[0]));
-    return new RowCursor(calls, cursor, leases.hold(cursor));
+    return over(calls, leases, cursor, calls.get(cursor::channels));
+  }
+
+  /** Takes over a cursor that was opened, with its columns. */
+  static RowCursor over(
+      RemoteCalls calls, LeaseRenewal leases, ResultCursor cursor, Channel[] channels) {
+    return new RowCursor(calls, cursor, leases.hold(cursor), channels);
   }
 
   List<Variable> columns() {

@@ -12,6 +12,9 @@ import org.mechservice.idl.NameValue;
  * @param packing making JARs (t2s), s
  */
 record ServerTimes(double treating, double compiling, double packing) {
+  /** Nothing has been done yet. */
+  static final ServerTimes NONE = new ServerTimes(0, 0, 0);
+
   /**
    * Reads the server's answer; a time that is absent is none.
    *

@@ -19,6 +19,12 @@ public record ServiceDescription(
     capabilities = List.copyOf(capabilities);
   }
 
+  /** Returns whether the server sets runs up in one call, which it does since API 1.1. */
+  boolean setsUpInOneCall() {
+    String[] parts = apiVersion.split("\\.", -1);
+    return parts.length > 1 && parts[1].matches("[1-9]\\d{0,8}");
+  }
+
   static ServiceDescription of(ServerInfo info) {
     return new ServiceDescription(
         info.serverName,

@@ -3,6 +3,7 @@ package org.mechservice.client;
 import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.mechservice.idl.NameValue;
@@ -112,21 +113,14 @@ public final class SimulationOptions {
     return new SimulationOptions(more);
   }
 
-  /** Returns the column groups asked for. */
-  Set<ColumnGroup> columnGroups() {
-    EnumSet<ColumnGroup> groups = EnumSet.of(ColumnGroup.JOINTS);
-    String labels = texts.getOrDefault(OPT_COLUMNS.value, "joints");
-    if (labels.equals(ALL_COLUMNS)) {
-      return EnumSet.allOf(ColumnGroup.class);
-    }
-    for (String label : labels.split(",", -1)) {
-      for (ColumnGroup group : ColumnGroup.values()) {
-        if (group.label().equals(label)) {
-          groups.add(group);
-        }
-      }
-    }
-    return groups;
+  /** Returns the column groups asked for; empty if that is left to the file. */
+  Optional<Set<ColumnGroup>> columnGroups() {
+    return Optional.ofNullable(texts.get(OPT_COLUMNS.value))
+        .map(
+            labels ->
+                labels.equals(ALL_COLUMNS)
+                    ? EnumSet.allOf(ColumnGroup.class)
+                    : ColumnGroup.of(labels));
   }
 
   NameValue[] toNameValues() {

@@ -26,6 +26,7 @@ import org.mechservice.idl.MechSimPOATie;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.ModelInfo;
 import org.mechservice.idl.NameValue;
+import org.mechservice.idl.NameValueSeqHolder;
 import org.mechservice.idl.Progress;
 import org.mechservice.idl.ResultBlock;
 import org.mechservice.idl.ResultBlockHolder;
@@ -33,6 +34,7 @@ import org.mechservice.idl.ResultCursor;
 import org.mechservice.idl.ResultCursorHelper;
 import org.mechservice.idl.ResultCursorOperations;
 import org.mechservice.idl.ResultCursorPOATie;
+import org.mechservice.idl.RunSetUp;
 import org.mechservice.idl.ServerInfo;
 import org.mechservice.idl.Severity;
 import org.mechservice.idl.SimState;
@@ -226,6 +228,32 @@ final class ScriptedServer implements AutoCloseable {
               Sha256.of(jars.runtime()),
               new NameValue[0]);
       return jars.model();
+    }
+
+    RunSetUp prepareSimulation(NameValue[] options, IMechClient client) throws UserException {
+      happened.add("in one call");
+      return new RunSetUp(
+          createSimulation(options, client),
+          new Cursor().reference(),
+          new Cursor().channels(),
+          facts());
+    }
+
+    private NameValue[] facts() {
+      return new NameValue[] {
+        new NameValue("hostName", "here"),
+        new NameValue("modelSha256", "abc"),
+        new NameValue("formulationReason", "a tree"),
+        new NameValue("t1s", "0.001"),
+        new NameValue("t2s", "0"),
+        new NameValue("tcc", "0")
+      };
+    }
+
+    byte[] prepareJar(NameValue[] options, JarInfoHolder info, NameValueSeqHolder facts) {
+      happened.add("in one call");
+      facts.value = facts();
+      return compileToJar(options, info);
     }
 
     byte[] fetchRuntime(String sha256) {

@@ -15,14 +15,15 @@ import org.mechservice.idl.MechSimHost;
 import org.mechservice.idl.MechSimHostOperations;
 import org.mechservice.idl.NotAuthorized;
 import org.mechservice.orb.ActiveObject;
+import org.mechservice.orb.Caller;
 import org.mechservice.orb.Endpoint;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.ServiceOrb;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 
 /**
- * Registers hosts. A host is called back at the address it names before it is taken in; this
- * version takes hosts of its own machine only, as it has no means to know others.
+ * Registers hosts. A host is called back at the address it names before it is taken in; without TLS
+ * only hosts of the server's own machine are taken, as nothing tells who others are.
  */
 final class HostRegistryServant implements HostRegistryOperations {
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9._-]{1,64}");
@@ -41,7 +42,7 @@ final class HostRegistryServant implements HostRegistryOperations {
   public HostRegistration registerHost(HostInfo info, MechSimHost host)
       throws InvalidOption, NotAuthorized {
     requireUsable(info);
-    Endpoint endpoint = requireLocal(info, host);
+    Endpoint endpoint = requirePlace(info, host);
     requireNameFree(info, endpoint);
     call(info, host, endpoint);
     KnownHost known = new KnownHost(info, host, false, endpoint);
@@ -63,21 +64,21 @@ final class HostRegistryServant implements HostRegistryOperations {
     }
   }
 
-  private Endpoint requireLocal(HostInfo info, MechSimHost host)
+  private Endpoint requirePlace(HostInfo info, MechSimHost host)
       throws InvalidOption, NotAuthorized {
     Endpoint endpoint = endpointOf(host);
     if (!endpoint.toString().equals(info.address)) {
       throw refused(
           "address", "the host says it is at " + info.address + ", its object is at " + endpoint);
     }
-    if (!isLoopback(endpoint.host())) {
+    if (Caller.current().certificate().isEmpty() && !isLoopback(endpoint.host())) {
       throw new NotAuthorized(
           "S-013",
           "host "
               + info.name
               + " is at "
               + endpoint
-              + ", on another machine; this version takes hosts of its own machine only");
+              + ", on another machine; without TLS a server takes hosts of its own machine only");
     }
     return endpoint;
   }

@@ -11,8 +11,10 @@ import org.mechservice.idl.MechAdminPOATie;
 import org.mechservice.idl.MechServerOperations;
 import org.mechservice.idl.MechServerPOATie;
 import org.mechservice.idl.MechSimHostOperations;
+import org.mechservice.orb.Caller;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.ListenAddress;
+import org.mechservice.orb.Role;
 import org.mechservice.orb.ServiceKey;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.sim.host.SimHost;
@@ -30,6 +32,7 @@ public final class MechServerProcess implements AutoCloseable {
   private final MechServerServant server;
   private final CountDownLatch closed = new CountDownLatch(1);
   private final AtomicBoolean closing = new AtomicBoolean();
+  private final Findable findable;
 
   private MechServerProcess(
       ServerSettings settings, ServiceOrb orb, ServerTuning tuning, OwnHost host) {
@@ -55,6 +58,7 @@ public final class MechServerProcess implements AutoCloseable {
     publish(
         new MechAdminServant(server, directory, placement, farmLimits, journal, this::shutDown),
         new HostRegistryServant(orb, directory, farmLimits));
+    findable = Findable.make(orb, settings.iorFile(), settings.naming());
     journal.tell(Happening.info("server-started", "server " + settings.name() + " has started"));
   }
 
@@ -65,16 +69,26 @@ public final class MechServerProcess implements AutoCloseable {
             new MechServerPOATie(GuardedServant.of(MechServerOperations.class, server, () -> {})),
             ServiceKey.REGISTRY,
             new HostRegistryPOATie(
-                GuardedServant.of(HostRegistryOperations.class, registry, () -> {})),
+                GuardedServant.of(
+                    HostRegistryOperations.class,
+                    registry,
+                    () -> Caller.current().require(Role.SERVER))),
             ServiceKey.ADMIN,
-            new MechAdminPOATie(GuardedServant.of(MechAdminOperations.class, admin, () -> {}))));
+            new MechAdminPOATie(
+                GuardedServant.of(
+                    MechAdminOperations.class,
+                    admin,
+                    () -> Caller.current().require(Role.ADMIN)))));
   }
 
   /**
    * Starts a server.
    *
    * @throws org.mechservice.orb.PortInUseException if the port is taken
-   * @throws IllegalArgumentException with code S-004 if the address cannot be listened on
+   * @throws IllegalArgumentException if the address cannot be listened on (S-004) or the reference
+   *     cannot be written (S-162)
+   * @throws org.mechservice.orb.ServiceUnreachableException with code S-020 if the naming service
+   *     does not take the name
    */
   public static MechServerProcess start(ServerSettings settings) {
     return start(settings, ServerTuning.DEFAULT, OwnHost.INSTALLED);
@@ -82,7 +96,8 @@ public final class MechServerProcess implements AutoCloseable {
 
   static MechServerProcess start(ServerSettings settings, ServerTuning tuning, OwnHost host) {
     ServiceOrb orb =
-        ServiceOrb.server(new ListenAddress(settings.listenAddress(), settings.port()));
+        ServiceOrb.server(
+            new ListenAddress(settings.listenAddress(), settings.port(), settings.tls()));
     try {
       return new MechServerProcess(settings, orb, tuning, host);
     } catch (RuntimeException e) {
@@ -118,6 +133,7 @@ public final class MechServerProcess implements AutoCloseable {
   @Override
   public void close() {
     if (closing.compareAndSet(false, true)) {
+      findable.close();
       ownHost.ifPresent(SimHost::close);
       directory.close();
       orb.close();

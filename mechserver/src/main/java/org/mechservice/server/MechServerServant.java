@@ -16,6 +16,7 @@ import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServerFailure;
 import org.mechservice.idl.ServerInfo;
+import org.mechservice.orb.Caller;
 import org.mechservice.orb.ServiceVersion;
 import org.mechservice.sim.service.LimitsInForce;
 import org.mechservice.sim.service.Refusal;
@@ -57,8 +58,9 @@ final class MechServerServant implements MechServerOperations {
   }
 
   @Override
-  public MechSim createSession(String clientName, String hostName, @Nullable IMechClient client)
+  public MechSim createSession(String claimedName, String hostName, @Nullable IMechClient client)
       throws LimitExceeded, NotFound, ServerFailure {
+    String clientName = Caller.current().name(claimedName);
     if (draining.get()) {
       throw Refusal.noPlace("server " + name + " is being emptied and takes no new sessions");
     }

@@ -2,6 +2,7 @@ package org.mechservice.server;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import org.mechservice.orb.TlsIdentity;
 import org.mechservice.sim.host.HostOptions;
 
 /**
@@ -14,6 +15,7 @@ import org.mechservice.sim.host.HostOptions;
  * @param placement how hosts are chosen
  * @param iorFile file to write the server's reference to; empty: none
  * @param naming naming service to bind the server's reference at; empty: none
+ * @param tls who the server is on the network; empty: it serves this machine only, unencrypted
  */
 public record ServerSettings(
     String listenAddress,
@@ -21,7 +23,8 @@ public record ServerSettings(
     HostOptions host,
     PlacementPolicy placement,
     Optional<Path> iorFile,
-    Optional<String> naming) {
+    Optional<String> naming,
+    Optional<TlsIdentity> tls) {
 
   /** A server nobody configured. */
   public ServerSettings(String name, String listenAddress, int port, int localCapacity) {
@@ -35,6 +38,7 @@ public record ServerSettings(
         port,
         host,
         PlacementPolicy.LEAST_LOADED,
+        Optional.empty(),
         Optional.empty(),
         Optional.empty());
   }

@@ -20,6 +20,10 @@ final class Farm implements AutoCloseable {
   static final ServerTuning BRISK =
       new ServerTuning(Duration.ofSeconds(1), Duration.ofMillis(200), Duration.ofSeconds(1));
 
+  /** Has patience with a machine under heavy load, but asks its hosts often. */
+  static final ServerTuning STEADY =
+      new ServerTuning(Duration.ofHours(1), Duration.ofMillis(200), Duration.ofMinutes(1));
+
   private final Deque<Runnable> parts = new ArrayDeque<>();
   final MechServerProcess server;
   final ServiceOrb orb = ServiceOrb.client();
@@ -27,7 +31,7 @@ final class Farm implements AutoCloseable {
   final MechAdmin admin;
 
   Farm(int ownCapacity) {
-    this(ownCapacity, BRISK);
+    this(ownCapacity, STEADY);
   }
 
   Farm(int ownCapacity, ServerTuning tuning) {

@@ -83,7 +83,40 @@ class PlacementTest {
       var runOfSecond = Farm.running(second);
       runOfFirst.cancel();
       first.destroy();
-      assertThat(runOfSecond.getProgress().state.value()).isEqualTo(SimState._SIM_RUNNING);
+      Eventually.holds(() -> runOfSecond.getProgress().state == SimState.SIM_RUNNING);
+    }
+  }
+
+  private static String placed(Farm farm, String client) throws Exception {
+    return farm.service.createSession(client, "", null).hostName();
+  }
+
+  @Test
+  void orderFillsOneHostAfterTheOtherAsTheyJoined() throws Exception {
+    try (Farm farm = new Farm(1)) {
+      farm.host("z", 2);
+      farm.host("a", 1);
+      farm.admin.setPlacement("order");
+      assertThat(
+              List.of(placed(farm, "1"), placed(farm, "2"), placed(farm, "3"), placed(farm, "4")))
+          .containsExactly("own", "z", "z", "a");
+      assertThat(placed(farm, "5")).as("all are full: the first again").isEqualTo("own");
+    }
+  }
+
+  @Test
+  void pinnedClientStaysWhereItWasAsLongAsThatTakesIt() throws Exception {
+    try (Farm farm = new Farm(1)) {
+      farm.host("h", 3);
+      farm.admin.setPlacement("pinned");
+      assertThat(placed(farm, "ann")).isEqualTo("h");
+      farm.host("larger", 9);
+      assertThat(placed(farm, "bob")).isEqualTo("larger");
+      assertThat(placed(farm, "ann")).isEqualTo("h");
+      farm.admin.drain("h");
+      assertThat(placed(farm, "ann")).isEqualTo("larger");
+      farm.admin.undrain("h");
+      assertThat(placed(farm, "ann")).as("where it was last").isEqualTo("larger");
     }
   }
 }

@@ -34,7 +34,8 @@ class SeparateProcessTest {
   @Test
   void killedHostIsDroppedAndItsWorkIsDoneElsewhere() throws Exception {
     try (MechServerProcess server =
-            MechServerProcess.start(new ServerSettings("own", "127.0.0.1", 0, 1));
+            MechServerProcess.start(
+                new ServerSettings("own", "127.0.0.1", 0, 1), Farm.STEADY, OwnHost.INSTALLED);
         ServiceOrb orb = ServiceOrb.client()) {
       MechServer service = orb.connect(server.url());
       Process host = startHost(server.url(), "far");

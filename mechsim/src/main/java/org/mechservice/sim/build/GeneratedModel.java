@@ -1,6 +1,10 @@
 package org.mechservice.sim.build;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.WrittenClass;
 
@@ -10,6 +14,7 @@ import org.mechservice.sim.build.emit.WrittenClass;
  */
 public final class GeneratedModel {
   private final WrittenClass written;
+  private final Optional<CompactClass> columns;
   private final String modelName;
   private final String formulation;
   private final String formulationReason;
@@ -18,6 +23,7 @@ public final class GeneratedModel {
 
   /**
    * @param written what the class computes
+   * @param columns what extends it by columns that no code is generated for
    * @param modelName the model's name in its file
    * @param formulation formulation its equations are written in
    * @param formulationReason why this formulation
@@ -26,12 +32,14 @@ public final class GeneratedModel {
    */
   GeneratedModel(
       WrittenClass written,
+      Optional<CompactClass> columns,
       String modelName,
       String formulation,
       String formulationReason,
       int operations,
       List<Omission> leftOut) {
     this.written = written;
+    this.columns = columns;
     this.modelName = modelName;
     this.formulation = formulation;
     this.formulationReason = formulationReason;
@@ -39,19 +47,34 @@ public final class GeneratedModel {
     this.leftOut = List.copyOf(leftOut);
   }
 
-  /** Returns the fully qualified name of the class. */
+  /** Returns the fully qualified name of the class to be instantiated. */
   public String className() {
+    return columns.map(GeneratedModel::name).orElseGet(this::sourceName);
+  }
+
+  /** Returns the fully qualified name of the class that has the equations. */
+  public String sourceName() {
+    return name(written);
+  }
+
+  private static String name(WrittenClass written) {
     return ModelClass.PACKAGE + "." + written.simpleName();
   }
 
-  /** Returns the class as formatted source, for people. */
+  /** Returns the class that has the equations as formatted source, for people. */
   public String source() {
     return written.source();
   }
 
-  /** Returns the class file; it computes what {@link #source} says, bit by bit. */
-  byte[] classFile() {
-    return written.classFile();
+  /**
+   * Returns the class files by binary name; that of the equations computes what {@link #source}
+   * says, bit by bit.
+   */
+  SortedMap<String, byte[]> classFiles() {
+    SortedMap<String, byte[]> files = new TreeMap<>();
+    files.put(sourceName(), written.classFile());
+    columns.ifPresent(further -> files.put(name(further), further.classFile()));
+    return files;
   }
 
   /** Returns the formulation its equations are written in. */

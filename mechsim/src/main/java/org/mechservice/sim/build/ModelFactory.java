@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
@@ -26,7 +27,6 @@ import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.closure.ClosedMechanism;
-import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
@@ -55,24 +55,27 @@ public final class ModelFactory {
         FormulationChoice.of(options.formulation(), options.closure(), integrator, mechanism);
     List<String> notGenerated = GenerationLimits.notGenerated(mechanism, choice);
     return options.compact() || !notGenerated.isEmpty()
-        ? compact(mechanism, options, choice, notGenerated)
-        : specialised(mechanism, options, choice);
+        ? compact(model, options, choice, notGenerated)
+        : specialised(model, options, choice);
   }
 
   private static GeneratedModel compact(
-      Mechanism mechanism,
+      MechmlModel model,
       BuildOptions options,
       FormulationChoice choice,
       List<String> notGenerated) {
+    Mechanism mechanism = model.mechanism();
     requireClosedLoops(mechanism, choice, options);
-    CompactModel data =
-        new CompactModel(mechanism, choice.formulation(), choice.closure(), options.settings());
+    boolean open = mechanism.closures().isEmpty();
+    Set<ColumnGroup> further = DataColumns.of(model, options, open);
     String form =
         notGenerated.isEmpty()
             ? "compact form, as asked for"
             : "compact form, since no code is generated yet for " + String.join(", ", notGenerated);
     return new GeneratedModel(
-        new CompactClass(data),
+        new CompactClass(
+            DataColumns.data(model, options, choice, further), BuiltColumns.labels(further), ""),
+        Optional.empty(),
         mechanism.name(),
         choice.formulation(),
         choice.reason() + "; " + form,
@@ -98,7 +101,8 @@ public final class ModelFactory {
   }
 
   private static GeneratedModel specialised(
-      Mechanism mechanism, BuildOptions options, FormulationChoice choice) {
+      MechmlModel model, BuildOptions options, FormulationChoice choice) {
+    Mechanism mechanism = model.mechanism();
     SceneAnalysis scene = SceneAnalysis.of(mechanism);
     Links links = Links.of(mechanism);
     Program derivative = ArticulatedBodyEquations.derive(links);
@@ -115,8 +119,16 @@ public final class ModelFactory {
             PowerEquations.power(links),
             forceValues(links, options),
             notes(choice, derivative, leftOut));
+    Set<ColumnGroup> further = DataColumns.of(model, options, true);
     return new GeneratedModel(
         ModelPlan.of(written),
+        further.isEmpty()
+            ? Optional.empty()
+            : Optional.of(
+                new CompactClass(
+                    DataColumns.data(model, options, choice, further),
+                    BuiltColumns.labels(further),
+                    written.simpleName())),
         mechanism.name(),
         choice.formulation(),
         choice.reason(),
@@ -166,9 +178,7 @@ public final class ModelFactory {
    */
   public static CompiledModel compile(
       MechmlModel model, BuildOptions options, GeneratedModel generated) {
-    SortedMap<String, byte[]> classFiles = new TreeMap<>();
-    classFiles.put(generated.className(), generated.classFile());
-    return new CompiledModel(model, generated, options, classFiles);
+    return new CompiledModel(model, generated, options, generated.classFiles());
   }
 
   /**
@@ -180,10 +190,11 @@ public final class ModelFactory {
    */
   static CompiledModel compileSource(
       MechmlModel model, BuildOptions options, GeneratedModel generated) {
-    SortedMap<String, byte[]> classFiles =
+    SortedMap<String, byte[]> classFiles = new TreeMap<>(generated.classFiles());
+    classFiles.putAll(
         ModelCompiler.compile(
-            generated.className(), generated.source(), Collections.emptySortedMap());
-    return new CompiledModel(model, generated, options, new TreeMap<>(classFiles));
+            generated.sourceName(), generated.source(), Collections.emptySortedMap()));
+    return new CompiledModel(model, generated, options, classFiles);
   }
 
   /** Packs the model's own classes, description and manifest; it runs with {@link #runtimeJar}. */

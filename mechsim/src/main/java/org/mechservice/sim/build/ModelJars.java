@@ -1,13 +1,10 @@
 package org.mechservice.sim.build;
 
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Set;
 import java.util.SortedMap;
 import java.util.stream.Collectors;
 import org.mechservice.sim.build.jar.ModelDescriptionXml;
@@ -15,7 +12,6 @@ import org.mechservice.sim.build.jar.ReachableClasses;
 import org.mechservice.sim.build.jar.ReproducibleJar;
 import org.mechservice.sim.build.jar.Sha256;
 import org.mechservice.sim.build.jar.SolidClasses;
-import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.Variable;
@@ -26,10 +22,17 @@ import org.mechservice.solver.standalone.Launcher;
 final class ModelJars {
   private ModelJars() {}
 
-  /** Packs a model without a solver. */
+  /** Packs a model without a solver, but with what it needs beyond the runtime JAR. */
   static PackedJar model(CompiledModel model, String mechmlSha256) {
     Map<String, String> manifest = manifest(model, mechmlSha256);
     ReproducibleJar jar = new ReproducibleJar(manifest).addClasses(model.classFiles());
+    ReachableClasses.from(model.classFiles(), SolverFiles.lean())
+        .forEach(
+            (path, classFile) -> {
+              if (!RuntimeJar.has(path)) {
+                jar.add(path, classFile);
+              }
+            });
     return packed(model, mechmlSha256, jar, "", model.generated().className(), manifest);
   }
 
@@ -81,7 +84,8 @@ final class ModelJars {
     manifest.put("Mech-Formulation", generated.formulation());
     manifest.put("Mech-Formulation-Reason", generated.formulationReason());
     manifest.put("Mech-Integrator", model.options().settings().integrator());
-    manifest.put("Mech-Columns", columns(model));
+    manifest.put("Mech-Columns", BuiltColumns.labels(BuiltColumns.of(model)));
+    manifest.put("Mech-Columns-Shown", BuiltColumns.labels(BuiltColumns.shown(model)));
     manifest.put("Mech-Model-SHA-256", mechmlSha256);
     manifest.put(
         "Mech-Left-Out",
@@ -89,26 +93,6 @@ final class ModelJars {
             .map(omission -> omission.what() + " (" + omission.why() + ")")
             .collect(Collectors.joining("; ")));
     return manifest;
-  }
-
-  /** Groups that every model has; the others it must have been built with. */
-  private static final Set<ColumnGroup> ALWAYS =
-      EnumSet.of(ColumnGroup.JOINTS, ColumnGroup.ACCELERATIONS, ColumnGroup.ENERGY);
-
-  /** Groups that a model can be built with. */
-  private static final Set<ColumnGroup> ON_DEMAND =
-      EnumSet.of(ColumnGroup.BODIES, ColumnGroup.FORCES);
-
-  /** Returns the column groups the model can put out. */
-  private static String columns(CompiledModel model) {
-    List<String> groups = new ArrayList<>();
-    for (ColumnGroup group : ColumnGroup.values()) {
-      if (ALWAYS.contains(group)
-          || (ON_DEMAND.contains(group) && model.options().columns().contains(group))) {
-        groups.add(group.label());
-      }
-    }
-    return String.join(",", groups);
   }
 
   private static String descriptionXml(CompiledModel model, String mechmlSha256) {

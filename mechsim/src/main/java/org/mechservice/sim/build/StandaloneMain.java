@@ -45,7 +45,9 @@ final class StandaloneMain {
             className(model.generated()),
             model.generated().className(),
             INTEGRATION + INTEGRATORS.getOrDefault(name, ""),
-            form));
+            form,
+            BuiltColumns.labels(BuiltColumns.of(model)),
+            BuiltColumns.labels(BuiltColumns.shown(model))));
     return classes;
   }
 }

@@ -1,6 +1,8 @@
 package org.mechservice.sim.host;
 
 import java.util.List;
+import java.util.Optional;
+import org.mechservice.orb.TlsIdentity;
 
 /**
  * How a host process runs.
@@ -9,9 +11,14 @@ import java.util.List;
  * @param listenAddress address to listen on
  * @param port port to listen on; 0: any free one
  * @param host what it is like
+ * @param tls who the host is on the network; empty: it serves this machine only, unencrypted
  */
 public record HostSettings(
-    List<String> serverUrls, String listenAddress, int port, HostOptions host) {
+    List<String> serverUrls,
+    String listenAddress,
+    int port,
+    HostOptions host,
+    Optional<TlsIdentity> tls) {
   public HostSettings {
     serverUrls = List.copyOf(serverUrls);
   }
@@ -19,5 +26,10 @@ public record HostSettings(
   /** A host of one server that nobody configured. */
   public HostSettings(String serverUrl, String name, String listenAddress, int port, int capacity) {
     this(List.of(serverUrl), listenAddress, port, new HostOptions(name, capacity));
+  }
+
+  /** A host without encryption. */
+  public HostSettings(List<String> serverUrls, String listenAddress, int port, HostOptions host) {
+    this(serverUrls, listenAddress, port, host, Optional.empty());
   }
 }

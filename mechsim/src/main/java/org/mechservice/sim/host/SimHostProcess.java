@@ -79,7 +79,9 @@ public final class SimHostProcess implements AutoCloseable {
 
   /** Starts a host with a solver of one's own. */
   public static SimHostProcess start(HostSettings settings, Solver solver) {
-    ServiceOrb orb = ServiceOrb.host(new ListenAddress(settings.listenAddress(), settings.port()));
+    ServiceOrb orb =
+        ServiceOrb.host(
+            new ListenAddress(settings.listenAddress(), settings.port(), settings.tls()));
     try {
       return new SimHostProcess(settings, orb, solver);
     } catch (RuntimeException e) {

@@ -8,7 +8,6 @@ import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Output;
 import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
@@ -59,7 +58,6 @@ public final class GenerationLimits {
         model.mechanism().forces().stream()
             .filter(UserForceElement.class::isInstance)
             .map(ForceElement::name));
-    add(beyond, "outputs", model.outputs().stream().map(Output::name));
     return beyond;
   }
 

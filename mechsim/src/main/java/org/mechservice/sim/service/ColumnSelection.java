@@ -26,7 +26,7 @@ final class ColumnSelection {
    */
   static ColumnSelection of(String[] names, RunColumns all) throws NotFound {
     if (names.length == 0) {
-      return new ColumnSelection(all.variables(), IntStream.range(0, all.count()).toArray());
+      return ofAll(all);
     }
     List<Integer> chosen = new ArrayList<>();
     for (String name : names) {
@@ -43,6 +43,11 @@ final class ColumnSelection {
     }
     int[] indices = chosen.stream().mapToInt(Integer::intValue).toArray();
     return new ColumnSelection(chosen.stream().map(all.variables()::get).toList(), indices);
+  }
+
+  /** Chooses all columns. */
+  static ColumnSelection ofAll(RunColumns all) {
+    return new ColumnSelection(all.variables(), IntStream.range(0, all.count()).toArray());
   }
 
   private static List<Integer> group(String label, RunColumns all) {

@@ -32,7 +32,15 @@ final class Cursors {
    * @param channelNames columns or column groups wanted; empty: all
    */
   ResultCursor open(String[] channelNames) throws NotFound, LimitExceeded {
-    ColumnSelection selection = ColumnSelection.of(channelNames, columns);
+    return open(ColumnSelection.of(channelNames, columns));
+  }
+
+  /** Opens a cursor over all columns. */
+  ResultCursor openAll() throws LimitExceeded {
+    return open(ColumnSelection.ofAll(columns));
+  }
+
+  private ResultCursor open(ColumnSelection selection) throws LimitExceeded {
     synchronized (open) {
       if (closed) {
         throw new OBJECT_NOT_EXIST("the simulation was destroyed");

@@ -19,11 +19,13 @@ import org.mechservice.idl.MechSimOperations;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.ModelInfo;
 import org.mechservice.idl.NameValue;
+import org.mechservice.idl.NameValueSeqHolder;
 import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.Parameter;
 import org.mechservice.idl.RoadmapEntry;
+import org.mechservice.idl.RunSetUp;
 import org.mechservice.idl.RuntimeInfo;
 import org.mechservice.idl.ServerFailure;
 import org.mechservice.idl.SimEvent;
@@ -159,12 +161,46 @@ final class MechSimServant implements MechSimOperations {
     GeneratedModel generated =
         Built.orRefused(() -> library.generated(model, asked.forJar(), times));
     return new ModelFile(
-        generated.className().replace('.', '/') + ".java",
+        generated.sourceName().replace('.', '/') + ".java",
         generated.source().getBytes(StandardCharsets.UTF_8));
   }
 
   @Override
   public IMechSimRemote createSimulation(NameValue[] options, @Nullable IMechClient client)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
+    return created(options, client).reference();
+  }
+
+  @Override
+  public RunSetUp prepareSimulation(NameValue[] options, @Nullable IMechClient client)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
+    Created created = created(options, client);
+    try {
+      return new RunSetUp(
+          created.reference(),
+          session.openRows(created.run()),
+          Wire.channels(created.run().columns().variables()),
+          facts(created.formulationReason()));
+    } catch (LimitExceeded e) {
+      session.destroy(created.run());
+      throw e;
+    }
+  }
+
+  /** What the report of a run says of its set-up, as far as this side knows it. */
+  private NameValue[] facts(String formulationReason) throws InvalidState {
+    Map<String, String> facts = new LinkedHashMap<>();
+    facts.put("hostName", hostName());
+    facts.put("modelSha256", requireModel().sha256());
+    facts.put("formulationReason", formulationReason);
+    times.asMap().forEach((name, seconds) -> facts.put(name, Double.toString(seconds)));
+    return Wire.nameValues(facts);
+  }
+
+  /** A simulation that was taken in. */
+  private record Created(SimulationRun run, IMechSimRemote reference, String formulationReason) {}
+
+  private Created created(NameValue[] options, @Nullable IMechClient client)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
     admission.requirePlace(session);
     LoadedModel source = requireModel();
@@ -179,7 +215,7 @@ final class MechSimServant implements MechSimOperations {
     SimulationRun run = runs.create(model, compiled, request, columns, source, facts, session);
     IMechSimRemote reference = session.add(run, client);
     session.said(run, messages(source, compiled.generated(), asked));
-    return reference;
+    return new Created(run, reference, compiled.generated().formulationReason());
   }
 
   private static Diagnostic[] messages(
@@ -220,16 +256,34 @@ final class MechSimServant implements MechSimOperations {
             jar.sha256(),
             jar.bytes().length,
             jar.modelBytes(),
-            new byte[0],
+            signature(jar),
             runtime,
             Wire.nameValues(jar.manifest()));
     return jar.bytes();
   }
 
   @Override
+  public byte[] prepareJar(NameValue[] options, JarInfoHolder info, NameValueSeqHolder facts)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
+    byte[] jar = compileToJar(options, info);
+    facts.value = facts("");
+    return jar;
+  }
+
+  /** Returns the signature that travels beside a JAR; empty without TLS, where nobody has a key. */
+  private byte[] signature(PackedJar jar) {
+    return session
+        .host()
+        .orb()
+        .identity()
+        .map(own -> own.sign(jar.bytes()))
+        .orElseGet(() -> new byte[0]);
+  }
+
+  @Override
   public RuntimeInfo getRuntimeInfo() {
     PackedJar jar = ModelFactory.runtimeJar();
-    return new RuntimeInfo(jar.sha256(), jar.bytes().length, new byte[0], SolverVersion.CURRENT);
+    return new RuntimeInfo(jar.sha256(), jar.bytes().length, signature(jar), SolverVersion.CURRENT);
   }
 
   @Override

@@ -2,6 +2,7 @@ package org.mechservice.sim.service;
 
 import java.util.EnumSet;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
@@ -69,8 +70,6 @@ record RunOptions(
               OPT_TUNABLE.value,
               OPT_STANDALONE.value,
               OPT_COMPACT.value));
-  private static final Set<String> COLUMNS_TO_COME =
-      Set.of("constraints", "reactions", "forces", "outputs");
 
   RunOptions {
     columns = Set.copyOf(columns);
@@ -90,7 +89,7 @@ record RunOptions(
         given.getOrDefault(OPT_FORMULATION.value, ofFile.formulation()),
         given.getOrDefault(OPT_CLOSURE.value, ofFile.closure()),
         flag(given, OPT_COMPACT.value),
-        columns(given.getOrDefault(OPT_COLUMNS.value, ColumnGroup.JOINTS.label())),
+        columns(given.getOrDefault(OPT_COLUMNS.value, ofFile(ofFile.columns()))),
         settings(given, ofFile),
         flag(given, OPT_STANDALONE.value));
   }
@@ -136,7 +135,7 @@ record RunOptions(
     };
   }
 
-  private static Set<ColumnGroup> columns(String text) throws InvalidOption, NotAvailable {
+  private static Set<ColumnGroup> columns(String text) throws InvalidOption {
     Set<ColumnGroup> groups = EnumSet.of(ColumnGroup.JOINTS);
     for (String word : text.split(",", -1)) {
       String label = word.strip();
@@ -149,16 +148,13 @@ record RunOptions(
     return groups;
   }
 
-  private static ColumnGroup group(String label) throws InvalidOption, NotAvailable {
+  private static String ofFile(List<String> columns) {
+    return columns.isEmpty() ? ColumnGroup.JOINTS.label() : String.join(",", columns);
+  }
+
+  private static ColumnGroup group(String label) throws InvalidOption {
     String known =
-        Stream.of(ColumnGroup.values())
-            .map(ColumnGroup::label)
-            .filter(other -> !COLUMNS_TO_COME.contains(other))
-            .collect(Collectors.joining(", "));
-    if (COLUMNS_TO_COME.contains(label)) {
-      throw Refusal.notAvailable(
-          "the column group \"" + label + "\" is not in this version, which has " + known);
-    }
+        Stream.of(ColumnGroup.values()).map(ColumnGroup::label).collect(Collectors.joining(", "));
     for (ColumnGroup group : ColumnGroup.values()) {
       if (group.label().equals(label)) {
         return group;

@@ -16,6 +16,7 @@ import org.mechservice.idl.IMechSimRemoteOperations;
 import org.mechservice.idl.IMechSimRemotePOATie;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.Progress;
+import org.mechservice.idl.ResultCursor;
 import org.mechservice.idl.Severity;
 import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
@@ -148,6 +149,22 @@ final class Session {
       takenUp.add(servant);
     }
     return IMechSimRemoteHelper.unchecked_narrow(object.reference());
+  }
+
+  /**
+   * Opens a cursor over all columns of a simulation of this session.
+   *
+   * @throws LimitExceeded if it has too many
+   */
+  ResultCursor openRows(SimulationRun run) throws LimitExceeded {
+    Hosted hosted;
+    synchronized (this) {
+      hosted = simulations.get(run);
+    }
+    if (hosted == null) {
+      throw new OBJECT_NOT_EXIST("the simulation was destroyed");
+    }
+    return hosted.servant().openAllResults();
   }
 
   /** Returns the reference of a simulation of this session. */

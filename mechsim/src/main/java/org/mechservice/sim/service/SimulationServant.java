@@ -120,6 +120,11 @@ final class SimulationServant implements HostedServant {
     return cursors.open(channelNames);
   }
 
+  /** Opens a cursor over all columns. */
+  ResultCursor openAllResults() throws LimitExceeded {
+    return cursors.openAll();
+  }
+
   @Override
   public void closeCursors() {
     cursors.close();

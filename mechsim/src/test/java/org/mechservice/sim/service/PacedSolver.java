@@ -36,6 +36,20 @@ public final class PacedSolver implements Solver {
     return new PacedSolver(Long.MAX_VALUE, 100_000);
   }
 
+  /** Never ends by itself, and keeps its processor busy over one row. */
+  static Solver busy() {
+    return (model, request, sink, control) -> {
+      List<Variable> columns = Simulation.columns((ExplicitModel) model, request.columns());
+      sink.begin(columns);
+      sink.row(new double[columns.size()]);
+      long steps = 0;
+      while (control.proceed((double) steps, 1, 1, steps)) {
+        steps++;
+      }
+      return report(model, request, new Outcome.Stopped(), steps);
+    };
+  }
+
   @Override
   public RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
       throws IOException {

@@ -1,6 +1,8 @@
 package org.mechservice.solver.api;
 
+import java.util.EnumSet;
 import java.util.Locale;
+import java.util.Set;
 
 /**
  * Groups of result columns that can be asked for; time and the joints' positions and velocities
@@ -29,5 +31,19 @@ public enum ColumnGroup {
   /** Returns the group's name on the command line. */
   public String label() {
     return name().toLowerCase(Locale.ROOT);
+  }
+
+  /**
+   * Returns the groups of some labels, and that of the joints.
+   *
+   * @param labels separated by commas
+   * @throws IllegalArgumentException if one is the label of no group
+   */
+  public static Set<ColumnGroup> of(String labels) {
+    Set<ColumnGroup> groups = EnumSet.of(JOINTS);
+    for (String label : labels.split(",", -1)) {
+      groups.add(valueOf(label.toUpperCase(Locale.ROOT)));
+    }
+    return groups;
   }
 }

@@ -1,5 +1,7 @@
 package org.mechservice.solver.api;
 
+import java.util.Optional;
+
 /** A model that can say why it has no derivative or residual in a state. */
 public interface Defects {
   /** Returned by an evaluation that failed for the reason {@link #lastDefect} gives. */
@@ -11,6 +13,14 @@ public interface Defects {
    * @throws IllegalStateException if it did not
    */
   Defect lastDefect();
+
+  /**
+   * Returns what in the model may keep an integration from going on from the last accepted state: a
+   * singular position of its loops, or a loop that does not close at the state last tried.
+   */
+  default Optional<Defect> obstacle() {
+    return Optional.empty();
+  }
 
   /**
    * Why a model cannot be evaluated.

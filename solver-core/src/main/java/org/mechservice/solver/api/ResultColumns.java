@@ -7,6 +7,18 @@ import java.util.List;
  * constraints, joint reactions, values of forces, outputs of the user.
  */
 public interface ResultColumns {
+  /** No columns. */
+  ResultColumns NONE =
+      new ResultColumns() {
+        @Override
+        public List<Variable> columns(ColumnGroup group) {
+          return List.of();
+        }
+
+        @Override
+        public void values(ColumnGroup group, double t, double[] y, double[] values, int at) {}
+      };
+
   /** Returns the columns of a group, in order; empty if the model has none or lacks the group. */
   List<Variable> columns(ColumnGroup group);
 

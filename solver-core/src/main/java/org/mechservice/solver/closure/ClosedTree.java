@@ -80,6 +80,23 @@ final class ClosedTree {
     }
   }
 
+  /** Returns the length of what {@link #save} writes. */
+  int stateLength() {
+    return motion.counted.count() + loops.counted.count();
+  }
+
+  /** Writes where angles of cut joints count on from. */
+  void save(double[] state, int at) {
+    motion.counted.save(state, at);
+    loops.counted.save(state, at + motion.counted.count());
+  }
+
+  /** Takes up what {@link #save} wrote. */
+  void restore(double[] state, int at) {
+    motion.counted.restore(state, at);
+    loops.counted.restore(state, at + motion.counted.count());
+  }
+
   /** Forms b − τ and γ after {@link #place} and {@link #applyForces}. */
   void formBias(double t) {
     open.formBias(wrench, tau);

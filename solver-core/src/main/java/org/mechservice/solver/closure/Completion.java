@@ -1,6 +1,9 @@
 package org.mechservice.solver.closure;
 
 import java.util.Arrays;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.mechservice.solver.api.Defects.Defect;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeMotion;
 
@@ -20,6 +23,9 @@ final class Completion {
 
   /** Residual over its size that a completed position may have. */
   private static final double CLOSED = 1e-11;
+
+  /** Residual over its size beyond which an equation left out does not follow from the others. */
+  private static final double LEFT_OUT = 1e-7;
 
   /**
    * Other coordinates are taken when their smallest pivot is larger by this factor: what is
@@ -45,20 +51,29 @@ final class Completion {
   private final int nv;
   private final double[] correction;
   private final double[] velocityCorrection;
+  private final SingularWatch watch;
   private final Partition before;
   private final double[] acceptedJacobian;
   private final double[] acceptedOffset;
   private double acceptedSpeed;
 
+  /** Whether the last completion failed, and at which equation with which residual. */
+  private boolean failed;
+
+  private int failedRow;
+  private double failedResidual;
+
   /**
    * @param rank number of independent equations among those of the loops
+   * @param notes is told of singular positions that were passed
    */
   Completion(
       TreeMotion motion,
       LoopEquations loops,
       StateCoordinates coordinates,
       CoordinateUnits units,
-      int rank) {
+      int rank,
+      Consumer<LoopFinding> notes) {
     this.motion = motion;
     this.loops = loops;
     this.units = units;
@@ -69,6 +84,7 @@ final class Completion {
     ofVelocities = new Partition(loops.count(), nv, rank);
     correction = new double[ofPositions.rank()];
     velocityCorrection = new double[rank];
+    watch = new SingularWatch(loops, ofVelocities, notes);
     before = new Partition(loops.count(), nv, rank);
     acceptedJacobian = new double[loops.jacobian.length];
     acceptedOffset = new double[loops.count()];
@@ -117,8 +133,11 @@ final class Completion {
     ofVelocities.scale(rows, units.velocities);
     loops.move(motion, t);
     remember(y);
-    return ofPositions.choose(positions.matrix, nq)
-        && ofVelocities.choose(loops.jacobian, loops.width());
+    boolean chosen =
+        ofPositions.choose(positions.matrix, nq)
+            && ofVelocities.choose(loops.jacobian, loops.width());
+    watch.begin(t);
+    return chosen;
   }
 
   private void differentiate(double t, double[] y) {
@@ -131,7 +150,30 @@ final class Completion {
 
   /** Overwrites dependent positions and velocities; returns false if nothing fits. */
   boolean complete(double t, double[] y) {
-    return completePositions(t, y) && completeVelocities(t, y);
+    failed = !completePositions(t, y) || !completeVelocities(t, y);
+    if (failed) {
+      failedRow = loops.worst(loops.value);
+      failedResidual = loops.value[failedRow];
+    }
+    return !failed;
+  }
+
+  /** Says that the dependent velocities cannot be found at the last state tried. */
+  Defect locked() {
+    return LoopDefect.singular(loops.name(watch.weakestRow()), 0);
+  }
+
+  /**
+   * Returns what keeps the loops from going on from the last accepted state: a singular position,
+   * or that the last state tried could not be completed.
+   */
+  Optional<Defect> obstacle() {
+    if (watch.isNear()) {
+      return Optional.of(LoopDefect.singular(loops.name(watch.weakestRow()), watch.closeness()));
+    }
+    return failed
+        ? Optional.of(LoopDefect.open(loops.name(failedRow), failedResidual, loops.unit(failedRow)))
+        : Optional.empty();
   }
 
   private boolean completePositions(double t, double[] y) {
@@ -229,6 +271,54 @@ final class Completion {
     }
   }
 
+  /** Returns why an equation that was left out is to be heard after all, if one is. */
+  Optional<Defect> leftOutIsOpen() {
+    int worst = loops.worst(loops.value);
+    return worst < 0 || Math.abs(loops.value[worst]) <= LEFT_OUT * loops.size(worst)
+        ? Optional.empty()
+        : Optional.of(LoopDefect.leftOut(loops.name(worst), loops.value[worst], loops.unit(worst)));
+  }
+
+  /** Returns the length of what {@link #save} writes. */
+  int stateLength() {
+    return ofPositions.stateLength()
+        + ofVelocities.stateLength()
+        + acceptedJacobian.length
+        + acceptedOffset.length
+        + 1
+        + watch.stateLength();
+  }
+
+  /** Writes the choice of coordinates and what the next states are compared with. */
+  void save(double[] state, int at) {
+    int next = at;
+    ofPositions.save(state, next);
+    next += ofPositions.stateLength();
+    ofVelocities.save(state, next);
+    next += ofVelocities.stateLength();
+    System.arraycopy(acceptedJacobian, 0, state, next, acceptedJacobian.length);
+    next += acceptedJacobian.length;
+    System.arraycopy(acceptedOffset, 0, state, next, acceptedOffset.length);
+    next += acceptedOffset.length;
+    state[next] = acceptedSpeed;
+    watch.save(state, next + 1);
+  }
+
+  /** Takes up what {@link #save} wrote. */
+  void restore(double[] state, int at) {
+    int next = at;
+    ofPositions.restore(state, next);
+    next += ofPositions.stateLength();
+    ofVelocities.restore(state, next);
+    next += ofVelocities.stateLength();
+    System.arraycopy(state, next, acceptedJacobian, 0, acceptedJacobian.length);
+    next += acceptedJacobian.length;
+    System.arraycopy(state, next, acceptedOffset, 0, acceptedOffset.length);
+    next += acceptedOffset.length;
+    acceptedSpeed = state[next];
+    watch.restore(state, next + 1);
+  }
+
   private boolean keptAreClosed() {
     for (int i = 0; i < ofVelocities.rank(); i++) {
       int row = ofVelocities.kept[i];
@@ -250,16 +340,13 @@ final class Completion {
     loops.accepted();
     remember(y);
     boolean other = renew(ofPositions, positions.matrix, nq);
-    return renew(ofVelocities, loops.jacobian, loops.width()) || other;
+    boolean others = renew(ofVelocities, loops.jacobian, loops.width()) || other;
+    watch.accepted(t);
+    return others;
   }
 
   private static boolean renew(Partition partition, double[] matrix, int stride) {
     double pivot = partition.smallestPivot(matrix, stride);
     return partition.chooseBetter(matrix, stride, BETTER * pivot);
-  }
-
-  /** Returns the smallest pivot of the dependent velocities' block, in units, at the last state. */
-  double smallestPivot() {
-    return ofVelocities.smallestPivot(loops.jacobian, loops.width());
   }
 }

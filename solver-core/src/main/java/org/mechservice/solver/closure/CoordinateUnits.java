@@ -8,17 +8,17 @@ import org.mechservice.solver.mechanism.Mechanism;
  * What makes coordinates of the state comparable: displacements are counted in a length of the
  * mechanism, angles and Euler parameters as they are.
  */
-final class CoordinateUnits {
+public final class CoordinateUnits {
   /** Unit of each position, m or 1. */
-  final double[] positions;
+  public final double[] positions;
 
   /** Unit of each velocity, m or 1 per second. */
-  final double[] velocities;
+  public final double[] velocities;
 
   /**
    * @param length of the mechanism, m
    */
-  CoordinateUnits(Mechanism mechanism, double length) {
+  public CoordinateUnits(Mechanism mechanism, double length) {
     positions = new double[mechanism.positionCount()];
     velocities = new double[mechanism.velocityCount()];
     Arrays.fill(positions, 1);

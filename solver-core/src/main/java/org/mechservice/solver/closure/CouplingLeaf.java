@@ -5,6 +5,7 @@ import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.force.ForceJacobian;
+import org.mechservice.solver.kinematics.CountedPositions;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.kinematics.pair.CutJoint;
@@ -72,7 +73,12 @@ abstract class CouplingLeaf {
    * @throws IllegalArgumentException if a relation must not depend on this
    */
   static CouplingLeaf of(
-      Expression leaf, String closure, TreeGeometry tree, double[] parameters, double length) {
+      Expression leaf,
+      String closure,
+      TreeGeometry tree,
+      double[] parameters,
+      double length,
+      CountedPositions counted) {
     if (leaf instanceof Expression.Time) {
       return new Given(-1, parameters);
     }
@@ -80,21 +86,25 @@ abstract class CouplingLeaf {
       return new Given(parameter.index(), parameters);
     }
     if (leaf instanceof Expression.CoordinatePosition position) {
-      return of(position.coordinate(), closure, tree, length);
+      return of(position.coordinate(), closure, tree, length, counted);
     }
     throw new IllegalArgumentException(
         "constraint " + closure + " relates joint positions; it must not contain " + leaf);
   }
 
   private static CouplingLeaf of(
-      Coordinate coordinate, String closure, TreeGeometry tree, double length) {
+      Coordinate coordinate,
+      String closure,
+      TreeGeometry tree,
+      double length,
+      CountedPositions counted) {
     if (coordinate instanceof JointCoordinate joint) {
       return new TreeLeaf(joint, closure, tree, length);
     }
     ClosureCoordinate cut = (ClosureCoordinate) coordinate;
     LoopClosure named = tree.mechanism().closures().get(cut.closure());
     if (named instanceof JointClosure joint && !joint.joint().type().hasEulerParameters()) {
-      return new CutLeaf(new CutJoint(tree, joint.joint()), cut.component(), length);
+      return new CutLeaf(new CutJoint(tree, joint.joint()), cut.component(), length, counted);
     }
     throw new IllegalArgumentException(
         "constraint " + closure + " cannot relate coordinates of " + named.name());

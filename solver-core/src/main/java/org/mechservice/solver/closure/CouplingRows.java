@@ -7,6 +7,7 @@ import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapeEvaluation;
 import org.mechservice.solver.force.Couplings;
 import org.mechservice.solver.force.ForceJacobian;
+import org.mechservice.solver.kinematics.CountedPositions;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
@@ -23,14 +24,19 @@ final class CouplingRows extends ClosureRows {
   private final double[] change;
   private double size = 1;
 
-  CouplingRows(CoordinateClosure closure, TreeGeometry tree, double[] parameters, double length) {
+  CouplingRows(
+      CoordinateClosure closure,
+      TreeGeometry tree,
+      double[] parameters,
+      double length,
+      CountedPositions counted) {
     super(closure);
     Tape tape = new Tape(List.of(closure.relation()));
     evaluation = new TapeEvaluation(tape);
     leaves = new CouplingLeaf[tape.leaves().size()];
     for (int i = 0; i < leaves.length; i++) {
       Expression leaf = tape.leaves().get(i);
-      leaves[i] = CouplingLeaf.of(leaf, closure.name(), tree, parameters, length);
+      leaves[i] = CouplingLeaf.of(leaf, closure.name(), tree, parameters, length, counted);
     }
     gradient = new double[leaves.length];
     direction = new double[leaves.length];

@@ -3,6 +3,7 @@ package org.mechservice.solver.closure;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.mechservice.solver.force.ForceJacobian;
+import org.mechservice.solver.kinematics.CountedPositions;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.kinematics.pair.CutJoint;
@@ -20,17 +21,20 @@ final class CutLeaf extends CouplingLeaf {
   private final double[] curvature = new double[36];
   private final PairLinearisation linearisation = new PairLinearisation();
 
-  /** Value at the last accepted step: the nearest whole turn to it is meant. */
-  private double reference;
+  /** The value at the last accepted step is among these: the nearest whole turn to it is meant. */
+  private final CountedPositions counted;
+
+  private final int reference;
 
   private double value;
 
-  CutLeaf(CutJoint cut, int component, double length) {
+  CutLeaf(CutJoint cut, int component, double length, CountedPositions counted) {
     this.cut = cut;
+    this.counted = counted;
     function = cut.coordinate(component);
     double[] start = new double[cut.joint().type().positionCount()];
     cut.joint().initialPositions(start, 0);
-    reference = start[component];
+    reference = counted.add(start[component]);
     size = cut.joint().type().positionUnit(component).equals("m") ? length : 1;
   }
 
@@ -38,7 +42,8 @@ final class CutLeaf extends CouplingLeaf {
   double value(TreeMotion motion, double t) {
     cut.relative().place(motion);
     double found = function.evaluate(cut.relative());
-    value = reference + function.difference(found, reference);
+    double before = counted.get(reference);
+    value = before + function.difference(found, before);
     return value;
   }
 
@@ -129,6 +134,6 @@ final class CutLeaf extends CouplingLeaf {
 
   @Override
   void accepted() {
-    reference = value;
+    counted.set(reference, value);
   }
 }

@@ -45,6 +45,11 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
   private final DenseLu lu;
   private int singular;
 
+  /** The choice of velocities at the last linearisation, which a run taken up repeats. */
+  private final Partition linearised;
+
+  private boolean repeating;
+
   /**
    * Makes a model of a mechanism whose loops are closed.
    *
@@ -65,6 +70,8 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
             work.nq,
             rank + work.coordinates.ballCount());
     directions = new ProjectedMotion(work.nv, velocities);
+    linearised = new Partition(work.loops.count(), work.nv, rank);
+    linearised.copyChoice(completion.ofVelocities());
     loopJacobian = new double[work.loops.jacobian.length];
     positionMatrix = new double[completion.positionMatrix().length];
     lambda = new double[work.loops.count()];
@@ -97,7 +104,40 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
   }
 
   @Override
+  public int stateLength() {
+    return super.stateLength() + linearised.stateLength();
+  }
+
+  @Override
+  public void saveState(double[] state) {
+    super.saveState(state);
+    linearised.save(state, super.stateLength());
+  }
+
+  @Override
+  public void restoreState(double[] state) {
+    super.restoreState(state);
+    linearised.restore(state, super.stateLength());
+    repeating = true;
+  }
+
+  /** {@inheritDoc} The first of a run taken up is that which was last before. */
+  @Override
   public boolean linearise(double t, double[] y, double[] yDot) {
+    Partition present = completion.ofVelocities();
+    if (!repeating) {
+      linearised.copyChoice(present);
+      return lineariseAsChosen(t, y, yDot);
+    }
+    repeating = false;
+    velocities.copyChoice(present);
+    present.copyChoice(linearised);
+    boolean done = lineariseAsChosen(t, y, yDot);
+    present.copyChoice(velocities);
+    return done;
+  }
+
+  private boolean lineariseAsChosen(double t, double[] y, double[] yDot) {
     if (evaluate(t, y, yDot) != REGULAR) {
       return false;
     }

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.mechservice.solver.force.Couplings;
 import org.mechservice.solver.force.ForceJacobian;
+import org.mechservice.solver.kinematics.CountedPositions;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Parameter;
@@ -29,6 +30,9 @@ public final class LoopEquations {
   private final int[] rowInClosure;
   private final double[] parameters;
   private final double length;
+
+  /** What angles of cut joints in couplings count from. */
+  final CountedPositions counted = new CountedPositions();
 
   /** Φ, m or rad. */
   public final double[] value;
@@ -89,7 +93,7 @@ public final class LoopEquations {
     } else if (closure instanceof PointOnLineClosure line) {
       return PairRows.of(line, tree, length);
     }
-    return new CouplingRows((CoordinateClosure) closure, tree, parameters, length);
+    return new CouplingRows((CoordinateClosure) closure, tree, parameters, length, counted);
   }
 
   private void addStarts() {
@@ -205,10 +209,14 @@ public final class LoopEquations {
    */
   public void addForces(double[] multipliers, double factor, double[] wrench, double[] tau) {
     for (int row = 0; row < closureOfRow.length; row++) {
-      double force = factor * multipliers[row];
-      if (force != 0) {
-        closureOfRow[row].addForces(rowInClosure[row], force, wrench, tau);
-      }
+      addForces(row, factor * multipliers[row], wrench, tau);
+    }
+  }
+
+  /** Adds the forces of one equation's multiplier, likewise. */
+  void addForces(int row, double multiplier, double[] wrench, double[] tau) {
+    if (multiplier != 0) {
+      closureOfRow[row].addForces(rowInClosure[row], multiplier, wrench, tau);
     }
   }
 

@@ -28,7 +28,14 @@ public record LoopFinding(Kind kind, String part, double amount, String unit, do
     /** Equations that say nothing new and are left out; the amount is their number. */
     REDUNDANT("N-044", true),
     /** The loops start in a singular position; the amount is the number of equations it hides. */
-    SINGULAR_START("N-045", true);
+    SINGULAR_START("N-045", true),
+    /**
+     * The loops came through a singular position, or very near to one; the amount is the smallest
+     * pivot of their equations over the largest it was in the run.
+     */
+    SINGULAR_PASSED("N-046", true),
+    /** Other coordinates are independent from here; the part names them. */
+    CHOSEN_ANEW("N-047", true);
 
     private final String code;
     private final boolean warning;
@@ -51,7 +58,7 @@ public record LoopFinding(Kind kind, String part, double amount, String unit, do
 
   /** Returns the finding as a note of the run report. */
   public Note note() {
-    boolean remarkable = kind != Kind.REDUNDANT;
+    boolean remarkable = kind != Kind.REDUNDANT && kind != Kind.CHOSEN_ANEW;
     return new Note(kind.code(), time, remarkable, message());
   }
 
@@ -103,6 +110,14 @@ public record LoopFinding(Kind kind, String part, double amount, String unit, do
               + " equations: the motion may branch here. Affected: "
               + part
               + ".";
+      case SINGULAR_PASSED ->
+          "The loops came through a singular position, or very near to one: the smallest pivot of"
+              + " their equations sank to "
+              + number
+              + " of what it was, at "
+              + part
+              + ". The motion went on with continuous velocities; another branch begins there.";
+      case CHOSEN_ANEW -> "From here the independent coordinates are " + part + ".";
     };
   }
 }

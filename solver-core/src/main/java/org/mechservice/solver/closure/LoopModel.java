@@ -1,7 +1,9 @@
 package org.mechservice.solver.closure;
 
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.Defects;
@@ -10,6 +12,7 @@ import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.closure.LoopFinding.Kind;
 import org.mechservice.solver.dynamics.WorldMotion;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.Body;
@@ -17,13 +20,16 @@ import org.mechservice.solver.mechanism.Body;
 /** What models of closed loops have in common. */
 abstract class LoopModel
     implements ExplicitModel, Energies, PowerInput, BodyPoses, Defects, RunNotes {
-  /** Notes kept at most; a motion that passes singular positions at every turn makes many. */
-  private static final int MOST_NOTES = 200;
+  /** Notes kept at most of a kind; a wheel that turns for long makes many. */
+  private static final int MOST_NOTES = 50;
 
   final ClosedMechanism closed;
   final ClosedTree work;
   private final WorldMotion world;
   private final List<Note> notes = new ArrayList<>();
+  private final Map<Kind, Integer> noted = new EnumMap<>(Kind.class);
+  private final double[] derivative;
+  private Optional<Reactions> reactions = Optional.empty();
   private Optional<Defect> defect = Optional.empty();
 
   LoopModel(ClosedMechanism closed, UserForceSource userForces) {
@@ -34,7 +40,8 @@ abstract class LoopModel
     this.closed = closed;
     work = new ClosedTree(closed.tree(), userForces);
     world = new WorldMotion(work.motion);
-    closed.findings().forEach(finding -> notes.add(finding.note()));
+    derivative = new double[work.nq + work.nv];
+    closed.findings().forEach(this::note);
   }
 
   @Override
@@ -47,16 +54,26 @@ abstract class LoopModel
     System.arraycopy(closed.start(), 0, y, 0, closed.start().length);
   }
 
-  /** Keeps a note, unless there are many already. */
+  /** Keeps a note, unless there are many of its kind already. */
   final void note(LoopFinding finding) {
-    if (notes.size() < MOST_NOTES) {
+    if (noted.merge(finding.kind(), 1, Integer::sum) <= MOST_NOTES) {
       notes.add(finding.note());
     }
   }
 
+  /** {@inheritDoc} What was left out of many is counted at the end. */
   @Override
   public final List<Note> notes() {
-    return List.copyOf(notes);
+    List<Note> all = new ArrayList<>(notes);
+    noted.forEach(
+        (kind, count) -> {
+          if (count > MOST_NOTES) {
+            double last = notes.get(notes.size() - 1).time();
+            String text = count - MOST_NOTES + " more notes of this kind are left out.";
+            all.add(new Note(kind.code(), last, false, text));
+          }
+        });
+    return all;
   }
 
   /** Remembers why an evaluation fails; returns what it returns then. */
@@ -68,6 +85,28 @@ abstract class LoopModel
   @Override
   public final Defect lastDefect() {
     return defect.orElseThrow(() -> new IllegalStateException("no evaluation has failed"));
+  }
+
+  /**
+   * Evaluates multipliers and reactions.
+   *
+   * @param y state that closes the loops; not modified
+   * @return as {@link #derivative}; if regular, {@link #reactions} has them
+   */
+  public final int react(double t, double[] y) {
+    int moved = derivative(t, y, derivative);
+    if (moved != REGULAR) {
+      return moved;
+    }
+    return reactions().evaluate(t, y, derivative, work.nq) ? REGULAR : fail(work.forces.defect());
+  }
+
+  /** Returns the multipliers and reactions of the last {@link #react}. */
+  public final Reactions reactions() {
+    if (reactions.isEmpty()) {
+      reactions = Optional.of(new Reactions(work, closed.rank()));
+    }
+    return reactions.get();
   }
 
   @Override

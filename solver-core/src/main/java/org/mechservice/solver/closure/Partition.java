@@ -31,7 +31,9 @@ final class Partition {
   private final double[] columnScale;
   private final double[] scaled;
   private final double[] blockElements;
-  private double chosenPivot;
+
+  /** Number of pivots in the matrix last looked at. */
+  private int found;
 
   /**
    * @param equations m
@@ -96,10 +98,10 @@ final class Partition {
    */
   boolean choose(double[] a, int stride) {
     formScaled(a, stride);
-    if (elimination.eliminate(scaled, rank) < rank) {
+    if (bestPivot(scaled) == 0) {
       return false;
     }
-    takeChoice(a, stride);
+    takeChoice();
     return true;
   }
 
@@ -111,7 +113,7 @@ final class Partition {
     }
   }
 
-  private void takeChoice(double[] a, int stride) {
+  private void takeChoice() {
     Arrays.fill(isIndependent, true);
     for (int k = 0; k < rank; k++) {
       kept[k] = elimination.row(k);
@@ -120,13 +122,40 @@ final class Partition {
     }
     Arrays.sort(kept);
     Arrays.sort(dependent);
+    listIndependent();
+  }
+
+  private void listIndependent() {
     int next = 0;
     for (int j = 0; j < n; j++) {
       if (isIndependent[j]) {
         independent[next++] = j;
       }
     }
-    chosenPivot = smallestPivot(a, stride);
+  }
+
+  /** Returns the length of what {@link #save} writes. */
+  int stateLength() {
+    return 2 * rank;
+  }
+
+  /** Writes the choice. */
+  void save(double[] state, int at) {
+    for (int k = 0; k < rank; k++) {
+      state[at + k] = kept[k];
+      state[at + rank + k] = dependent[k];
+    }
+  }
+
+  /** Takes up a choice that {@link #save} wrote. */
+  void restore(double[] state, int at) {
+    Arrays.fill(isIndependent, true);
+    for (int k = 0; k < rank; k++) {
+      kept[k] = (int) state[at + k];
+      dependent[k] = (int) state[at + rank + k];
+      isIndependent[dependent[k]] = false;
+    }
+    listIndependent();
   }
 
   /**
@@ -136,11 +165,34 @@ final class Partition {
    */
   boolean chooseBetter(double[] a, int stride, double bound) {
     formScaled(a, stride);
-    if (elimination.eliminate(scaled, rank) < rank || !(elimination.pivot(rank - 1) > bound)) {
+    if (!(bestPivot(scaled) > bound)) {
       return false;
     }
-    takeChoice(a, stride);
+    takeChoice();
     return true;
+  }
+
+  /** Returns the matrix that was last chosen from, in scaled units. */
+  double[] scaled() {
+    return scaled;
+  }
+
+  /**
+   * Returns the smallest pivot of the best choice in a matrix of scaled units; 0 if it has none.
+   */
+  double bestPivot(double[] matrix) {
+    found = elimination.eliminate(matrix, rank);
+    return bestPivot();
+  }
+
+  /** Returns the same of the matrix that was last chosen from or looked at. */
+  double bestPivot() {
+    return rank == 0 ? 1 : found < rank ? 0 : elimination.pivot(rank - 1);
+  }
+
+  /** Returns the equation that had the smallest pivot when a matrix was last looked at. */
+  int weakestRow() {
+    return rank == 0 ? 0 : elimination.row(rank - 1);
   }
 
   /** Returns the smallest pivot of the dependent block in scaled units; 0 if it is singular. */
@@ -155,11 +207,6 @@ final class Partition {
       return 1;
     }
     return block.eliminate(blockElements, rank) < rank ? 0 : block.pivot(rank - 1);
-  }
-
-  /** Returns the smallest pivot when the choice was made. */
-  double chosenPivot() {
-    return chosenPivot;
   }
 
   /** Factors the dependent block; returns whether it is regular. */

@@ -1,15 +1,24 @@
 package org.mechservice.solver.closure;
 
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.mechservice.solver.api.DependentStates;
+import org.mechservice.solver.api.ModelState;
+import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.force.UserForceSource;
 
 /**
  * DSR with closed loops by the second velocity transformation: the state [q; v] of the open tree,
  * of which as many coordinates are independent as there are degrees of freedom (NUMERICS §3).
  */
-public class ProjectionModel extends LoopModel implements DependentStates {
+public class ProjectionModel extends LoopModel implements DependentStates, ModelState {
   final Completion completion;
   final ProjectedMotion projected;
+
+  /** Why the motion cannot go on from the last accepted state. */
+  private Optional<Defect> broken = Optional.empty();
 
   /**
    * Makes a model of a mechanism whose loops are closed.
@@ -20,7 +29,8 @@ public class ProjectionModel extends LoopModel implements DependentStates {
   public ProjectionModel(ClosedMechanism closed, UserForceSource userForces) {
     super(closed, userForces);
     completion =
-        new Completion(work.motion, work.loops, work.coordinates, work.units, closed.rank());
+        new Completion(
+            work.motion, work.loops, work.coordinates, work.units, closed.rank(), this::note);
     projected = new ProjectedMotion(work.nv, completion.ofVelocities());
     if (!completion.begin(closed.startTime(), closed.start())) {
       throw new IllegalStateException("the loops have fewer independent equations than counted");
@@ -40,16 +50,52 @@ public class ProjectionModel extends LoopModel implements DependentStates {
   @Override
   public final boolean accepted(double t, double[] y) {
     boolean other = completion.accepted(t, y);
+    broken = completion.leftOutIsOpen();
     work.accepted(t);
+    if (other) {
+      note(new LoopFinding(LoopFinding.Kind.CHOSEN_ANEW, independentNames(), 0, "1", t));
+    }
     return other;
+  }
+
+  private String independentNames() {
+    List<Variable> states = description().states();
+    return IntStream.range(0, states.size())
+        .filter(this::independent)
+        .mapToObj(i -> states.get(i).name())
+        .collect(Collectors.joining(", "));
+  }
+
+  @Override
+  public final Optional<Defect> obstacle() {
+    return broken.or(completion::obstacle);
+  }
+
+  @Override
+  public int stateLength() {
+    return work.stateLength() + completion.stateLength();
+  }
+
+  @Override
+  public void saveState(double[] state) {
+    work.save(state, 0);
+    completion.save(state, work.stateLength());
+  }
+
+  @Override
+  public void restoreState(double[] state) {
+    work.restore(state, 0);
+    completion.restore(state, work.stateLength());
   }
 
   /** Places a state, forms R and evaluates the forces. */
   final int begin(double t, double[] y) {
+    if (broken.isPresent()) {
+      return fail(broken.get());
+    }
     work.place(t, y);
-    Partition partition = completion.ofVelocities();
-    if (!partition.factor(work.loops.jacobian, work.loops.width())) {
-      return closed.jointOfVelocity(partition.dependent[0]);
+    if (!completion.ofVelocities().factor(work.loops.jacobian, work.loops.width())) {
+      return fail(completion.locked());
     }
     projected.formTransformation(work.loops.jacobian, work.loops.width());
     return work.applyForces(t) ? REGULAR : fail(work.forces.defect());

@@ -9,6 +9,7 @@ import org.mechservice.solver.api.WatchedModel;
 import org.mechservice.solver.dynamics.StateEvents;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Output;
 
 /**
  * A model whose class carries data: the mechanism and how its equations are written, as texts that
@@ -18,18 +19,38 @@ import org.mechservice.solver.mechanism.Mechanism;
  * @param formulation {@code DTR}, {@code DSR}, {@code RR} or {@code RR-JF}
  * @param closure {@code none}, {@code projection} or {@code penalty}
  * @param settings the settings the model carries
+ * @param outputs columns of its author's own that it is to put out
  */
 public record CompactModel(
-    Mechanism mechanism, String formulation, String closure, RunSettings settings) {
+    Mechanism mechanism,
+    String formulation,
+    String closure,
+    RunSettings settings,
+    List<Output> outputs) {
   /** A text constant of a class file holds 65535 bytes; a character takes one or two. */
   private static final int LONGEST_TEXT = 32_000;
 
+  /** Characters at the front that say how long the head is. */
+  private static final int HEAD = 3;
+
+  public CompactModel {
+    outputs = List.copyOf(outputs);
+  }
+
+  /** A model without outputs of its author's own. */
+  public CompactModel(
+      Mechanism mechanism, String formulation, String closure, RunSettings settings) {
+    this(mechanism, formulation, closure, settings, List.of());
+  }
+
   /** Returns the model as texts. */
   public List<String> texts() {
-    byte[] head = new RecordWriter().write(formulation).write(closure).write(settings).bytes();
+    byte[] head =
+        new RecordWriter().write(formulation).write(closure).write(settings).write(outputs).bytes();
     byte[] body = CompactForm.write(mechanism);
     String all =
-        Character.toString(head.length >>> 8)
+        Character.toString(head.length >>> 16)
+            + (char) (head.length >>> 8 & 0xff)
             + (char) (head.length & 0xff)
             + new String(head, StandardCharsets.ISO_8859_1)
             + new String(body, StandardCharsets.ISO_8859_1);
@@ -46,19 +67,22 @@ public record CompactModel(
    * @param texts what {@link #texts} returned
    * @throws IllegalArgumentException S-067 if they are damaged or of another version
    */
+  @SuppressWarnings("unchecked") // What the list holds is looked at by whoever puts it out.
   public static CompactModel of(List<String> texts) {
     String all = String.join("", texts);
-    int head = all.length() < 2 ? 0 : (all.charAt(0) << 8) + all.charAt(1);
-    if (head == 0 || all.length() < 2 + head) {
+    int head =
+        all.length() < HEAD ? 0 : (all.charAt(0) << 16) + (all.charAt(1) << 8) + all.charAt(2);
+    if (head == 0 || all.length() < HEAD + head) {
       throw new IllegalArgumentException(
           "S-067 the model's data are damaged or of another version; build it anew");
     }
-    RecordReader reader = new RecordReader(bytes(all.substring(2, 2 + head)));
+    RecordReader reader = new RecordReader(bytes(all.substring(HEAD, HEAD + head)));
     return new CompactModel(
-        CompactForm.read(bytes(all.substring(2 + head))),
+        CompactForm.read(bytes(all.substring(HEAD + head))),
         (String) reader.read(),
         (String) reader.read(),
-        (RunSettings) reader.read());
+        (RunSettings) reader.read(),
+        (List<Output>) reader.read());
   }
 
   private static byte[] bytes(String text) {
@@ -72,7 +96,12 @@ public record CompactModel(
    * @param texts what {@link #texts} returned
    */
   public static Model model(ClassLoader loader, String... texts) {
-    return of(List.of(texts)).model(new LoadedUserForces(loader));
+    return of(List.of(texts)).model(userForces(loader));
+  }
+
+  /** Returns what makes user forces of classes that a loader finds. */
+  public static UserForceSource userForces(ClassLoader loader) {
+    return new LoadedUserForces(loader);
   }
 
   /**

@@ -16,8 +16,11 @@ final class CutCoordinateLaw implements FrameLaw {
   private final ScalarLaw law;
   private final double[] curvature = new double[36];
 
-  /** Value of an angle at the last accepted step: the nearest whole turn to it is meant. */
-  private double reference;
+  /**
+   * The position at the last accepted step, in {@link TreeMotion#counted}: the nearest whole turn
+   * to it is meant.
+   */
+  private final int reference;
 
   private double position;
   private double velocity;
@@ -28,7 +31,7 @@ final class CutCoordinateLaw implements FrameLaw {
     this.cut = cut;
     this.function = function;
     this.law = law;
-    reference = start;
+    reference = motion.counted.add(start);
   }
 
   @Override
@@ -40,7 +43,8 @@ final class CutCoordinateLaw implements FrameLaw {
   public boolean wrench(FrameMotion x, double[] w, AppliedForce force) {
     cut.relative().place(motion);
     double found = function.evaluate(cut.relative());
-    position = reference + function.difference(found, reference);
+    double before = motion.counted.get(reference);
+    position = before + function.difference(found, before);
     velocity = 0;
     for (int i = 0; i < 6; i++) {
       velocity += function.gradient[i] * x.twist[i];
@@ -87,6 +91,6 @@ final class CutCoordinateLaw implements FrameLaw {
 
   @Override
   public void accepted() {
-    reference = position;
+    motion.counted.set(reference, position);
   }
 }

@@ -24,7 +24,10 @@ final class CutInput extends LeafInput {
   private final double[] twist = new double[6];
   private final double[] byPlace = new double[6];
   private final double[] byVelocity = new double[6];
-  private double reference;
+
+  /** The position at the last accepted step, in {@link TreeMotion#counted}. */
+  private final int reference;
+
   private double value;
 
   CutInput(TreeMotion motion, ClosureCoordinate coordinate, boolean velocity) {
@@ -37,7 +40,8 @@ final class CutInput extends LeafInput {
             ? coordinate.component()
             : CutCoordinates.velocityOfPosition(cut, coordinate.component());
     function = cut.coordinate(component);
-    reference = velocity ? 0 : CutCoordinates.start(cut, coordinate.component());
+    reference =
+        motion.counted.add(velocity ? 0 : CutCoordinates.start(cut, coordinate.component()));
   }
 
   @Override
@@ -46,7 +50,8 @@ final class CutInput extends LeafInput {
     cut.relative().place(motion);
     double found = function.evaluate(cut.relative());
     if (!velocity) {
-      value = reference + function.difference(found, reference);
+      double before = motion.counted.get(reference);
+      value = before + function.difference(found, before);
       return value;
     }
     return dot(function.gradient, frames.twist);
@@ -97,7 +102,7 @@ final class CutInput extends LeafInput {
 
   @Override
   void accepted() {
-    reference = value;
+    motion.counted.set(reference, value);
   }
 
   @Override

@@ -65,6 +65,9 @@ public final class TreeMotion {
   /** Linear part of the spatial acceleration, m/s², 3 per link. Gravity is not in it. */
   public final double[] linearAcceleration;
 
+  /** What angles in cut joints, which forces depend on, count from. */
+  public final CountedPositions counted = new CountedPositions();
+
   private final double[] carried = new double[3];
 
   /** Makes a workspace for a tree. */

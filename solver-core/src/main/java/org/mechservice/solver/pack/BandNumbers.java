@@ -1,6 +1,9 @@
 package org.mechservice.solver.pack;
 
-/** Which band holds what. Numbers of two bytes take the next band too. */
+/**
+ * What a symbol means: symbols of one band are predicted from each other. Numbers of two bytes take
+ * the next band too.
+ */
 final class BandNumbers {
   static final int CLASS_COUNT = 0;
   static final int VERSION = 1;
@@ -11,7 +14,6 @@ final class BandNumbers {
   static final int ATTRIBUTE_COUNT = 9;
   static final int STACK = 10;
   static final int LOCALS = 11;
-  static final int CODE_LENGTH = 12;
   static final int HANDLER_COUNT = 13;
   static final int HANDLER_RANGE = 14;
   static final int OPCODE = 15;
@@ -32,17 +34,14 @@ final class BandNumbers {
   static final int INNER_ACCESS = 31;
   static final int LOADABLE_KIND = 33;
   static final int LIST_LENGTH = 34;
-  static final int TABLE_LENGTH = 35;
 
   /** References that are not operands of instructions: three bands each. */
   static final int THIS = 40;
 
   static final int SUPER = 43;
   static final int INTERFACE = 46;
-  static final int FIELD_NAME = 49;
-  static final int FIELD_TYPE = 52;
-  static final int METHOD_NAME = 55;
-  static final int METHOD_TYPE = 58;
+  static final int OWN_FIELD = 49;
+  static final int OWN_METHOD = 50;
   static final int ATTRIBUTE = 61;
   static final int HANDLER_TYPE = 64;
   static final int FRAME_CLASS = 67;
@@ -55,19 +54,27 @@ final class BandNumbers {
   static final int BOOTSTRAP = 88;
   static final int ENCLOSING = 91;
 
+  static final int MEMBER_KIND = 94;
+  static final int TEXT = 95;
+  static final int CODE_END = 96;
+  static final int TYPE_CLASS = 97;
+
   /** Values of fields and arguments of bootstrap methods: three bands for every kind. */
   static final int VALUE = 100;
 
   static final int ARGUMENT = 160;
 
-  /** The table of constants: four bands for every kind. */
+  /** New constants: six bands for every kind. */
   static final int TABLE = 220;
 
   /** Operands of instructions: three bands for every opcode that has a constant. */
-  static final int OPERAND = 320;
+  static final int OPERAND = 340;
 
   /** Loaded constants: three bands for every kind. */
-  static final int LOADED = 940;
+  static final int LOADED = 960;
+
+  /** All. */
+  static final int COUNT = 1024;
 
   private BandNumbers() {}
 }

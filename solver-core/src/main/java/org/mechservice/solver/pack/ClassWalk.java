@@ -4,6 +4,7 @@ import java.io.IOException;
 
 /** Walks through a class file behind its constant pool (JVMS §4.1, §4.5 to §4.7). */
 final class ClassWalk {
+  private static final int INTERFACE = 0x200;
   private static final int SAME = 64;
   private static final int SAME_WITH_STACK = 128;
   private static final int SAME_WITH_STACK_FAR = 247;
@@ -13,10 +14,12 @@ final class ClassWalk {
   private static final int NEW_TYPE = 8;
 
   private final Transfer transfer;
+  private final Surroundings surroundings;
   private final CodeWalk code;
 
-  ClassWalk(Transfer transfer) {
+  ClassWalk(Transfer transfer, Surroundings surroundings) {
     this.transfer = transfer;
+    this.surroundings = surroundings;
     this.code = new CodeWalk(transfer);
   }
 
@@ -27,24 +30,28 @@ final class ClassWalk {
    * @throws IllegalArgumentException if the class has an attribute that is not known here
    */
   void walk() throws IOException {
-    transfer.pair(BandNumbers.ACCESS);
+    surroundings.nextClass();
+    boolean isInterface = (transfer.pair(BandNumbers.ACCESS) & INTERFACE) != 0;
     transfer.reference(BandNumbers.THIS, Constant.CLASS);
     transfer.reference(BandNumbers.SUPER, Constant.CLASS);
     int interfaces = transfer.small(BandNumbers.COUNTS);
     for (int i = 0; i < interfaces; i++) {
       transfer.reference(BandNumbers.INTERFACE, Constant.CLASS);
     }
-    members(BandNumbers.FIELD_ACCESS, BandNumbers.FIELD_NAME, BandNumbers.FIELD_TYPE);
-    members(BandNumbers.METHOD_ACCESS, BandNumbers.METHOD_NAME, BandNumbers.METHOD_TYPE);
+    members(BandNumbers.FIELD_ACCESS, BandNumbers.OWN_FIELD, Constant.FIELD);
+    members(
+        BandNumbers.METHOD_ACCESS,
+        BandNumbers.OWN_METHOD,
+        isInterface ? Constant.INTERFACE_METHOD : Constant.METHOD);
     attributes();
   }
 
-  private void members(int access, int name, int type) throws IOException {
+  private void members(int access, int band, int tag) throws IOException {
     int count = transfer.small(BandNumbers.COUNTS);
     for (int i = 0; i < count; i++) {
+      surroundings.nextMethod();
       transfer.pair(access);
-      transfer.reference(name, Constant.UTF8);
-      transfer.reference(type, Constant.UTF8);
+      transfer.member(band, tag);
       attributes();
     }
   }
@@ -84,7 +91,7 @@ final class ClassWalk {
   private void codeAttribute() throws IOException {
     transfer.small(BandNumbers.STACK);
     transfer.small(BandNumbers.LOCALS);
-    code.walk(transfer.wide(BandNumbers.CODE_LENGTH));
+    code.walk();
     int handlers = transfer.small(BandNumbers.HANDLER_COUNT);
     for (int i = 0; i < handlers; i++) {
       transfer.small(BandNumbers.HANDLER_RANGE);
@@ -97,11 +104,18 @@ final class ClassWalk {
 
   private void frames() throws IOException {
     int count = transfer.small(BandNumbers.FRAME_COUNT);
+    int place = -1;
     for (int i = 0; i < count; i++) {
+      int offset = Math.max(0, code.targetAfter(place) - place - 1);
+      surroundings.expect(offset + 1);
       int kind = transfer.byteOf(BandNumbers.FRAME_KIND);
       if (kind >= SAME_WITH_STACK) {
-        transfer.small(BandNumbers.FRAME_OFFSET);
+        surroundings.expect(offset + 1);
+        offset = transfer.small(BandNumbers.FRAME_OFFSET);
+      } else {
+        offset = kind % SAME;
       }
+      place += offset + 1;
       if ((kind >= SAME && kind < SAME_WITH_STACK) || kind == SAME_WITH_STACK_FAR) {
         types(1);
       } else if (kind == FULL) {

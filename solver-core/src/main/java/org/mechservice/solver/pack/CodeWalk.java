@@ -2,6 +2,7 @@ package org.mechservice.solver.pack;
 
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.BitSet;
 
 /** Walks through the instructions of a method (JVMS §6.5). */
 final class CodeWalk {
@@ -20,7 +21,16 @@ final class CodeWalk {
   private static final int WIDE = 196;
   private static final int INCREMENT = 132;
 
+  /** What the next instruction is not reached from: goto, switches, returns, throw. */
+  private static final BitSet LEAVES = new BitSet();
+
+  private static final int LONGEST = 0xffff;
+
   static {
+    LEAVES.set(167);
+    LEAVES.set(TABLE_SWITCH, 178);
+    LEAVES.set(191);
+    LEAVES.set(200);
     Arrays.fill(OPERANDS, "");
     OPERANDS[BYTE_PUSH] = "b";
     OPERANDS[SHORT_PUSH] = "s";
@@ -45,6 +55,9 @@ final class CodeWalk {
   }
 
   private final Transfer transfer;
+  private final BitSet targets = new BitSet();
+  private int at;
+  private int furthest;
 
   CodeWalk(Transfer transfer) {
     this.transfer = transfer;
@@ -56,11 +69,15 @@ final class CodeWalk {
     }
   }
 
-  /** Walks through a number of bytes of code. */
-  void walk(int length) throws IOException {
-    int start = transfer.position();
-    while (transfer.position() - start < length) {
-      int opcode = transfer.byteOf(BandNumbers.OPCODE);
+  /** Walks through the code of a method, which ends where none of its jumps goes on. */
+  void walk() throws IOException {
+    int start = transfer.beginLength();
+    furthest = 0;
+    targets.clear();
+    int opcode;
+    do {
+      at = transfer.position() - start;
+      opcode = transfer.byteOf(BandNumbers.OPCODE);
       switch (opcode) {
         case TABLE_SWITCH, LOOKUP_SWITCH -> switchTable(opcode, start);
         case WIDE -> wide();
@@ -70,7 +87,24 @@ final class CodeWalk {
           }
         }
       }
+    } while (!LEAVES.get(opcode)
+        || furthest >= transfer.position() - start
+        || !transfer.codeEnds());
+    transfer.endLength(start);
+  }
+
+  /** Returns where the next jump after a place goes to, -1 if none does. */
+  int targetAfter(int place) {
+    return targets.nextSetBit(place + 1);
+  }
+
+  private void target(int offset) throws IOException {
+    int target = at + offset;
+    if (target < 0 || target > LONGEST) {
+      throw new IOException("a packed class jumps out of its code");
     }
+    targets.set(target);
+    furthest = Math.max(furthest, target);
   }
 
   private void operand(int opcode, char kind) throws IOException {
@@ -80,8 +114,8 @@ final class CodeWalk {
       case 's' -> transfer.pair(BandNumbers.SHORT_CONSTANT);
       case 'v' -> transfer.byteOf(BandNumbers.VARIABLE);
       case 'd' -> transfer.byteOf(BandNumbers.INCREMENT);
-      case 'j' -> transfer.signed(BandNumbers.BRANCH);
-      case 'w' -> transfer.wide(BandNumbers.SWITCH);
+      case 'j' -> target(transfer.signed(BandNumbers.BRANCH));
+      case 'w' -> target(transfer.wide(BandNumbers.SWITCH));
       case 'L' -> transfer.loadable(BandNumbers.LOADED, 1);
       case 'l' -> transfer.loadable(BandNumbers.LOADED, 2);
       case 'f' -> transfer.reference(band, Constant.FIELD);
@@ -105,19 +139,19 @@ final class CodeWalk {
 
   private void switchTable(int opcode, int start) throws IOException {
     transfer.align(start);
-    transfer.wide(BandNumbers.SWITCH);
+    target(transfer.wide(BandNumbers.SWITCH));
     if (opcode == TABLE_SWITCH) {
       int low = transfer.wide(BandNumbers.SWITCH);
       int high = transfer.wide(BandNumbers.SWITCH);
       for (int i = low; i <= high; i++) {
-        transfer.wide(BandNumbers.SWITCH);
+        target(transfer.wide(BandNumbers.SWITCH));
       }
       return;
     }
     int pairs = transfer.wide(BandNumbers.SWITCH);
     for (int i = 0; i < pairs; i++) {
       transfer.wide(BandNumbers.SWITCH);
-      transfer.wide(BandNumbers.SWITCH);
+      target(transfer.wide(BandNumbers.SWITCH));
     }
   }
 }

@@ -26,23 +26,10 @@ record Constant(int tag, String text, long bits, List<Constant> parts) {
   static final int METHOD_TYPE = 16;
   static final int CALL_SITE = 18;
 
-  /** Every kind, those it may refer to before it. */
-  static final List<Integer> TAGS =
-      List.of(
-          UTF8,
-          INTEGER,
-          FLOAT,
-          LONG,
-          DOUBLE,
-          CLASS,
-          STRING,
-          METHOD_TYPE,
-          NAME_AND_TYPE,
-          FIELD,
-          METHOD,
-          INTERFACE_METHOD,
-          METHOD_HANDLE,
-          CALL_SITE);
+  /** None where there may be one. */
+  static final Constant NONE = new Constant(0, "", 0, List.of());
+
+  private static final int LAST_FIELD_HANDLE = 4;
 
   /** Largest tag. */
   static final int LAST_TAG = CALL_SITE;
@@ -72,13 +59,16 @@ record Constant(int tag, String text, long bits, List<Constant> parts) {
     };
   }
 
-  /** Returns the kinds of the entries that an entry of a kind refers to. */
-  static List<Integer> partsOf(int tag) {
+  /**
+   * Returns the kinds of the entries that an entry of a kind refers to.
+   *
+   * @param bits the entry's number: a method handle's kind says what it is a handle of
+   */
+  static List<Integer> partsOf(int tag, long bits) {
     return switch (tag) {
       case CLASS, STRING, METHOD_TYPE -> List.of(UTF8);
       case NAME_AND_TYPE -> List.of(UTF8, UTF8);
-      case FIELD, METHOD, INTERFACE_METHOD -> List.of(CLASS, NAME_AND_TYPE);
-      case METHOD_HANDLE -> List.of(METHOD);
+      case METHOD_HANDLE -> List.of(bits <= LAST_FIELD_HANDLE ? FIELD : METHOD);
       case CALL_SITE -> List.of(NAME_AND_TYPE);
       default -> List.of();
     };

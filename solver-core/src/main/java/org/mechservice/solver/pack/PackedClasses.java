@@ -1,10 +1,6 @@
 package org.mechservice.solver.pack;
 
 import java.io.IOException;
-import java.util.ArrayList;
-import java.util.HashSet;
-import java.util.List;
-import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
@@ -27,25 +23,18 @@ public final class PackedClasses {
    *     or that is not known here
    */
   public static byte[] pack(SortedMap<String, byte[]> classFiles) {
-    Bands bands = new Bands();
-    List<Packing> packings = new ArrayList<>();
-    Set<Constant> constants = new HashSet<>();
-    bands.putSmall(BandNumbers.CLASS_COUNT, classFiles.size());
-    for (byte[] classFile : classFiles.values()) {
-      bands.put(BandNumbers.VERSION, classFile[MAJOR_VERSION + 1]);
-      Packing packing = new Packing(classFile, bands);
-      try {
-        new ClassWalk(packing).walk();
-      } catch (IOException e) {
-        throw new IllegalStateException("bands in memory can always be written", e);
+    SymbolWriter symbols = new SymbolWriter();
+    try {
+      Constants constants = new Constants(symbols);
+      symbols.pair(BandNumbers.CLASS_COUNT, classFiles.size());
+      for (byte[] classFile : classFiles.values()) {
+        symbols.symbol(BandNumbers.VERSION, classFile[MAJOR_VERSION + 1]);
+        new ClassWalk(new Packing(classFile, symbols, constants), symbols.surroundings()).walk();
       }
-      packing.collect(constants);
-      packings.add(packing);
+    } catch (IOException e) {
+      throw new IllegalStateException("symbols in memory can always be written", e);
     }
-    ConstantTable table = ConstantTable.of(constants);
-    table.write(bands);
-    packings.forEach(packing -> packing.writeReferences(table));
-    return bands.deflated();
+    return symbols.bytes();
   }
 
   /**
@@ -56,15 +45,15 @@ public final class PackedClasses {
    * @throws IOException if it is damaged
    */
   public static SortedMap<String, byte[]> unpack(byte[] packed) throws IOException {
-    Bands bands = Bands.inflated(packed);
-    int count = bands.getSmall(BandNumbers.CLASS_COUNT);
-    ConstantTable table = ConstantTable.read(bands);
+    SymbolReader symbols = new SymbolReader(packed);
+    Constants constants = new Constants(symbols);
+    int count = symbols.pair(BandNumbers.CLASS_COUNT, 0);
     SortedMap<String, byte[]> classFiles = new TreeMap<>();
     for (int i = 0; i < count; i++) {
-      int version = bands.get(BandNumbers.VERSION);
-      Unpacking unpacking = new Unpacking(bands, table);
+      int version = symbols.symbol(BandNumbers.VERSION, 0);
+      Unpacking unpacking = new Unpacking(symbols, constants);
       try {
-        new ClassWalk(unpacking).walk();
+        new ClassWalk(unpacking, symbols.surroundings()).walk();
       } catch (IllegalArgumentException e) {
         throw new IOException("the packed classes are damaged", e);
       }

@@ -1,66 +1,27 @@
 package org.mechservice.solver.pack;
 
-import java.util.ArrayList;
+import java.io.IOException;
 import java.util.List;
-import java.util.Set;
 
-/** Carries a class file into bands; references are kept until the table of constants is known. */
+/** Carries a class file into symbols. */
 final class Packing implements Transfer {
   private static final int BYTE = 0xff;
 
-  /** A reference that is to be written: null stands for none. */
-  private record Reference(int band, List<Constant> constant, int tag) {}
-
   private final byte[] file;
   private final ConstantPool pool;
-  private final Bands bands;
-  private final List<Reference> references = new ArrayList<>();
+  private final Symbols symbols;
+  private final Constants constants;
   private int at;
 
-  Packing(byte[] file, Bands bands) {
+  /** Where the stretch ends whose length was read last. */
+  private int end;
+
+  Packing(byte[] file, Symbols symbols, Constants constants) {
     this.file = file;
     this.pool = ConstantPool.of(file);
-    this.bands = bands;
+    this.symbols = symbols;
+    this.constants = constants;
     this.at = pool.end();
-  }
-
-  /** Adds the constants that were referred to. */
-  void collect(Set<Constant> constants) {
-    references.forEach(reference -> constants.addAll(reference.constant()));
-  }
-
-  /** Writes the references. */
-  void writeReferences(ConstantTable table) {
-    Constant self = references.get(0).constant().get(0);
-    for (Reference reference : references) {
-      if (reference.constant().isEmpty()) {
-        writeNone(reference);
-      } else if (Constant.isMember(reference.tag())) {
-        writeMember(reference.band(), reference.constant().get(0), reference.tag(), self, table);
-      } else {
-        bands.putPair(reference.band(), table.index(reference.constant().get(0)) + 1);
-      }
-    }
-  }
-
-  private void writeNone(Reference reference) {
-    if (Constant.isMember(reference.tag())) {
-      bands.put(reference.band(), Members.NONE);
-    } else {
-      bands.putPair(reference.band(), 0);
-    }
-  }
-
-  private void writeMember(
-      int band, Constant member, int usual, Constant self, ConstantTable table) {
-    int index = table.index(member);
-    int own = index - table.firstMember(member.tag(), table.index(self));
-    if (member.tag() == usual && member.parts().get(0).equals(self) && own <= Members.MOST_OWN) {
-      bands.put(band, Members.OWN + own);
-      return;
-    }
-    bands.put(band, member.tag() == usual ? Members.FAR : Members.OF_INTERFACE);
-    bands.putPair(band + 1, index);
   }
 
   private int read(int bytes) {
@@ -72,57 +33,47 @@ final class Packing implements Transfer {
   }
 
   @Override
-  public int byteOf(int band) {
-    int value = read(1);
-    bands.put(band, value);
-    return value;
+  public int byteOf(int band) throws IOException {
+    return symbols.symbol(band, read(1));
   }
 
   @Override
-  public int small(int band) {
-    int value = read(2);
-    bands.putSmall(band, value);
-    return value;
+  public int small(int band) throws IOException {
+    return symbols.small(band, read(2));
   }
 
   @Override
-  public int pair(int band) {
-    int value = read(2);
-    bands.putPair(band, value);
-    return value;
+  public int pair(int band) throws IOException {
+    return symbols.pair(band, read(2));
   }
 
   @Override
-  public int signed(int band) {
-    int value = (short) read(2);
-    bands.putSigned(band, value);
-    return value;
+  public int signed(int band) throws IOException {
+    return symbols.signed(band, (short) read(2));
   }
 
   @Override
-  public int wide(int band) {
-    int value = read(4);
-    bands.putSigned(band, value);
-    return value;
+  public int wide(int band) throws IOException {
+    return symbols.signed(band, read(4));
   }
 
   @Override
-  public String reference(int band, int tag) {
+  public String reference(int band, int tag) throws IOException {
     int index = read(2);
-    if (index == 0) {
-      references.add(new Reference(band, List.of(), tag));
-      return "";
-    }
-    Constant constant = pool.at(index);
-    references.add(new Reference(band, List.of(constant), tag));
-    return constant.text();
+    return constants.any(band, tag, index == 0 ? Constant.NONE : pool.at(index)).text();
   }
 
   @Override
-  public void loadable(int band, int bytes) {
+  public void member(int band, int tag) throws IOException {
+    List<Constant> nameAndType = List.of(pool.at(read(2)), pool.at(read(2)));
+    constants.own(band, tag, new Constant(Constant.NAME_AND_TYPE, "", 0, nameAndType));
+  }
+
+  @Override
+  public void loadable(int band, int bytes) throws IOException {
     Constant constant = pool.at(read(bytes));
-    bands.put(BandNumbers.LOADABLE_KIND, constant.tag());
-    references.add(new Reference(band + 3 * constant.tag(), List.of(constant), constant.tag()));
+    symbols.symbol(BandNumbers.LOADABLE_KIND, constant.tag());
+    constants.any(band + 3 * constant.tag(), constant.tag(), constant);
   }
 
   @Override
@@ -139,8 +90,14 @@ final class Packing implements Transfer {
 
   @Override
   public int beginLength() {
-    read(4);
+    int length = read(4);
+    end = at + length;
     return at;
+  }
+
+  @Override
+  public boolean codeEnds() throws IOException {
+    return symbols.symbol(BandNumbers.CODE_END, at == end ? 1 : 0) == 1;
   }
 
   @Override

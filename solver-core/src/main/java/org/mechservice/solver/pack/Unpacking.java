@@ -8,7 +8,7 @@ import java.util.Arrays;
 import java.util.IdentityHashMap;
 import java.util.List;
 
-/** Carries a class file out of bands; its constant pool is made of what it turns out to need. */
+/** Carries a class file out of symbols; its constant pool is made of what it turns out to need. */
 final class Unpacking implements Transfer {
   private static final int MAGIC = 0xcafebabe;
   private static final int MOST_CONSTANTS = 0xffff;
@@ -17,21 +17,24 @@ final class Unpacking implements Transfer {
   /** A place in the file where the index of a constant goes. */
   private record Place(int at, int bytes, Constant constant) {}
 
-  private final Bands bands;
-  private final ConstantTable table;
+  private final Symbols symbols;
+  private final Constants constants;
   private final List<Place> places = new ArrayList<>();
   private byte[] body = new byte[4096];
   private int at;
-  private int self;
 
-  Unpacking(Bands bands, ConstantTable table) {
-    this.bands = bands;
-    this.table = table;
+  Unpacking(Symbols symbols, Constants constants) {
+    this.symbols = symbols;
+    this.constants = constants;
   }
 
   /** Returns the class's internal name, once it is carried. */
-  String name() {
-    return places.get(0).constant().parts().get(0).text();
+  String name() throws IOException {
+    Constant self = places.isEmpty() ? Constant.NONE : places.get(0).constant();
+    if (self.tag() != Constant.CLASS) {
+      throw new IOException("a packed class has no name");
+    }
+    return self.parts().get(0).text();
   }
 
   /** Returns the class file: what was carried, behind the constants it needs. */
@@ -121,72 +124,56 @@ final class Unpacking implements Transfer {
 
   @Override
   public int byteOf(int band) throws IOException {
-    return write(bands.get(band), 1);
+    return write(symbols.symbol(band, 0), 1);
   }
 
   @Override
   public int small(int band) throws IOException {
-    return write(bands.getSmall(band), 2);
+    return write(symbols.small(band, 0), 2);
   }
 
   @Override
   public int pair(int band) throws IOException {
-    return write(bands.getPair(band), 2);
+    return write(symbols.pair(band, 0), 2);
   }
 
   @Override
   public int signed(int band) throws IOException {
-    return write(bands.getSigned(band), 2);
+    return write(symbols.signed(band, 0), 2);
   }
 
   @Override
   public int wide(int band) throws IOException {
-    return write(bands.getSigned(band), 4);
+    return write(symbols.signed(band, 0), 4);
   }
 
   @Override
   public String reference(int band, int tag) throws IOException {
-    if (Constant.isMember(tag)) {
-      return member(band, tag);
-    }
-    int index = bands.getPair(band);
-    if (index == 0) {
-      write(0, 2);
-      return "";
-    }
-    if (places.isEmpty()) {
-      self = index - 1;
-    }
-    return place(table.at(tag, index - 1), 2);
+    return place(constants.any(band, tag, Constant.NONE), 2);
   }
 
-  private String member(int band, int usual) throws IOException {
-    int told = bands.get(band);
-    if (told == Members.NONE) {
-      write(0, 2);
-      return "";
+  @Override
+  public void member(int band, int tag) throws IOException {
+    for (Constant part : constants.own(band, tag, Constant.NONE).parts()) {
+      place(part, 2);
     }
-    if (told >= Members.OWN) {
-      int own = table.firstMember(usual, self) + told - Members.OWN;
-      return place(table.at(usual, own), 2);
-    }
-    int tag = told == Members.FAR ? usual : Constant.INTERFACE_METHOD;
-    return place(table.at(tag, bands.getPair(band + 1)), 2);
-  }
-
-  private String place(Constant constant, int bytes) {
-    places.add(new Place(at, bytes, constant));
-    write(0, bytes);
-    return constant.text();
   }
 
   @Override
   public void loadable(int band, int bytes) throws IOException {
-    int tag = bands.get(BandNumbers.LOADABLE_KIND);
+    int tag = symbols.symbol(BandNumbers.LOADABLE_KIND, 0);
     if (tag > Constant.LAST_TAG || Constant.isMember(tag)) {
       throw new IOException("the packed classes load a constant of kind " + tag);
     }
-    place(table.at(tag, bands.getPair(band + 3 * tag) - 1), bytes);
+    place(constants.any(band + 3 * tag, tag, Constant.NONE), bytes);
+  }
+
+  private String place(Constant constant, int bytes) {
+    if (constant.tag() != 0) {
+      places.add(new Place(at, bytes, constant));
+    }
+    write(0, bytes);
+    return constant.text();
   }
 
   @Override
@@ -205,6 +192,11 @@ final class Unpacking implements Transfer {
   public int beginLength() {
     write(0, 4);
     return at;
+  }
+
+  @Override
+  public boolean codeEnds() throws IOException {
+    return symbols.symbol(BandNumbers.CODE_END, 0) == 1;
   }
 
   @Override

@@ -101,6 +101,14 @@ final class FailureText {
     };
   }
 
+  /** Returns whether a failure can come from loops that lock, branch or stay open. */
+  static boolean mayLieInLoops(IntegrationFailure.Cause cause) {
+    return switch (cause) {
+      case NOT_FINITE, STEP_TOO_SMALL, NO_CONVERGENCE, SINGULAR_MATRIX, NOT_COMPLETED -> true;
+      default -> false;
+    };
+  }
+
   /** Explains an output time at which dependent coordinates were not found. */
   static Failure loopsOpen(double t) {
     return new Failure(

@@ -131,6 +131,11 @@ public abstract class ModelEquations implements UnitGroups, PiecewiseSystem, Sav
         : Optional.empty();
   }
 
+  /** Returns what may have kept the integration from going on, if the model can tell. */
+  final Optional<Defects.Defect> obstacle() {
+    return model instanceof Defects able ? able.obstacle() : Optional.empty();
+  }
+
   @Override
   public final int groupCount() {
     return groupStarts.length;

@@ -10,6 +10,7 @@ import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.Variable;
 
@@ -37,9 +38,10 @@ final class RowLayout {
   private final Map<ColumnGroup, Integer> offsets = new EnumMap<>(ColumnGroup.class);
 
   /**
+   * @param further columns that the model names itself
    * @throws IllegalArgumentException if the model was built without a group that is asked for
    */
-  RowLayout(ExplicitModel model, Set<ColumnGroup> groups) {
+  RowLayout(ExplicitModel model, ResultColumns further, Set<ColumnGroup> groups) {
     columns.add(new Variable("t", "s"));
     columns.addAll(model.description().states());
     if (groups.contains(ColumnGroup.ACCELERATIONS)) {
@@ -58,7 +60,7 @@ final class RowLayout {
       columns.add(new Variable("energy.work", "J"));
     }
     for (ColumnGroup group : BY_THE_MODEL) {
-      if (groups.contains(group) && model instanceof ResultColumns further) {
+      if (groups.contains(group)) {
         offsets.put(group, columns.size());
         columns.addAll(further.columns(group));
       }
@@ -82,7 +84,8 @@ final class RowLayout {
     }
   }
 
-  private static IllegalArgumentException builtWithout(ExplicitModel model, ColumnGroup group) {
+  /** Returns the refusal of a group that a model was built without. */
+  static IllegalArgumentException builtWithout(Model model, ColumnGroup group) {
     return new IllegalArgumentException(
         "S-060 model \""
             + model.description().name()

@@ -19,6 +19,7 @@ final class RowWriter {
   static final int ALL_FINITE = -1;
 
   private final ExplicitModel model;
+  private final ResultColumns further;
   private final RowLayout layout;
   private final ResultSink sink;
   private final UnitOutput unitOutput;
@@ -30,14 +31,17 @@ final class RowWriter {
   private long rows;
 
   /**
+   * @param further columns that the model names itself
    * @throws IllegalArgumentException if the model was built without a column group that is asked
    *     for
    * @throws IOException if the sink cannot take results
    */
-  RowWriter(ExplicitModel model, RunRequest request, ResultSink sink) throws IOException {
+  RowWriter(ExplicitModel model, ResultColumns further, RunRequest request, ResultSink sink)
+      throws IOException {
     this.model = model;
+    this.further = further;
     this.sink = sink;
-    layout = new RowLayout(model, request.columns());
+    layout = new RowLayout(model, further, request.columns());
     row = new double[layout.columns().size()];
     yDot = new double[model.description().stateCount()];
     positionCount = model.description().positionCount();
@@ -80,11 +84,9 @@ final class RowWriter {
         row[layout.energy() + 2] = work;
       }
     }
-    if (model instanceof ResultColumns further) {
-      for (ColumnGroup group : RowLayout.BY_THE_MODEL) {
-        if (layout.offset(group) != RowLayout.ABSENT) {
-          further.values(group, t, y, row, layout.offset(group));
-        }
+    for (ColumnGroup group : RowLayout.BY_THE_MODEL) {
+      if (layout.offset(group) != RowLayout.ABSENT) {
+        further.values(group, t, y, row, layout.offset(group));
       }
     }
     for (int i = 0; i < row.length; i++) {

@@ -3,6 +3,7 @@ package org.mechservice.solver.simulation;
 import java.io.IOException;
 import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.DependentStates;
+import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ProjectedStates;
 import org.mechservice.solver.api.ResidualModel;
@@ -42,9 +43,10 @@ public final class RuntimeSolver implements Solver {
 
   /** Returns the form in which an integrator takes a model's equations. */
   public static EquationForm formOf(Model asBuilt, String integrator) {
-    Model model = WatchedModel.bare(asBuilt);
+    Model watched = ExtendedModel.bare(asBuilt);
+    Model model = WatchedModel.bare(watched);
     EquationForm form = bareFormOf(model, integrator);
-    return model == asBuilt ? form : new WatchedForm(form);
+    return model == watched ? form : new WatchedForm(form);
   }
 
   private static EquationForm bareFormOf(Model model, String integrator) {

@@ -7,9 +7,13 @@ import java.util.Optional;
 import java.util.Set;
 import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ExtendedModel;
+import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunNotes;
@@ -54,12 +58,31 @@ public final class Simulation implements Solver {
    *     explicit form (S-061)
    */
   public static List<Variable> columns(Model model, Set<ColumnGroup> groups) {
-    return new RowLayout(ExplicitForm.explicit(WatchedModel.bare(model)), groups).columns();
+    return new RowLayout(ExplicitForm.explicit(bare(model)), ExtendedModel.columnsOf(model), groups)
+        .columns();
+  }
+
+  private static Model bare(Model model) {
+    return WatchedModel.bare(ExtendedModel.bare(model));
   }
 
   /** Returns whether runs of a model can leave checkpoints. */
   public static boolean canBeSaved(Model model) {
-    return CheckpointWriter.canBeSaved(WatchedModel.bare(model));
+    return CheckpointWriter.canBeSaved(bare(model));
+  }
+
+  /**
+   * Refuses column groups that a model was built without.
+   *
+   * @param built groups it was built with
+   * @throws IllegalArgumentException S-060 naming the first, and how to build the model with it
+   */
+  public static void requireColumns(Model model, Set<ColumnGroup> asked, Set<ColumnGroup> built) {
+    for (ColumnGroup group : ColumnGroup.values()) {
+      if (asked.contains(group) && !built.contains(group)) {
+        throw RowLayout.builtWithout(model, group);
+      }
+    }
   }
 
   @Override
@@ -73,9 +96,11 @@ public final class Simulation implements Solver {
       Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException {
     requireUsable(request.settings());
-    ModelEquations equations = form.of(model);
-    RunEvents events = form.events(model, equations, request.settings());
-    return new Run(equations, events, request, sink, control, checkpoints).toEnd();
+    Model watched = ExtendedModel.bare(model);
+    ModelEquations equations = form.of(watched);
+    RunEvents events = form.events(watched, equations, request.settings());
+    ResultColumns further = ExtendedModel.columnsOf(model);
+    return new Run(equations, events, further, request, sink, control, checkpoints).toEnd();
   }
 
   /** One run in progress. */
@@ -92,6 +117,10 @@ public final class Simulation implements Solver {
     private final CheckpointWriter checkpoints;
     private final double[] y;
     private final double[] yDot;
+
+    /** What the model had noted when the run that is taken up was saved. */
+    private final List<RunNotes.Note> notedBefore = new ArrayList<>();
+
     private final long startedAt = System.nanoTime();
     private double timeReached;
     private long nextRow;
@@ -100,6 +129,7 @@ public final class Simulation implements Solver {
     Run(
         ModelEquations equations,
         RunEvents events,
+        ResultColumns further,
         RunRequest request,
         ResultSink sink,
         RunControl control,
@@ -113,7 +143,7 @@ public final class Simulation implements Solver {
       integrator = events.watch(createIntegrator());
       outputTimes = new OutputTimes(settings);
       checkpoints = new CheckpointWriter(model, request, store);
-      rows = new RowWriter(model, request, sink);
+      rows = new RowWriter(model, further, request, sink);
       work = new WorkMeter(equations, integrator, model, rows.measuresWork(), settings.tStart());
       y = new double[equations.dimension()];
       yDot = new double[equations.dimension()];
@@ -172,11 +202,36 @@ public final class Simulation implements Solver {
       steps = state.integer(steps);
       rows.transfer(state);
       work.transfer(state);
+      transferNotes(state);
       if (state.restoring()) {
         equations.resume(integrator, state.bytes(new byte[0]));
       } else {
         state.bytes(integrator.save());
       }
+    }
+
+    private void transferNotes(StateTransfer state) {
+      List<RunNotes.Note> noted = modelNotes();
+      int count = state.integer(noted.size());
+      for (int i = 0; i < count; i++) {
+        RunNotes.Note note = i < noted.size() ? noted.get(i) : new RunNotes.Note("", 0, false, "");
+        String code = state.text(note.code());
+        double time = state.number(note.time());
+        boolean warning = state.flag(note.warning());
+        RunNotes.Note carried = new RunNotes.Note(code, time, warning, state.text(note.text()));
+        if (state.restoring()) {
+          notedBefore.add(carried);
+        }
+      }
+    }
+
+    /** Returns the model's notes; one taken up repeats those of its start. */
+    private List<RunNotes.Note> modelNotes() {
+      List<RunNotes.Note> notes = new ArrayList<>(notedBefore);
+      if (model instanceof RunNotes noted) {
+        noted.notes().stream().filter(note -> !notedBefore.contains(note)).forEach(notes::add);
+      }
+      return notes;
     }
 
     private Outcome stepToEnd(StepResult begun) throws IOException {
@@ -266,10 +321,13 @@ public final class Simulation implements Solver {
 
     private Outcome integratorFailed() {
       IntegrationFailure failure = integrator.failure();
-      if (equations.defect().isPresent()) {
+      Optional<Defects.Defect> defect = equations.defect();
+      if (defect.isEmpty() && FailureText.mayLieInLoops(failure.cause())) {
+        defect = equations.obstacle();
+      }
+      if (defect.isPresent()) {
         return new Outcome.Failed(
-            FailureText.of(
-                equations.defect().get(), failure.time(), failure.stepSize(), failure.order()));
+            FailureText.of(defect.get(), failure.time(), failure.stepSize(), failure.order()));
       }
       return new Outcome.Failed(
           FailureText.of(failure, model.description(), equations.singularJoint(), events.part()));
@@ -278,16 +336,21 @@ public final class Simulation implements Solver {
     private Outcome rowFailed(double t, int column) {
       return new Outcome.Failed(
           column == LOOPS_OPEN
-              ? FailureText.loopsOpen(t)
+              ? loopsOpen(t)
               : FailureText.notFiniteColumn(t, rows.columnName(column)));
     }
 
+    private Failure loopsOpen(double t) {
+      return equations
+          .obstacle()
+          .map(obstacle -> FailureText.of(obstacle, t, 0, 0))
+          .orElseGet(() -> FailureText.loopsOpen(t));
+    }
+
     private List<RunNotes.Note> notes() {
-      List<RunNotes.Note> notes = new ArrayList<>(rows.notes());
+      List<RunNotes.Note> notes = modelNotes();
+      notes.addAll(rows.notes());
       notes.addAll(events.notes());
-      if (model instanceof RunNotes noted) {
-        notes.addAll(0, noted.notes());
-      }
       return notes;
     }
 

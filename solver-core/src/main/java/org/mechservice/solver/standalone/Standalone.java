@@ -3,21 +3,17 @@ package org.mechservice.solver.standalone;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Path;
-import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.Variable;
-import org.mechservice.solver.api.WatchedModel;
 import org.mechservice.solver.integration.IntegratorFactory;
 import org.mechservice.solver.simulation.EquationForm;
 import org.mechservice.solver.simulation.Simulation;
@@ -30,12 +26,26 @@ public final class Standalone {
 
   private final Model model;
   private final Simulation simulation;
+  private final Set<ColumnGroup> built;
+  private final Set<ColumnGroup> shown;
   private final PrintStream out;
   private final PrintStream err;
 
-  Standalone(Model model, Simulation simulation, PrintStream out, PrintStream err) {
+  /**
+   * @param built labels of the column groups the model was built with, separated by commas
+   * @param shown labels of those put out where nothing else is asked for
+   */
+  Standalone(
+      Model model,
+      Simulation simulation,
+      String built,
+      String shown,
+      PrintStream out,
+      PrintStream err) {
     this.model = model;
     this.simulation = simulation;
+    this.built = ColumnGroup.of(built);
+    this.shown = ColumnGroup.of(shown);
     this.out = out;
     this.err = err;
   }
@@ -46,24 +56,32 @@ public final class Standalone {
    * @param model the model
    * @param integrators makes the integrator the JAR was built with
    * @param form how the equations are handed to it
+   * @param built labels of the column groups the model was built with, separated by commas
+   * @param shown labels of those put out where nothing else is asked for
    * @param args command line; {@code --help} lists the options
    * @return exit status: 0 done, 1 the simulation failed (rows up to the failure are kept), 2 bad
    *     usage
    */
   public static int run(
-      Model model, IntegratorFactory integrators, EquationForm form, String[] args) {
+      Model model,
+      IntegratorFactory integrators,
+      EquationForm form,
+      String built,
+      String shown,
+      String[] args) {
     Simulation simulation = new Simulation(integrators, form);
-    return new Standalone(model, simulation, System.out, System.err).run(args);
+    return new Standalone(model, simulation, built, shown, System.out, System.err).run(args);
   }
 
   int run(String[] args) {
     try {
       StandaloneOptions options =
-          StandaloneOptions.parse(args, model.description().defaults(), availableColumns());
+          StandaloneOptions.parse(args, model.description().defaults(), built, shown);
       if (options.help()) {
         out.print(model.description().name() + "\n" + StandaloneOptions.HELP);
         return DONE;
       }
+      Simulation.requireColumns(model, options.request().columns(), built);
       return options.out().isEmpty() ? runWithoutFile(options) : runIntoFile(options);
     } catch (UsageException | IllegalArgumentException | IOException e) {
       err.println(e.getMessage());
@@ -106,17 +124,5 @@ public final class Standalone {
       return SIMULATION_FAILED;
     }
     return DONE;
-  }
-
-  private Set<ColumnGroup> availableColumns() {
-    Set<ColumnGroup> available = EnumSet.of(ColumnGroup.JOINTS, ColumnGroup.ACCELERATIONS);
-    Model bare = WatchedModel.bare(model);
-    if (bare instanceof BodyPoses) {
-      available.add(ColumnGroup.BODIES);
-    }
-    if (bare instanceof Energies) {
-      available.add(ColumnGroup.ENERGY);
-    }
-    return available;
   }
 }

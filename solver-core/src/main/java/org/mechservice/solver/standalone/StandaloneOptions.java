@@ -41,11 +41,13 @@ record StandaloneOptions(
    * @param args the words of the command line
    * @param defaults settings the model was built with
    * @param available column groups the model was built with
+   * @param shown those of them put out where nothing else is asked for
    * @throws UsageException if an option is unknown, lacks its value, or has one that cannot be used
    */
-  static StandaloneOptions parse(String[] args, RunSettings defaults, Set<ColumnGroup> available)
+  static StandaloneOptions parse(
+      String[] args, RunSettings defaults, Set<ColumnGroup> available, Set<ColumnGroup> shown)
       throws UsageException {
-    Parser parser = new Parser(args, available);
+    Parser parser = new Parser(args, available, shown);
     while (parser.next < args.length) {
       parser.take(args[parser.next++]);
     }
@@ -76,15 +78,16 @@ record StandaloneOptions(
     private OptionalDouble tStep = OptionalDouble.empty();
     private OptionalDouble rtol = OptionalDouble.empty();
     private OptionalDouble atol = OptionalDouble.empty();
-    private Set<ColumnGroup> columns = EnumSet.of(ColumnGroup.JOINTS);
+    private Set<ColumnGroup> columns;
     private String out = "";
     private boolean quiet;
     private boolean json;
     private boolean help;
 
-    Parser(String[] args, Set<ColumnGroup> available) {
+    Parser(String[] args, Set<ColumnGroup> available, Set<ColumnGroup> shown) {
       this.args = args;
       this.available = available;
+      columns = shown;
     }
 
     void take(String word) throws UsageException {
@@ -134,22 +137,21 @@ record StandaloneOptions(
       }
       Set<ColumnGroup> groups = EnumSet.of(ColumnGroup.JOINTS);
       for (String name : list.split(",", -1)) {
-        groups.add(group(name.strip()));
+        groups.add(group(name.strip().toLowerCase(Locale.ROOT)));
       }
       return groups;
     }
 
     private static ColumnGroup group(String name) throws UsageException {
+      StringBuilder known = new StringBuilder();
       for (ColumnGroup group : ColumnGroup.values()) {
-        if (group.label().equals(name.toLowerCase(Locale.ROOT))) {
+        if (group.label().equals(name)) {
           return group;
         }
+        known.append(group.label()).append(", ");
       }
       throw new UsageException(
-          "S-065 --columns: \""
-              + name
-              + "\" is no column group; there are joints, accelerations,"
-              + " bodies, energy");
+          "S-065 --columns: \"" + name + "\" is no column group; there are " + known + "and all");
     }
   }
 }

@@ -109,6 +109,24 @@ class OpenTreeLawsTest {
     assertThat(fine + (fine - coarse) / 3).isCloseTo(power, within(1e-7 * scale));
   }
 
+  /**
+   * Forces between the bodies of a system that touches nothing leave its momentum to gravity: Σ m
+   * a_c = Σ m g, and the moment of momentum about the world's origin changes by Σ c × m g.
+   */
+  @MethodSource("seeds")
+  @ParameterizedTest
+  void momentumOfAFloatingSystemChangesByItsWeightAlone(long seed) {
+    Mechanism floating = RandomTrees.floating(seed, 1 + (int) (7 * seed % 20));
+    Evaluation at = new Evaluation(floating);
+    double[] internal = new Random(seed).doubles(at.nv, -5, 5).toArray();
+    System.arraycopy(internal, 6, at.tau, 6, at.nv - 6);
+    at.motion.accelerationSweep(at.byArticulatedBodies());
+    MomentumRate rate = new MomentumRate(at.motion);
+    for (int i = 0; i < 6; i++) {
+      assertThat(rate.ofMotion()[i]).isCloseTo(rate.ofWeight()[i], within(1e-12 * rate.scale()));
+    }
+  }
+
   private static double energyDifference(Evaluation at, double[] a, double h) {
     return (kinetic(at, at.along(a, h)) - kinetic(at, at.along(a, -h))) / (2 * h);
   }

@@ -48,6 +48,21 @@ public final class RandomTrees {
     return new Mechanism("mixed" + seed, root, vector(random).times(10), bodies, joints);
   }
 
+  /** Returns a tree of joints of all types whose first body floats and carries all others. */
+  public static Mechanism floating(long seed, int bodyCount) {
+    Random random = new Random(seed);
+    List<Body> bodies = new ArrayList<>();
+    List<Joint> joints = new ArrayList<>();
+    for (int i = 0; i < bodyCount; i++) {
+      bodies.add(body(random, i));
+      int parent = i == 0 ? Mechanism.ROOT : random.nextInt(i);
+      JointType type = i == 0 ? JointType.F : TYPES.get(random.nextInt(TYPES.size()));
+      joints.add(RandomJoints.joint(random, type, parent, i));
+    }
+    Root root = new Root("space", vector(random), rotation(random));
+    return new Mechanism("floating" + seed, root, vector(random).times(10), bodies, joints);
+  }
+
   /**
    * Returns a tree of joints of all types, and rods with mass between random points of random
    * bodies, the root among them. Distances play no part: nobody closes the loops.

@@ -59,7 +59,7 @@ public final class GlobalFormulation {
   }
 
   /** Returns pose and motion of every body when the joints have the accelerations a. */
-  TaylorPose[] poses(double t, double[] q, double[] v, double[] a) {
+  public TaylorPose[] poses(double t, double[] q, double[] v, double[] a) {
     TaylorPose[] poses = new TaylorPose[mechanism.bodies().size()];
     for (int j : mechanism.outward()) {
       Joint joint = mechanism.joints().get(j);
@@ -175,19 +175,51 @@ public final class GlobalFormulation {
     return all;
   }
 
-  private double[] bodyAccelerations(double t, TaylorPose[] motion) {
-    int n = 6 * motion.length;
-    RealMatrix mass = new Array2DRowRealMatrix(n, n);
+  /**
+   * Returns what is missing to move every body as given, forces at and moments about the centres of
+   * mass in world axes, six numbers per body: zero if the forces are all there are.
+   */
+  public double[] missing(double t, double[] q, double[] v, double[] a) {
+    TaylorPose[] motion = poses(t, q, v, a);
+    double[] wanted = new double[6 * motion.length];
+    for (int b = 0; b < motion.length; b++) {
+      put(wanted, 6 * b, motion[b].at(mechanism.bodies().get(b).centerOfMass()).acceleration());
+      put(wanted, 6 * b + 3, motion[b].rotation().angularAcceleration());
+    }
+    RealMatrix mass = new Array2DRowRealMatrix(wanted.length, wanted.length);
+    double[] loads = loads(t, motion, mass);
+    double[] missing = mass.operate(wanted);
+    for (int i = 0; i < missing.length; i++) {
+      missing[i] -= loads[i];
+    }
+    return missing;
+  }
+
+  private static void put(double[] target, int at, Vector3 v) {
+    target[at] = v.x();
+    target[at + 1] = v.y();
+    target[at + 2] = v.z();
+  }
+
+  /** Returns the loads on the bodies, and adds their masses and those of rods. */
+  private double[] loads(double t, TaylorPose[] motion, RealMatrix mass) {
     BodyLoads loads = new BodyLoads(mechanism, lookup(motion));
     addBodies(motion, mass, loads);
     addRods(motion, mass, loads);
     for (AppliedForce force : forces) {
       force.apply(t, lookup(motion), loads);
     }
+    return loads.sum;
+  }
+
+  private double[] bodyAccelerations(double t, TaylorPose[] motion) {
+    int n = 6 * motion.length;
+    RealMatrix mass = new Array2DRowRealMatrix(n, n);
+    double[] loads = loads(t, motion, mass);
     List<double[]> rows = new ArrayList<>();
     List<Double> gamma = new ArrayList<>();
     addConditions(t, motion, rows, gamma);
-    return constrained(mass, loads.sum, rows, gamma);
+    return constrained(mass, loads, rows, gamma);
   }
 
   private void addBodies(TaylorPose[] motion, RealMatrix mass, BodyLoads loads) {

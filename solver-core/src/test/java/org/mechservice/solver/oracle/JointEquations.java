@@ -168,9 +168,9 @@ final class JointEquations {
   /** Returns a unit vector normal to a unit vector. */
   static Vector3 normalTo(Vector3 axis) {
     Vector3 least = new Vector3(1, 0, 0);
-    if (Math.abs(axis.y()) <= Math.abs(axis.x()) && Math.abs(axis.y()) <= Math.abs(axis.z())) {
+    if (Math.abs(axis.y()) < Math.abs(axis.x()) && Math.abs(axis.y()) <= Math.abs(axis.z())) {
       least = new Vector3(0, 1, 0);
-    } else if (Math.abs(axis.z()) <= Math.abs(axis.x())) {
+    } else if (Math.abs(axis.z()) < Math.abs(axis.x())) {
       least = new Vector3(0, 0, 1);
     }
     return axis.cross(least).normalized();

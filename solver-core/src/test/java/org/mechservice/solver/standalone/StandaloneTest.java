@@ -58,6 +58,7 @@ class StandaloneTest {
     "--rtol=NaN, not \"NaN\"",
     "--out, lacks its value",
     "--columns=wheels, no column group",
+    "--columns=reactions, --columns reactions",
     "--t-end=-5, end time",
     "--rtol=1e-20, 1.0E-20"
   })
@@ -73,7 +74,12 @@ class StandaloneTest {
         new DataDrivenModel(
             FiveBarPendulum.mechanism(), new RunSettings(0, 1, 0.1, "DE", 1e-5, 1e-5));
     return new Standalone(
-            model, new Simulation(De::new, new ExplicitForm()), print(out), print(err))
+            model,
+            new Simulation(De::new, new ExplicitForm()),
+            "joints,energy",
+            "joints",
+            print(out),
+            print(err))
         .run(args);
   }
 

@@ -1,5 +1,6 @@
 package org.mechservice.sim.build.emit;
 
+import java.util.List;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.integration.Integrator;
@@ -25,7 +26,12 @@ import org.objectweb.asm.Type;
  *   public static void main(String[] args) {
  *     System.exit(
  *         Standalone.run(
- *             ModelSource.of(new Pendulum()), new PendulumMain(), new ExplicitForm(), args));
+ *             ModelSource.of(new Pendulum()),
+ *             new PendulumMain(),
+ *             new ExplicitForm(),
+ *             "joints,accelerations,energy",
+ *             "joints",
+ *             args));
  *   }
  * }
  * }</pre>
@@ -47,16 +53,31 @@ public final class MainClass {
    * @param model class of the model
    * @param integrator class of the integrator
    * @param form how its equations are handed to the integrator
+   * @param built labels of the column groups the model was built with, separated by commas
+   * @param shown labels of those put out where nothing else is asked for
    */
-  public static byte[] of(String className, String model, String integrator, EquationForm form) {
-    return new MainClass().write(internal(className), internal(model), internal(integrator), form);
+  public static byte[] of(
+      String className,
+      String model,
+      String integrator,
+      EquationForm form,
+      String built,
+      String shown) {
+    return new MainClass()
+        .write(
+            internal(className),
+            internal(model),
+            internal(integrator),
+            form,
+            List.of(built, shown));
   }
 
   private static String internal(String className) {
     return className.replace('.', '/');
   }
 
-  private byte[] write(String className, String model, String integrator, EquationForm form) {
+  private byte[] write(
+      String className, String model, String integrator, EquationForm form, List<String> columns) {
     classFile.visit(
         Opcodes.V17,
         Opcodes.ACC_PUBLIC | Opcodes.ACC_FINAL | Opcodes.ACC_SUPER,
@@ -66,7 +87,7 @@ public final class MainClass {
         new String[] {Type.getInternalName(IntegratorFactory.class)});
     constructor();
     create(integrator);
-    main(className, model, form);
+    main(className, model, form, columns);
     classFile.visitEnd();
     return classFile.toByteArray();
   }
@@ -92,7 +113,7 @@ public final class MainClass {
     end(code, Opcodes.ARETURN);
   }
 
-  private void main(String className, String model, EquationForm form) {
+  private void main(String className, String model, EquationForm form, List<String> columns) {
     String strings = "[Ljava/lang/String;";
     MethodVisitor code =
         begin(Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC, "main", "(" + strings + ")V");
@@ -105,6 +126,7 @@ public final class MainClass {
         true);
     create(code, className);
     create(code, form);
+    columns.forEach(code::visitLdcInsn);
     code.visitVarInsn(Opcodes.ALOAD, 0);
     code.visitMethodInsn(
         Opcodes.INVOKESTATIC,
@@ -114,6 +136,7 @@ public final class MainClass {
             + Type.getDescriptor(Model.class)
             + Type.getDescriptor(IntegratorFactory.class)
             + Type.getDescriptor(EquationForm.class)
+            + "Ljava/lang/String;".repeat(columns.size())
             + strings
             + ")I",
         false);

@@ -1,0 +1,58 @@
+package org.mechservice.orb;
+
+import java.security.cert.X509Certificate;
+import java.util.Optional;
+import org.mechservice.idl.NotAuthorized;
+
+/**
+ * Who makes the call that this thread works on.
+ *
+ * @param certificate what he has shown; empty: the connection is not encrypted, so he is on this
+ *     machine
+ */
+public record Caller(Optional<X509Certificate> certificate) {
+  private static final Caller THIS_MACHINE = new Caller(Optional.empty());
+  private static final ThreadLocal<Caller> CURRENT = ThreadLocal.withInitial(() -> THIS_MACHINE);
+
+  /** Returns who makes the call that this thread works on. */
+  public static Caller current() {
+    return CURRENT.get();
+  }
+
+  static void isNow(Optional<X509Certificate> certificate) {
+    CURRENT.set(certificate.isPresent() ? new Caller(certificate) : THIS_MACHINE);
+  }
+
+  /**
+   * Returns the caller's name.
+   *
+   * @param claimed what he says his name is; believed only where he has shown no certificate
+   */
+  public String name(String claimed) {
+    return certificate.map(TlsIdentity::nameOf).orElse(claimed);
+  }
+
+  /** Returns whether the caller may act in a role. Who is on this machine may do everything. */
+  public boolean may(Role role) {
+    return certificate.map(shown -> Role.of(shown) == role).orElse(true);
+  }
+
+  /**
+   * Makes sure that the caller may act in a role.
+   *
+   * @throws NotAuthorized with code S-153 if he may not
+   */
+  public void require(Role role) throws NotAuthorized {
+    if (!may(role)) {
+      throw new NotAuthorized(
+          "S-153",
+          "the certificate of \""
+              + name("")
+              + "\" is no "
+              + role.unit()
+              + "'s; use one that \"mech keys\" made for the "
+              + role.unit()
+              + " role");
+    }
+  }
+}

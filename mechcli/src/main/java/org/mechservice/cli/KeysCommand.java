@@ -1,0 +1,62 @@
+package org.mechservice.cli;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.mechservice.orb.Role;
+import org.mechservice.server.keys.KeyFolder;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code mech keys}: certificates for a service over TLS. */
+@Command(
+    name = "keys",
+    description = {
+      "Makes a certificate authority and the identities of servers, hosts and users.",
+      "Each identity is a folder: copy it to where it is used and name it with --tls. Keep the"
+          + " folder ca to yourself. What is there already is kept, so more can be made later."
+    },
+    mixinStandardHelpOptions = true,
+    versionProvider = Mech.Version.class)
+final class KeysCommand implements Callable<Integer> {
+  @Parameters(paramLabel = "DIR", description = "Folder of all keys; made if need be.")
+  private Path folder = Path.of("");
+
+  @Option(
+      names = "--host",
+      paramLabel = "NAME[,NAME...]",
+      description =
+          "A machine that runs a server or host, with the names and addresses it is reached at; may"
+              + " be given several times (default: one in folder server, for this machine alone).")
+  private List<String> hosts = List.of();
+
+  @Option(
+      names = "--client",
+      paramLabel = "NAME",
+      description = "A user; may be given several times (default: client).")
+  private List<String> clients = List.of("client");
+
+  @Option(
+      names = "--admin",
+      paramLabel = "NAME",
+      description = "An administrator; may be given several times (default: admin).")
+  private List<String> admins = List.of("admin");
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Override
+  public Integer call() {
+    KeyFolder keys = KeyFolder.open(folder);
+    if (hosts.isEmpty()) {
+      keys.localServer();
+    }
+    hosts.forEach(names -> keys.server(List.of(names.split(",", -1))));
+    clients.forEach(name -> keys.user(name, Role.CLIENT));
+    admins.forEach(name -> keys.user(name, Role.ADMIN));
+    keys.made().forEach(spec.commandLine().getOut()::println);
+    return ExitStatus.DONE;
+  }
+}

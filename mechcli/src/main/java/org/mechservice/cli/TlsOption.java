@@ -1,0 +1,27 @@
+package org.mechservice.cli;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import org.mechservice.orb.TlsIdentity;
+import picocli.CommandLine.Option;
+
+/** Who this process is on the network. */
+final class TlsOption {
+  @Option(
+      names = "--tls",
+      paramLabel = "FOLDER",
+      defaultValue = "${env:MECH_TLS}",
+      description =
+          "Encrypt connections, with the certificates of this folder (see mech keys); MECH_TLS"
+              + " names it too.")
+  private Optional<Path> folder = Optional.empty();
+
+  /**
+   * Returns the identity; empty if connections are not to be encrypted.
+   *
+   * @throws IllegalArgumentException with code S-150 if the folder holds none that can be used
+   */
+  Optional<TlsIdentity> identity() {
+    return folder.map(TlsIdentity::load);
+  }
+}

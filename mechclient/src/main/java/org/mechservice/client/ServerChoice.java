@@ -1,0 +1,99 @@
+package org.mechservice.client;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.mechservice.idl.MechServer;
+import org.mechservice.orb.ServiceOrb;
+import org.mechservice.orb.ServiceUnreachableException;
+
+/**
+ * The servers a client may use, in the order of its preference, and the one it uses. Thread-safe.
+ */
+final class ServerChoice {
+  /**
+   * A server that answered.
+   *
+   * @param index its place among the addresses
+   * @param server its object
+   * @param calls names its address in messages
+   * @param description what it said of itself
+   */
+  record Chosen(int index, MechServer server, RemoteCalls calls, ServiceDescription description) {}
+
+  private final ServiceOrb orb;
+  private final List<String> addresses;
+  private Chosen chosen;
+
+  /**
+   * Connects to the first server that answers.
+   *
+   * @param written one or more addresses, separated by commas
+   * @throws ServerLostException if none answers
+   * @throws InvalidOptionException if one is no address
+   */
+  ServerChoice(ServiceOrb orb, String written) {
+    this.orb = orb;
+    addresses =
+        Arrays.stream(written.split(",", -1)).map(String::strip).filter(s -> !s.isEmpty()).toList();
+    if (addresses.isEmpty()) {
+      throw new InvalidOptionException(
+          "S-006", "S-006 \"" + written + "\" names no server; write HOST:PORT", "server");
+    }
+    chosen = firstFrom(0);
+  }
+
+  synchronized Chosen chosen() {
+    return chosen;
+  }
+
+  /**
+   * Returns another server than one that is lost.
+   *
+   * @param lost what was thrown when it was used
+   * @throws ServerLostException if no other answers
+   */
+  synchronized Chosen instead(Chosen gone, ServerLostException lost) {
+    if (addresses.size() == 1) {
+      throw lost;
+    }
+    if (chosen == gone) {
+      chosen = firstFrom(gone.index() + 1);
+    }
+    return chosen;
+  }
+
+  private Chosen firstFrom(int start) {
+    List<ServerLostException> silent = new ArrayList<>();
+    for (int i = 0; i < addresses.size(); i++) {
+      int index = (start + i) % addresses.size();
+      try {
+        return connect(index);
+      } catch (ServerLostException e) {
+        silent.add(e);
+      }
+    }
+    throw silent.size() == 1 ? silent.get(0) : noneOf(silent);
+  }
+
+  private Chosen connect(int index) {
+    String address = addresses.get(index);
+    try {
+      ServiceOrb.Connected found = orb.connectTo(address);
+      return new Chosen(
+          index, found.server(), new RemoteCalls(address), ServiceDescription.of(found.info()));
+    } catch (ServiceUnreachableException e) {
+      String text = String.valueOf(e.getMessage());
+      throw new ServerLostException(ServiceException.codeOf(text, "S-030"), text, address);
+    } catch (IllegalArgumentException e) {
+      String text = String.valueOf(e.getMessage());
+      throw new InvalidOptionException(ServiceException.codeOf(text, "S-030"), text, "server");
+    }
+  }
+
+  private ServerLostException noneOf(List<ServerLostException> silent) {
+    StringBuilder text = new StringBuilder("none of the servers can be used");
+    silent.forEach(one -> text.append("; ").append(one.getMessage()));
+    return new ServerLostException("S-161", "S-161 " + text, String.join(",", addresses));
+  }
+}

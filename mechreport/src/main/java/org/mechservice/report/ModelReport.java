@@ -1,0 +1,217 @@
+package org.mechservice.report;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.mechservice.client.BuiltJar;
+import org.mechservice.client.MechSession;
+import org.mechservice.client.ModelSummary;
+import org.mechservice.client.ServiceException;
+import org.mechservice.report.measure.Campaign;
+import org.mechservice.report.measure.Effort;
+import org.mechservice.report.measure.FreshStart;
+import org.mechservice.report.measure.Journal;
+import org.mechservice.report.measure.Judge;
+import org.mechservice.report.measure.MethodRunner;
+import org.mechservice.report.measure.Point;
+import org.mechservice.report.measure.Progress;
+import org.mechservice.report.measure.PublishedReference;
+import org.mechservice.report.measure.Reference;
+import org.mechservice.report.measure.ReferenceMaker;
+import org.mechservice.report.measure.RunGrid;
+import org.mechservice.report.measure.Spectrum;
+import org.mechservice.report.measure.StateDistance;
+import org.mechservice.report.measure.TimeShares;
+import org.mechservice.report.method.Candidate;
+import org.mechservice.report.method.Method;
+import org.mechservice.report.method.MethodList;
+import org.mechservice.report.method.ModelProblem;
+import org.mechservice.report.page.ScenePage;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.RunSettings;
+
+/** Error against run time of one model: measures it and writes its page. */
+public final class ModelReport {
+  private static final int OUTPUT_INTERVALS = 50;
+  private static final int SPECTRUM_SAMPLES = 11;
+  private static final double TYPICAL_TOLERANCE = 1e-5;
+
+  private final MechSession session;
+  private final Path folder;
+  private final Effort effort;
+  private final Progress progress;
+
+  /**
+   * @param session with the model loaded
+   * @param folder for the pages
+   */
+  public ModelReport(MechSession session, Path folder, Effort effort, Progress progress) {
+    this.session = session;
+    this.folder = folder;
+    this.effort = effort;
+    this.progress = progress;
+  }
+
+  /**
+   * Measures the model and writes its page and the data behind it.
+   *
+   * @param file the model's file, for its name
+   * @return the page
+   * @throws IOException if the page cannot be written
+   * @throws ServiceException if the model cannot be built
+   * @throws InterruptedException if interrupted; what was measured is kept and taken up again
+   */
+  public Path write(Path file) throws IOException, InterruptedException {
+    Files.createDirectories(folder);
+    SceneFindings found = measure(String.valueOf(file.getFileName()));
+    Path page = folder.resolve(baseName(found.file()) + ".html");
+    Files.writeString(page, ScenePage.of(found), StandardCharsets.UTF_8);
+    return page;
+  }
+
+  private static String baseName(String file) {
+    return file.replaceFirst("\\.xml$", "");
+  }
+
+  private SceneFindings measure(String file) throws IOException, InterruptedException {
+    progress.at("building the model in every formulation", 0, Double.NaN);
+    MethodList methods = MethodList.of(session);
+    List<Candidate> candidates = methods.candidates();
+    ExplicitModel model = explicit(candidates.get(0));
+    RunSettings settings = model.description().defaults();
+    StateDistance distance = new StateDistance(model.description());
+    progress.at("making the reference", 0, Double.NaN);
+    Judge judge = judge(candidates, model, settings, distance);
+    Optional<Spectrum> spectrum = spectrum(judge, model);
+    String csv = baseName(file) + ".csv";
+    Map<String, TimeShares> shares = new LinkedHashMap<>();
+    List<Point> points = List.of();
+    if (judge.reference().isPresent()) {
+      Reference reference = judge.reference().get();
+      try (Journal journal = Journal.open(folder.resolve(csv), purpose(file));
+          MethodRunner runner = new MethodRunner(reference, distance, judge.grid())) {
+        new Campaign(runner, journal, effort, progress).run(candidates);
+        points = Point.of(journal.runs());
+        shares.putAll(shares(candidates, points, runner));
+      }
+    }
+    Map<String, Double> fresh = freshStarts(candidates, points, judge);
+    ModelProblem problem = new ModelProblem(model);
+    return new SceneFindings(
+        model.description().name(),
+        file,
+        problem.dimension(),
+        freedoms(problem, model),
+        settings.tEnd(),
+        candidates.stream().map(Candidate::method).toList(),
+        methods.leftOut(),
+        judge,
+        points,
+        spectrum,
+        shares,
+        fresh,
+        effort,
+        csv,
+        Machine.facts());
+  }
+
+  private static ExplicitModel explicit(Candidate candidate) {
+    return (ExplicitModel) candidate.models().get();
+  }
+
+  private static int freedoms(ModelProblem problem, ExplicitModel model) {
+    int positions = model.description().positionCount();
+    return (int)
+        IntStream.range(positions, problem.dimension()).filter(problem::independent).count();
+  }
+
+  private Judge judge(
+      List<Candidate> candidates,
+      ExplicitModel model,
+      RunSettings settings,
+      StateDistance distance) {
+    ModelProblem problem = new ModelProblem(model);
+    Optional<PublishedReference> published =
+        PublishedReference.of(
+            model.description().name(), problem.start(), settings.tEnd(), distance);
+    return Judge.of(
+        published,
+        sources(candidates),
+        new ReferenceMaker(distance, effort.referenceSeconds()),
+        distance,
+        RunGrid.uniform(settings.tStart(), settings.tEnd(), OUTPUT_INTERVALS));
+  }
+
+  /** One model per formulation and closure: the first two differ in their equations. */
+  private static List<ReferenceMaker.Source> sources(List<Candidate> candidates) {
+    Map<String, ReferenceMaker.Source> sources = new LinkedHashMap<>();
+    for (Candidate candidate : candidates) {
+      Method method = candidate.method();
+      String name = new Method(method.formulation(), method.closure(), "").name().strip();
+      sources.putIfAbsent(
+          name, new ReferenceMaker.Source(name, () -> new ModelProblem(explicit(candidate))));
+    }
+    return List.copyOf(sources.values());
+  }
+
+  private static Optional<Spectrum> spectrum(Judge judge, ExplicitModel model) {
+    return judge
+        .reference()
+        .map(reference -> Spectrum.along(reference, new ModelProblem(model), SPECTRUM_SAMPLES))
+        .filter(found -> !found.samples().isEmpty());
+  }
+
+  /** A journal is taken up again only if it was made with the same model, effort and version. */
+  private String purpose(String file) {
+    ModelSummary model = session.model();
+    return String.join(
+        "; ", "mech report", file, model.sha256(), effort.name(), Machine.solverVersion());
+  }
+
+  private Map<String, TimeShares> shares(
+      List<Candidate> candidates, List<Point> points, MethodRunner runner) {
+    Map<String, TimeShares> shares = new LinkedHashMap<>();
+    for (Candidate candidate : candidates) {
+      String name = candidate.method().name();
+      if (completes(points, name, effort.tolerances()[1])) {
+        progress.at("shares of time: " + name, 0.98, Double.NaN);
+        double tolerance = effort.tolerances()[1];
+        shares.put(name, TimeShares.of(runner, candidate, tolerance, 5 * effort.limitSeconds()));
+      }
+    }
+    return shares;
+  }
+
+  private static boolean completes(List<Point> points, String method, double tolerance) {
+    return points.stream()
+        .filter(point -> point.first().method().equals(method))
+        .anyMatch(point -> point.tolerance() == tolerance && point.completed());
+  }
+
+  private Map<String, Double> freshStarts(
+      List<Candidate> candidates, List<Point> points, Judge judge)
+      throws IOException, InterruptedException {
+    Map<String, Double> seconds = new LinkedHashMap<>();
+    double end = judge.grid().start() + judge.grid().step() * (judge.grid().rows() - 1);
+    try (FreshStart fresh = new FreshStart()) {
+      for (Candidate candidate : candidates) {
+        String name = candidate.method().name();
+        if (completes(points, name, effort.tolerances()[1])) {
+          progress.at("first runs: " + name, 0.99, Double.NaN);
+          BuiltJar jar = session.build(MethodList.options(candidate.method()), true);
+          fresh
+              .seconds(
+                  jar, TYPICAL_TOLERANCE, end, effort.freshStarts(), 10 * effort.limitSeconds())
+              .ifPresent(taken -> seconds.put(name, taken));
+        }
+      }
+    }
+    return seconds;
+  }
+}

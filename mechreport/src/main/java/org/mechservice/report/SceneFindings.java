@@ -1,0 +1,67 @@
+package org.mechservice.report;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.mechservice.report.measure.Effort;
+import org.mechservice.report.measure.Judge;
+import org.mechservice.report.measure.Point;
+import org.mechservice.report.measure.Spectrum;
+import org.mechservice.report.measure.TimeShares;
+import org.mechservice.report.method.LeftOut;
+import org.mechservice.report.method.Method;
+
+/**
+ * All that a report found out about a scene: what its page is written from.
+ *
+ * @param model the model's name
+ * @param file its file's name
+ * @param states number of states
+ * @param freedoms number of independent velocities
+ * @param endOfFile end of the run in the file, s
+ * @param methods that fit, in order
+ * @param leftOut that do not
+ * @param judge of the errors
+ * @param points all methods at all tolerances; none without a reference
+ * @param spectrum along the run
+ * @param shares of time, by method name
+ * @param freshStarts seconds of a first run in a machine of its own, by method name
+ * @param effort how much was measured
+ * @param csv name of the file with every run
+ * @param versions of what took part, and the machine
+ */
+public record SceneFindings(
+    String model,
+    String file,
+    int states,
+    int freedoms,
+    double endOfFile,
+    List<Method> methods,
+    List<LeftOut> leftOut,
+    Judge judge,
+    List<Point> points,
+    Optional<Spectrum> spectrum,
+    Map<String, TimeShares> shares,
+    Map<String, Double> freshStarts,
+    Effort effort,
+    String csv,
+    List<String> versions) {
+  public SceneFindings {
+    methods = List.copyOf(methods);
+    leftOut = List.copyOf(leftOut);
+    points = List.copyOf(points);
+    shares = Map.copyOf(shares);
+    freshStarts = Map.copyOf(freshStarts);
+    versions = List.copyOf(versions);
+  }
+
+  /** Returns the points of a method, loosest tolerance first. */
+  public List<Point> pointsOf(String method) {
+    return points.stream().filter(point -> point.first().method().equals(method)).toList();
+  }
+
+  /** Returns the floor below which errors mean nothing. */
+  public double floor() {
+    return judge.reference().map(reference -> reference.worstFloor()).orElse(Double.NaN);
+  }
+}

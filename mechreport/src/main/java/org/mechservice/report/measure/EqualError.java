@@ -1,0 +1,84 @@
+package org.mechservice.report.measure;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.ToDoubleFunction;
+
+/** Cost of a method at a given error, between its points. */
+public final class EqualError {
+  private EqualError() {}
+
+  /**
+   * Returns the least cost of an error.
+   *
+   * @param points of one method, loosest tolerance first
+   * @param error to be reached
+   * @param cost of a point, positive; points whose cost is not a number do not count
+   * @return interpolated between points in logarithms; that of the cheapest point where all are
+   *     better; empty if the error is not reached
+   */
+  public static OptionalDouble cost(
+      List<Point> points, double error, ToDoubleFunction<Point> cost) {
+    List<Point> usable =
+        points.stream()
+            .filter(point -> point.completed() && cost.applyAsDouble(point) > 0)
+            .filter(point -> Double.isFinite(point.error()))
+            .toList();
+    double least = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < usable.size(); i++) {
+      Point point = usable.get(i);
+      if (point.error() <= error) {
+        boolean crosses = i > 0 && usable.get(i - 1).error() > error;
+        least =
+            Math.min(
+                least,
+                crosses
+                    ? between(usable.get(i - 1), point, error, cost)
+                    : cost.applyAsDouble(point));
+      }
+    }
+    return least < Double.POSITIVE_INFINITY ? OptionalDouble.of(least) : OptionalDouble.empty();
+  }
+
+  private static double between(
+      Point worse, Point better, double error, ToDoubleFunction<Point> cost) {
+    double part =
+        Math.log(worse.error() / error)
+            / Math.log(worse.error() / Math.max(better.error(), Double.MIN_NORMAL));
+    double from = Math.log(cost.applyAsDouble(worse));
+    double to = Math.log(cost.applyAsDouble(better));
+    return Math.exp(from + part * (to - from));
+  }
+
+  /**
+   * Returns the order observed: how fast the error falls with the number of steps, by least squares
+   * in logarithms.
+   *
+   * @param floor errors below ten times this do not count
+   * @return empty if fewer than two points are left
+   */
+  public static OptionalDouble order(List<Point> points, double floor) {
+    List<Point> usable =
+        points.stream()
+            .filter(point -> point.completed() && point.error() > 10 * floor)
+            .filter(point -> point.error() < 1 && point.first().steps() > 0)
+            .toList();
+    if (usable.size() < 2) {
+      return OptionalDouble.empty();
+    }
+    double meanX = 0;
+    double meanY = 0;
+    for (Point point : usable) {
+      meanX += Math.log((double) point.first().steps()) / usable.size();
+      meanY += Math.log(point.error()) / usable.size();
+    }
+    double xx = 0;
+    double xy = 0;
+    for (Point point : usable) {
+      double x = Math.log((double) point.first().steps()) - meanX;
+      xx += x * x;
+      xy += x * (Math.log(point.error()) - meanY);
+    }
+    return xx > 0 ? OptionalDouble.of(-xy / xx) : OptionalDouble.empty();
+  }
+}

@@ -1,0 +1,137 @@
+package org.mechservice.report.measure;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * The reference runs are judged by, and how far it reaches: that which came with the product where
+ * there is one, else the one made here; cut where it can no longer tell errors that matter.
+ *
+ * @param reference empty if there is none
+ * @param grid output times that meet it
+ * @param said how it came about, and what is doubtful, one sentence each
+ * @param doubtful whether the reader must be warned
+ */
+public record Judge(
+    Optional<Reference> reference, RunGrid grid, List<String> said, boolean doubtful) {
+  /** Beyond this floor nothing can be said about eight digits. */
+  private static final double CUT = 1e-9;
+
+  /** What is made here must agree with what came with the product so well. */
+  private static final double AGREES = 1e-6;
+
+  /** Codes may differ by so many times what one unit in the last place does. */
+  private static final double EXPLAINED = 1e4;
+
+  /** A floor above this, at a time that is kept all the same, is a warning. */
+  private static final double USEFUL = 1e-7;
+
+  public Judge {
+    said = List.copyOf(said);
+  }
+
+  /**
+   * Finds a scene's judge.
+   *
+   * @param published what came with the product
+   * @param sources formulations to make one from
+   * @param uniform output times if there is no other reason
+   */
+  public static Judge of(
+      Optional<PublishedReference> published,
+      List<ReferenceMaker.Source> sources,
+      ReferenceMaker maker,
+      StateDistance distance,
+      RunGrid uniform) {
+    Optional<RunGrid> meeting = published.flatMap(reference -> RunGrid.meeting(reference.times()));
+    double[] times = meeting.isPresent() ? published.orElseThrow().times() : uniform.times();
+    Optional<Reference> made = maker.make(sources, times);
+    if (meeting.isEmpty()) {
+      return made.map(reference -> cut(reference, uniform)).orElseGet(() -> none(uniform));
+    }
+    return join(published.orElseThrow(), made, distance, meeting.get());
+  }
+
+  private static Judge none(RunGrid grid) {
+    return new Judge(
+        Optional.empty(),
+        grid,
+        List.of("No reference code solved the scene in its time, so errors are not known."),
+        true);
+  }
+
+  private static Judge join(
+      PublishedReference published,
+      Optional<Reference> made,
+      StateDistance distance,
+      RunGrid grid) {
+    List<String> said = new ArrayList<>();
+    said.add("Reference: the one that comes with the product. " + published.how() + ".");
+    double[] floor = published.floor().clone();
+    Optional<double[]> amplification = made.flatMap(Reference::amplification);
+    double apart = 0;
+    if (made.isPresent()) {
+      for (int i = 0; i < floor.length; i++) {
+        apart = Math.max(apart, distance.of(made.get().states()[i], published.states()[i]));
+        floor[i] = Math.max(floor[i], made.get().rounding()[i]);
+      }
+      said.add(
+          String.format(Locale.ROOT, "The codes of this report differ from it by %.1e.", apart));
+      said.addAll(made.get().sources());
+    } else {
+      said.add("None of the codes of this report solved the scene in its time.");
+    }
+    Reference reference =
+        new Reference(published.times(), published.states(), floor, floor, amplification, said);
+    return apart > AGREES
+        ? new Judge(Optional.of(reference), grid, said, true)
+        : cut(reference, grid);
+  }
+
+  /** Keeps the times at which the reference can tell errors that matter, but two at least. */
+  private static Judge cut(Reference reference, RunGrid grid) {
+    int count = reference.times().length;
+    while (count > 2 && reference.floor()[count - 1] > CUT) {
+      count--;
+    }
+    List<String> said = new ArrayList<>(reference.sources());
+    if (count < reference.times().length) {
+      said.add(
+          String.format(
+              Locale.ROOT,
+              "The interval is cut at %.4g s: later the reference is not known to 1e-9.",
+              reference.times()[count - 1]));
+    }
+    Reference kept = reference.upTo(count);
+    boolean doubtful = kept.worstFloor() > USEFUL || disagree(reference);
+    if (doubtful) {
+      said.add(
+          String.format(
+              Locale.ROOT,
+              "The reference is doubtful: its codes differ by up to %.1e, more than rounding"
+                  + " explains. Smaller errors mean nothing.",
+              reference.worstFloor()));
+    }
+    RunGrid shorter = new RunGrid(grid.start(), grid.step(), grid.row(kept.end()) + 1);
+    return new Judge(Optional.of(kept), shorter, said, doubtful);
+  }
+
+  /** Whether codes differ where they should not, by far more than a motion amplifies rounding. */
+  private static boolean disagree(Reference reference) {
+    for (int i = 0; i < reference.floor().length; i++) {
+      double explained = EXPLAINED * Math.max(reference.rounding()[i], Math.ulp(1.0));
+      if (reference.floor()[i] > Math.max(CUT, explained)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Returns the times of the reference, for a look at the spectrum. */
+  public double[] times() {
+    return reference.map(Reference::times).orElseGet(() -> Arrays.copyOf(grid.times(), 1));
+  }
+}

@@ -1,0 +1,183 @@
+package org.mechservice.report.measure;
+
+import com.sun.management.ThreadMXBean;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.lang.management.ManagementFactory;
+import java.util.List;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledFuture;
+import java.util.concurrent.TimeUnit;
+import org.mechservice.report.method.Candidate;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.Variable;
+
+/** Runs methods over a reference's interval and measures error and cost. */
+public final class MethodRunner implements AutoCloseable {
+  /** The absolute tolerance as a part of the relative one (per SI unit). */
+  public static final double ABSOLUTE_PART = 0.01;
+
+  private final Reference reference;
+  private final StateDistance distance;
+  private final RunGrid grid;
+  private final ScheduledExecutorService watch =
+      Executors.newSingleThreadScheduledExecutor(
+          task -> {
+            Thread thread = new Thread(task, "report-watch");
+            thread.setDaemon(true);
+            return thread;
+          });
+
+  /**
+   * @param grid output times; they meet those of the reference
+   */
+  public MethodRunner(Reference reference, StateDistance distance, RunGrid grid) {
+    this.reference = reference;
+    this.distance = distance;
+    this.grid = grid;
+  }
+
+  /**
+   * Runs a method once.
+   *
+   * @param round number for the record
+   * @param limitSeconds after which the run is stopped, s
+   */
+  public MeasuredRun run(Candidate candidate, double tolerance, int round, double limitSeconds) {
+    return run(candidate, candidate.models().get(), tolerance, round, limitSeconds);
+  }
+
+  /** Runs a method once on a model given. */
+  MeasuredRun run(
+      Candidate candidate, Model model, double tolerance, int round, double limitSeconds) {
+    RunSettings settings = settings(candidate, tolerance);
+    Rows rows = new Rows(grid, settings.tEnd());
+    RunControl control = new RunControl();
+    ScheduledFuture<?> alarm =
+        watch.schedule(control::stop, (long) (limitSeconds * 1e9), TimeUnit.NANOSECONDS);
+    ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    long bytes = threads.getCurrentThreadAllocatedBytes();
+    long started = System.nanoTime();
+    RunReport report;
+    try {
+      RunRequest request = new RunRequest(settings, java.util.Set.of(ColumnGroup.JOINTS));
+      report = candidate.solver().run(model, request, rows, control);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    } finally {
+      alarm.cancel(false);
+    }
+    double seconds = (System.nanoTime() - started) * 1e-9;
+    bytes = threads.getCurrentThreadAllocatedBytes() - bytes;
+    return measured(candidate, tolerance, round, limitSeconds, report, rows, seconds, bytes);
+  }
+
+  private RunSettings settings(Candidate candidate, double tolerance) {
+    return new RunSettings(
+        grid.start(),
+        reference.end(),
+        grid.step(),
+        candidate.method().integrator(),
+        tolerance,
+        tolerance * ABSOLUTE_PART);
+  }
+
+  private MeasuredRun measured(
+      Candidate candidate,
+      double tolerance,
+      int round,
+      double limitSeconds,
+      RunReport report,
+      Rows rows,
+      double seconds,
+      long bytes) {
+    String cause = cause(report.outcome(), limitSeconds);
+    return new MeasuredRun(
+        candidate.method().name(),
+        tolerance,
+        round,
+        cause,
+        seconds,
+        bytes,
+        report.steps(),
+        report.rejectedSteps(),
+        report.evaluations(),
+        report.jacobians(),
+        report.factorisations(),
+        cause.isEmpty() ? errors(rows) : MeasuredRun.Errors.NONE,
+        drift(report));
+  }
+
+  private static String cause(Outcome outcome, double limitSeconds) {
+    if (outcome instanceof Outcome.Failed failed) {
+      return failed.failure().message();
+    }
+    return outcome instanceof Outcome.Stopped
+        ? String.format(java.util.Locale.ROOT, "not finished within %.3g s", limitSeconds)
+        : "";
+  }
+
+  private static double drift(RunReport report) {
+    double scale = report.energyScale().orElse(Double.NaN);
+    double drift = report.energyDrift().orElse(Double.NaN);
+    return drift == 0 ? 0 : drift / scale;
+  }
+
+  private MeasuredRun.Errors errors(Rows rows) {
+    double atEnd = 0;
+    double positions = 0;
+    double velocities = 0;
+    for (int i = 0; i < reference.times().length; i++) {
+      double[] y = rows.at(reference.times()[i]);
+      double[] expected = reference.states()[i];
+      double ofPositions = distance.ofPositions(y, expected);
+      double ofVelocities = distance.ofVelocities(y, expected);
+      positions = Math.max(positions, ofPositions);
+      velocities = Math.max(velocities, ofVelocities);
+      atEnd = Math.max(ofPositions, ofVelocities);
+    }
+    return new MeasuredRun.Errors(atEnd, Math.max(positions, velocities), positions, velocities);
+  }
+
+  @Override
+  public void close() {
+    watch.shutdownNow();
+  }
+
+  /** Keeps the rows of a run. */
+  private static final class Rows implements ResultSink {
+    private final RunGrid grid;
+    private final double end;
+    private double[][] states = new double[0][];
+    private double[] last = new double[0];
+
+    Rows(RunGrid grid, double end) {
+      this.grid = grid;
+      this.end = end;
+    }
+
+    @Override
+    public void begin(List<Variable> columns) {
+      states = new double[grid.rows()][columns.size() - 1];
+    }
+
+    @Override
+    public void row(double[] values) {
+      int row = Math.min(grid.row(values[0]), states.length - 1);
+      System.arraycopy(values, 1, states[row], 0, states[row].length);
+      last = states[row];
+    }
+
+    double[] at(double time) {
+      return time == end ? last : states[grid.row(time)];
+    }
+  }
+}

@@ -1,0 +1,71 @@
+package org.mechservice.report.measure;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A method at a tolerance: what all its runs say together.
+ *
+ * @param first the run that errors and counts are taken from; they are the same in all
+ * @param seconds median of the timed runs, s; NaN if there is none
+ * @param lowSeconds lower quartile, s
+ * @param highSeconds upper quartile, s
+ * @param repeats number of timed runs
+ */
+public record Point(
+    MeasuredRun first, double seconds, double lowSeconds, double highSeconds, int repeats) {
+
+  /** Returns the points of a journal, in the order they were first run. */
+  public static List<Point> of(List<MeasuredRun> runs) {
+    List<Point> points = new ArrayList<>();
+    for (MeasuredRun run : runs) {
+      if (run.round() == 0) {
+        points.add(of(run, timesOf(run, runs)));
+      }
+    }
+    return points;
+  }
+
+  private static double[] timesOf(MeasuredRun first, List<MeasuredRun> runs) {
+    return runs.stream()
+        .filter(run -> run.round() > 0 && run.method().equals(first.method()))
+        .filter(run -> run.tolerance() == first.tolerance())
+        .mapToDouble(MeasuredRun::seconds)
+        .sorted()
+        .toArray();
+  }
+
+  private static Point of(MeasuredRun first, double[] sorted) {
+    return new Point(
+        first,
+        quantile(sorted, 0.5),
+        quantile(sorted, 0.25),
+        quantile(sorted, 0.75),
+        sorted.length);
+  }
+
+  private static double quantile(double[] sorted, double part) {
+    if (sorted.length == 0) {
+      return Double.NaN;
+    }
+    double place = part * (sorted.length - 1);
+    int below = (int) Math.floor(place);
+    int above = Math.min(below + 1, sorted.length - 1);
+    return sorted[below] + (place - below) * (sorted[above] - sorted[below]);
+  }
+
+  /** Returns the tolerance asked for. */
+  public double tolerance() {
+    return first.tolerance();
+  }
+
+  /** Returns the largest error over time. */
+  public double error() {
+    return first.errors().largest();
+  }
+
+  /** Returns whether the end was reached. */
+  public boolean completed() {
+    return first.completed();
+  }
+}

@@ -1,0 +1,50 @@
+package org.mechservice.report.measure;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What runs are judged by.
+ *
+ * @param times where, increasing, the first is the start, s
+ * @param states [q; v] there
+ * @param floor per time, below which an error cannot be told from the reference's own or from
+ *     rounding
+ * @param rounding per time, by how much a start changed by one unit in the last place moves it
+ * @param amplification per time, by what a small change of the start has grown; empty if not known
+ * @param sources how it was made and checked, one sentence each
+ */
+@SuppressWarnings("ArrayRecordComponent") // states as the solver hands them out; not changed
+public record Reference(
+    double[] times,
+    double[][] states,
+    double[] floor,
+    double[] rounding,
+    Optional<double[]> amplification,
+    List<String> sources) {
+  public Reference {
+    sources = List.copyOf(sources);
+  }
+
+  /** Returns the largest floor. */
+  public double worstFloor() {
+    return Arrays.stream(floor).max().orElse(0);
+  }
+
+  /** Returns the end, s. */
+  public double end() {
+    return times[times.length - 1];
+  }
+
+  /** Returns the first times alone. */
+  public Reference upTo(int count) {
+    return new Reference(
+        Arrays.copyOf(times, count),
+        Arrays.copyOf(states, count),
+        Arrays.copyOf(floor, count),
+        Arrays.copyOf(rounding, count),
+        amplification.map(all -> Arrays.copyOf(all, count)),
+        sources);
+  }
+}

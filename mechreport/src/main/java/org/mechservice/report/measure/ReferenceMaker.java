@@ -1,0 +1,209 @@
+package org.mechservice.report.measure;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Random;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
+import org.mechservice.report.method.ModelProblem;
+import org.mechservice.report.reference.ExtrapolationCode;
+import org.mechservice.report.reference.RadauCode;
+import org.mechservice.report.reference.ReferenceCode;
+
+/**
+ * Makes a reference: two codes on two formulations, their difference being what is known of its
+ * error; a run from a start changed by one unit in the last place, what rounding alone does; and
+ * one changed by 1e-9, by what the scene amplifies.
+ */
+public final class ReferenceMaker {
+  /** Tolerance of the collocation codes' estimate, of much lower order than the solution. */
+  private static final double RADAU_TOLERANCE = 1e-12;
+
+  private static final double EXTRAPOLATION_TOLERANCE = 1e-13;
+  private static final double AMPLIFIED = 1e-9;
+
+  /** A code beyond this number of unknowns would spend its time in dense matrices. */
+  private static final int DENSE_LIMIT = 120;
+
+  /**
+   * Something that may be solved.
+   *
+   * @param name formulation, for the page
+   * @param fresh makes the problem, for one solution
+   */
+  public record Source(String name, Supplier<ModelProblem> fresh) {}
+
+  @SuppressWarnings("ArrayRecordComponent") // states as the codes hand them out; not changed
+  private record Solved(String how, Attempt attempt, double[][] states) {}
+
+  private record Attempt(Source source, ReferenceCode code, double tolerance) {
+    String how() {
+      return String.format(
+          Locale.ROOT, "%s, tolerance %.0e, on %s", code.name(), tolerance, source.name());
+    }
+  }
+
+  private final StateDistance distance;
+  private final double secondsPerCode;
+  private final double radauTolerance;
+  private final double extrapolationTolerance;
+
+  /**
+   * @param secondsPerCode what one solution may take, s
+   */
+  public ReferenceMaker(StateDistance distance, double secondsPerCode) {
+    this(distance, secondsPerCode, RADAU_TOLERANCE, EXTRAPOLATION_TOLERANCE);
+  }
+
+  /**
+   * @param secondsPerCode what one solution may take, s
+   * @param radauTolerance of the collocation codes' estimate
+   * @param extrapolationTolerance of the other
+   */
+  public ReferenceMaker(
+      StateDistance distance,
+      double secondsPerCode,
+      double radauTolerance,
+      double extrapolationTolerance) {
+    this.distance = distance;
+    this.secondsPerCode = secondsPerCode;
+    this.radauTolerance = radauTolerance;
+    this.extrapolationTolerance = extrapolationTolerance;
+  }
+
+  /**
+   * Makes a reference.
+   *
+   * @param sources at least one; the second should be another formulation than the first
+   * @param times increasing; the first is the start
+   * @return empty if no code solves the problem in its time
+   */
+  public Optional<Reference> make(List<Source> sources, double[] times) {
+    List<String> said = new ArrayList<>();
+    List<Solved> solved = new ArrayList<>();
+    for (Attempt attempt : attempts(sources)) {
+      Optional<double[][]> states = solve(attempt, times, 0);
+      if (states.isPresent()) {
+        solved.add(new Solved(attempt.how(), attempt, states.get()));
+        if (solved.size() == 2) {
+          break;
+        }
+      } else {
+        said.add(attempt.how() + ": not solved within " + (long) secondsPerCode + " s");
+      }
+    }
+    return solved.isEmpty() ? Optional.empty() : Optional.of(judged(solved, times, said));
+  }
+
+  private List<Attempt> attempts(List<Source> sources) {
+    Source first = sources.get(0);
+    Source second = sources.get(Math.min(1, sources.size() - 1));
+    Attempt extrapolation = new Attempt(second, new ExtrapolationCode(8), extrapolationTolerance);
+    if (first.fresh().get().dimension() > DENSE_LIMIT) {
+      return List.of(
+          extrapolation, new Attempt(first, new ExtrapolationCode(6), extrapolationTolerance));
+    }
+    return List.of(
+        new Attempt(first, new RadauCode(7), radauTolerance),
+        extrapolation,
+        new Attempt(second, new RadauCode(5), radauTolerance),
+        new Attempt(first, new RadauCode(5), radauTolerance));
+  }
+
+  private Optional<double[][]> solve(Attempt attempt, double[] times, double change) {
+    ModelProblem problem = attempt.source().fresh().get();
+    double[] y0 = problem.start();
+    if (change > 0) {
+      perturb(problem, times[0], y0, change);
+    }
+    long deadline = System.nanoTime() + (long) (secondsPerCode * TimeUnit.SECONDS.toNanos(1));
+    return attempt.code().solve(problem, times, y0, attempt.tolerance(), deadline);
+  }
+
+  /** Changes every component that is free by the same part of 1 + |y|, signs drawn. */
+  private static void perturb(ModelProblem problem, double t, double[] y, double change) {
+    Random signs = new Random(1);
+    for (int i = 0; i < y.length; i++) {
+      double moved = change * (1 + Math.abs(y[i]));
+      if (signs.nextBoolean() && problem.independent(i)) {
+        y[i] += moved;
+      } else if (problem.independent(i)) {
+        y[i] -= moved;
+      }
+    }
+    problem.close(t, y);
+  }
+
+  private Reference judged(List<Solved> solved, double[] times, List<String> said) {
+    Solved best = solved.get(0);
+    List<String> sources = new ArrayList<>();
+    sources.add("Reference: " + best.how() + ".");
+    double[] floor = new double[times.length];
+    Optional<double[]> rounding = grown(best, times, Math.ulp(1.0) / 2);
+    Optional<double[]> amplified = grown(best, times, AMPLIFIED);
+    rounding.ifPresent(moved -> raise(floor, moved));
+    if (solved.size() == 2) {
+      double[] apart = distances(best.states(), solved.get(1).states());
+      raise(floor, apart);
+      sources.add(
+          String.format(
+              Locale.ROOT,
+              "Checked by: %s; they differ by %.1e at most.",
+              solved.get(1).how(),
+              largest(apart)));
+    } else {
+      sources.add("Not checked: no second code solved the scene in its time.");
+    }
+    rounding.ifPresent(
+        moved ->
+            sources.add(
+                String.format(
+                    Locale.ROOT,
+                    "A start changed by one unit in the last place moves the end by %.1e.",
+                    moved[moved.length - 1])));
+    sources.addAll(said);
+    return new Reference(
+        times,
+        best.states(),
+        floor,
+        rounding.orElseGet(() -> new double[times.length]),
+        amplified.map(ReferenceMaker::perUnit),
+        sources);
+  }
+
+  private static double[] perUnit(double[] moved) {
+    double[] factors = new double[moved.length];
+    for (int i = 0; i < moved.length; i++) {
+      factors[i] = moved[i] / AMPLIFIED;
+    }
+    return factors;
+  }
+
+  private Optional<double[]> grown(Solved solved, double[] times, double change) {
+    return solve(solved.attempt(), times, change).map(moved -> distances(moved, solved.states()));
+  }
+
+  private double[] distances(double[][] a, double[][] b) {
+    double[] apart = new double[a.length];
+    for (int i = 0; i < a.length; i++) {
+      apart[i] = distance.of(a[i], b[i]);
+    }
+    return apart;
+  }
+
+  private static void raise(double[] floor, double[] to) {
+    for (int i = 0; i < floor.length; i++) {
+      floor[i] = Math.max(floor[i], to[i]);
+    }
+  }
+
+  private static double largest(double[] values) {
+    double largest = 0;
+    for (double value : values) {
+      largest = Math.max(largest, value);
+    }
+    return largest;
+  }
+}

@@ -1,0 +1,226 @@
+package org.mechservice.report.measure;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.report.method.ModelProblem;
+import org.mechservice.solver.api.JointVariables;
+import org.mechservice.solver.linear.Eigenvalues;
+
+/**
+ * Eigenvalues of the linearised equations along a run: ∂f/∂y by central differences in the
+ * independent coordinates.
+ *
+ * @param samples one per time looked at
+ * @param interval length of the run, s
+ */
+public record Spectrum(List<Sample> samples, double interval) {
+  /** Relative size of a difference: balances rounding against curvature. */
+  private static final double STEP = 1e-6;
+
+  public Spectrum {
+    samples = List.copyOf(samples);
+  }
+
+  /**
+   * The spectrum at one time.
+   *
+   * @param time s
+   * @param modes real eigenvalues and those with positive imaginary part, the fastest first
+   */
+  public record Sample(double time, List<Mode> modes) {
+    public Sample {
+      modes = List.copyOf(modes);
+    }
+  }
+
+  /**
+   * One eigenvalue.
+   *
+   * @param real part, 1/s
+   * @param imaginary part, rad/s, not negative
+   * @param joint the joint that moves most in it
+   */
+  public record Mode(double real, double imaginary, String joint) {
+    /** Returns the modulus, 1/s. */
+    public double modulus() {
+      return Math.hypot(real, imaginary);
+    }
+
+    /** Returns the damping ratio: 1 decays without swinging, 0 swings for ever, −1 grows. */
+    public double damping() {
+      return modulus() == 0 ? 0 : -real / modulus();
+    }
+  }
+
+  /**
+   * Looks at the spectrum at several times of a reference.
+   *
+   * @param problem the scene's equations; its state is used
+   * @param most number of times at most
+   */
+  public static Spectrum along(Reference reference, ModelProblem problem, int most) {
+    List<Sample> samples = new ArrayList<>();
+    int last = reference.times().length - 1;
+    int count = Math.min(most, last + 1);
+    for (int i = 0; i < count; i++) {
+      int at = count == 1 ? 0 : (int) Math.rint((double) i * last / (count - 1));
+      double t = reference.times()[at];
+      double[] y = reference.states()[at].clone();
+      if (problem.stepEnded(t, y)) {
+        sample(problem, t, y).ifPresent(samples::add);
+      }
+    }
+    return new Spectrum(samples, reference.end() - reference.times()[0]);
+  }
+
+  private static Optional<Sample> sample(ModelProblem problem, double t, double[] y) {
+    int[] free = free(problem);
+    double[] jacobian = jacobian(problem, t, y, free);
+    for (double element : jacobian) {
+      if (!Double.isFinite(element)) {
+        return Optional.empty();
+      }
+    }
+    Eigenvalues eigenvalues = new Eigenvalues(free.length, jacobian);
+    if (!eigenvalues.converged()) {
+      return Optional.empty();
+    }
+    List<Mode> modes = new ArrayList<>();
+    List<String> joints = jointOfState(problem);
+    double[] re = new double[free.length];
+    double[] im = new double[free.length];
+    for (int i = 0; i < eigenvalues.count(); i++) {
+      if (eigenvalues.imaginary(i) >= 0) {
+        eigenvalues.vector(i, re, im);
+        String joint = joints.get(free[largest(re, im, free, problem)]);
+        modes.add(new Mode(eigenvalues.real(i), eigenvalues.imaginary(i), joint));
+      }
+    }
+    modes.sort((a, b) -> Double.compare(b.modulus(), a.modulus()));
+    return Optional.of(new Sample(t, modes));
+  }
+
+  private static int[] free(ModelProblem problem) {
+    return java.util.stream.IntStream.range(0, problem.dimension())
+        .filter(problem::independent)
+        .toArray();
+  }
+
+  private static double[] jacobian(ModelProblem problem, double t, double[] y, int[] free) {
+    int n = free.length;
+    double[] jacobian = new double[n * n];
+    double[] above = new double[y.length];
+    double[] below = new double[y.length];
+    double[] moved = y.clone();
+    for (int column = 0; column < n; column++) {
+      double kept = y[free[column]];
+      double step = STEP * (1 + Math.abs(kept));
+      moved[free[column]] = kept + step;
+      boolean defined = problem.derivative(t, moved, above);
+      moved[free[column]] = kept - step;
+      defined &= problem.derivative(t, moved, below);
+      moved[free[column]] = kept;
+      for (int row = 0; row < n; row++) {
+        double slope = (above[free[row]] - below[free[row]]) / (2 * step);
+        jacobian[row * n + column] = defined ? slope : Double.NaN;
+      }
+    }
+    return jacobian;
+  }
+
+  /** The velocity that takes part most: of a fast mode, positions hardly move. */
+  private static int largest(double[] re, double[] im, int[] free, ModelProblem problem) {
+    int velocities = problem.model().description().positionCount();
+    int largest = 0;
+    double size = -1;
+    for (int i = 0; i < re.length; i++) {
+      double part = Math.hypot(re[i], im[i]);
+      if (free[i] >= velocities && part > size) {
+        size = part;
+        largest = i;
+      }
+    }
+    return largest;
+  }
+
+  private static List<String> jointOfState(ModelProblem problem) {
+    List<String> names = new ArrayList<>();
+    List<JointVariables> joints = problem.model().description().joints();
+    for (JointVariables joint : joints) {
+      for (int i = 0; i < joint.type().positionCount(); i++) {
+        names.add(joint.name());
+      }
+    }
+    for (JointVariables joint : joints) {
+      for (int i = 0; i < joint.type().velocityCount(); i++) {
+        names.add(joint.name());
+      }
+    }
+    return names;
+  }
+
+  /** Returns the fastest mode met. */
+  public Optional<Mode> fastest() {
+    return samples.stream()
+        .flatMap(sample -> sample.modes().stream().limit(1))
+        .max((a, b) -> Double.compare(a.modulus(), b.modulus()));
+  }
+
+  /** Returns the fastest decay met, 1/s; 0 if nothing decays. */
+  public double fastestDecay() {
+    return samples.stream()
+        .flatMap(sample -> sample.modes().stream())
+        .mapToDouble(mode -> -mode.real())
+        .reduce(0, Math::max);
+  }
+
+  /** Returns the highest angular frequency met, rad/s; 0 if nothing swings. */
+  public double highestFrequency() {
+    return samples.stream()
+        .flatMap(sample -> sample.modes().stream())
+        .mapToDouble(Mode::imaginary)
+        .reduce(0, Math::max);
+  }
+
+  /** Returns the smallest modulus that the interval is long enough to show, 1/s. */
+  public double slowest() {
+    return samples.stream()
+        .flatMap(sample -> sample.modes().stream())
+        .mapToDouble(Mode::modulus)
+        .filter(modulus -> modulus * interval > 1)
+        .min()
+        .orElse(1 / interval);
+  }
+
+  /** What the spectrum means for the choice of an integrator. */
+  public enum Verdict {
+    /** Nothing decays or swings much faster than the run's own scale. */
+    NOT_STIFF,
+    /** Fast decay without much swinging: stability limits explicit methods. */
+    STIFF,
+    /** Fast swinging with little damping: whoever excites it must follow it. */
+    OSCILLATORY
+  }
+
+  /** Time constants within the interval from which fast decay is called stiff. */
+  private static final double MANY_TIME_CONSTANTS = 500;
+
+  /** Periods within the interval from which fast swinging is called so. */
+  private static final double MANY_RADIANS = 300;
+
+  private static final double WELL_DAMPED = 0.3;
+
+  /** Returns what the fastest mode means. */
+  public Verdict verdict() {
+    Optional<Mode> fastest = fastest();
+    if (fastest.isEmpty()) {
+      return Verdict.NOT_STIFF;
+    }
+    double size = fastest.get().modulus() * interval;
+    if (fastest.get().damping() >= WELL_DAMPED) {
+      return size > MANY_TIME_CONSTANTS ? Verdict.STIFF : Verdict.NOT_STIFF;
+    }
+    return size > MANY_RADIANS ? Verdict.OSCILLATORY : Verdict.NOT_STIFF;
+  }
+}

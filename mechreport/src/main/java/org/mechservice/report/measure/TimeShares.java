@@ -1,0 +1,155 @@
+package org.mechservice.report.measure;
+
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
+import java.lang.reflect.Proxy;
+import java.util.EnumMap;
+import java.util.LinkedHashSet;
+import java.util.Map;
+import java.util.Set;
+import org.mechservice.report.method.Candidate;
+import org.mechservice.solver.api.Model;
+
+/**
+ * What a run spends its time on: the model's methods are timed through a proxy, whose own cost per
+ * call is measured and deducted.
+ *
+ * @param parts part of the run's time, of 1
+ * @param tolerance at which
+ */
+public record TimeShares(Map<Part, Double> parts, double tolerance) {
+  public TimeShares {
+    parts = Map.copyOf(parts);
+  }
+
+  /** What time goes to. */
+  public enum Part {
+    EVALUATIONS("evaluations", "derivative residual consistent"),
+    JACOBIAN("Jacobian", "linearise"),
+    FACTORISATION("factorisation", "factor"),
+    SOLUTION("linear solution", "solve"),
+    PROJECTION("closing loops", "complete project accepted"),
+    OUTPUT("output", "energy power poses"),
+    INTEGRATOR("integrator", "");
+
+    private final String label;
+    private final String methods;
+
+    Part(String label, String methods) {
+      this.label = label;
+      this.methods = methods;
+    }
+
+    /** Returns the part's colour on the page. */
+    public String css() {
+      return "-" + name().toLowerCase(java.util.Locale.ROOT);
+    }
+
+    /** Returns the part's name on the page. */
+    public String label() {
+      return label;
+    }
+
+    static Part of(String method) {
+      for (Part part : values()) {
+        if (Set.of(part.methods.split(" ", -1)).contains(method)) {
+          return part;
+        }
+      }
+      return INTEGRATOR;
+    }
+  }
+
+  /** Runs a method with its model watched, three times, and keeps the last. */
+  public static TimeShares of(
+      MethodRunner runner, Candidate candidate, double tolerance, double limitSeconds) {
+    Watched watched = new Watched(candidate.models().get());
+    double seconds = 0;
+    for (int i = 0; i < 3; i++) {
+      watched = new Watched(candidate.models().get());
+      seconds = runner.run(candidate, watched.proxy(), tolerance, 0, limitSeconds).seconds();
+    }
+    return new TimeShares(watched.shares(seconds), tolerance);
+  }
+
+  private static final class Watched {
+    private final Model model;
+    private final Map<Part, Long> nanos = new EnumMap<>(Part.class);
+    private long calls;
+    private int depth;
+
+    Watched(Model model) {
+      this.model = model;
+    }
+
+    /** The model with the same interfaces of the solver's API. */
+    Model proxy() {
+      Set<Class<?>> interfaces = new LinkedHashSet<>();
+      for (Class<?> type = model.getClass(); type != null; type = type.getSuperclass()) {
+        collect(type, interfaces);
+      }
+      return (Model)
+          Proxy.newProxyInstance(
+              Model.class.getClassLoader(),
+              interfaces.toArray(Class<?>[]::new),
+              (self, method, arguments) -> call(method, arguments));
+    }
+
+    private static void collect(Class<?> type, Set<Class<?>> into) {
+      for (Class<?> implemented : type.getInterfaces()) {
+        if (implemented.getPackageName().equals(Model.class.getPackageName())) {
+          into.add(implemented);
+        }
+        collect(implemented, into);
+      }
+    }
+
+    private Object call(Method method, Object[] arguments) throws Throwable {
+      long started = System.nanoTime();
+      depth++;
+      try {
+        return method.invoke(model, arguments);
+      } catch (InvocationTargetException e) {
+        throw e.getCause();
+      } finally {
+        if (--depth == 0) {
+          calls++;
+          nanos.merge(Part.of(method.getName()), System.nanoTime() - started, Long::sum);
+        }
+      }
+    }
+
+    Map<Part, Double> shares(double seconds) {
+      double perCall = costOfWatching();
+      double total = Math.max(seconds - calls * perCall, 0.1 * seconds);
+      Map<Part, Double> shares = new EnumMap<>(Part.class);
+      double rest = 1;
+      for (Map.Entry<Part, Long> part : nanos.entrySet()) {
+        if (part.getKey() != Part.INTEGRATOR) {
+          double share = Math.min(part.getValue() * 1e-9 / total, rest);
+          shares.put(part.getKey(), share);
+          rest -= share;
+        }
+      }
+      shares.put(Part.INTEGRATOR, rest);
+      return shares;
+    }
+
+    /** Most of what a watched call costs lies outside of what it measures of itself. */
+    private double costOfWatching() {
+      int trials = 20_000;
+      Model watched = proxy();
+      long before = calls;
+      Map<Part, Long> kept = new EnumMap<>(nanos);
+      long started = System.nanoTime();
+      for (int i = 0; i < trials; i++) {
+        watched.description();
+      }
+      double cost = (System.nanoTime() - started) * 1e-9 / trials;
+      calls = before;
+      nanos.clear();
+      nanos.putAll(kept);
+      return 0.5 * cost;
+    }
+  }
+}

@@ -1,0 +1,73 @@
+package org.mechservice.report.method;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.client.InvalidOptionException;
+import org.mechservice.client.LocalModel;
+import org.mechservice.client.MechSession;
+import org.mechservice.client.NotAvailableException;
+import org.mechservice.client.ServiceException;
+import org.mechservice.client.SimulationOptions;
+import org.mechservice.solver.api.DependentStates;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ProjectedStates;
+
+/**
+ * Every formulation, closure and integrator, tried on a scene: those that fit, built, and the
+ * others with the reason why they do not.
+ *
+ * @param candidates what can be run
+ * @param leftOut what cannot
+ */
+public record MethodList(List<Candidate> candidates, List<LeftOut> leftOut) {
+  private static final List<String> FORMULATIONS = List.of("DTR", "DSR", "RR", "RR-JF");
+  private static final List<String> INTEGRATORS = List.of("ode113", "DE", "ode15s", "ode15sR");
+  private static final List<String> CLOSURES = List.of("projection", "penalty");
+
+  public MethodList {
+    candidates = List.copyOf(candidates);
+    leftOut = List.copyOf(leftOut);
+  }
+
+  /**
+   * Asks the service for all methods of the model a session has loaded.
+   *
+   * @throws ServiceException if the model cannot be built at all; says why
+   */
+  public static MethodList of(MechSession session) {
+    List<Candidate> candidates = new ArrayList<>();
+    List<LeftOut> leftOut = new ArrayList<>();
+    boolean loops = hasLoops(session);
+    for (String formulation : FORMULATIONS) {
+      for (String closure : loops ? CLOSURES : List.of(Method.OPEN)) {
+        for (String integrator : INTEGRATORS) {
+          Method method = new Method(formulation, closure, integrator);
+          try {
+            LocalModel model = session.fetchModel(options(method));
+            candidates.add(new Candidate(method, model::newModel, model.solver()));
+          } catch (InvalidOptionException | NotAvailableException e) {
+            leftOut.add(new LeftOut(method, String.valueOf(e.getMessage())));
+          }
+        }
+      }
+    }
+    return new MethodList(candidates, leftOut);
+  }
+
+  /** The model as the service itself would choose; what it refuses is refused for all methods. */
+  private static boolean hasLoops(MechSession session) {
+    LocalModel chosen =
+        session.fetchModel(SimulationOptions.asInFile().formulation("auto").integrator("auto"));
+    Model model = chosen.newModel();
+    return model instanceof DependentStates || model instanceof ProjectedStates;
+  }
+
+  /** Returns the options that choose a method. */
+  public static SimulationOptions options(Method method) {
+    SimulationOptions options =
+        SimulationOptions.asInFile()
+            .formulation(method.formulation())
+            .integrator(method.integrator());
+    return method.closure().equals(Method.OPEN) ? options : options.closure(method.closure());
+  }
+}

@@ -1,0 +1,181 @@
+package org.mechservice.report.page;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.mechservice.report.SceneFindings;
+import org.mechservice.report.measure.EqualError;
+import org.mechservice.report.measure.Point;
+import org.mechservice.report.measure.Spectrum;
+import org.mechservice.report.method.Method;
+
+/** The recommendation in words, with its numbers. */
+final class Advice {
+  /** Errors that people ask for: to look at, to work with, to compare with. */
+  private static final double[] WANTED = {1e-3, 1e-6, 1e-9};
+
+  private final SceneFindings found;
+
+  Advice(SceneFindings found) {
+    this.found = found;
+  }
+
+  /**
+   * The cheapest way to an error.
+   *
+   * @param error wanted
+   * @param point the cheapest point measured that has it
+   * @param method its method
+   * @param runnerUp the next cheapest of another method; empty if there is none
+   */
+  record Choice(double error, Point point, Method method, Optional<Point> runnerUp) {}
+
+  /** Returns the choices for the errors that the reference can tell and a method reaches. */
+  List<Choice> choices() {
+    List<Choice> choices = new ArrayList<>();
+    for (double error : WANTED) {
+      if (error > found.floor()) {
+        cheapest(error, "").ifPresent(best -> choices.add(choice(error, best)));
+      }
+    }
+    return choices;
+  }
+
+  private Choice choice(double error, Point best) {
+    String name = best.first().method();
+    Method method =
+        found.methods().stream().filter(m -> m.name().equals(name)).findFirst().orElseThrow();
+    return new Choice(error, best, method, cheapest(error, name));
+  }
+
+  private Optional<Point> cheapest(double error, String butNot) {
+    return found.points().stream()
+        .filter(point -> point.completed() && point.error() <= error && point.seconds() > 0)
+        .filter(point -> !point.first().method().equals(butNot))
+        .min(Comparator.comparingDouble(Point::seconds));
+  }
+
+  /** Returns one sentence per choice. */
+  List<String> sentences() {
+    List<String> sentences = new ArrayList<>();
+    for (Choice choice : choices()) {
+      Point point = choice.point();
+      String line =
+          String.format(
+              Locale.ROOT,
+              "<b>Error %s:</b> <b>%s</b> at tolerance %s, %s, %d evaluations (error %s).",
+              Html.tolerance(choice.error()),
+              choice.method().name(),
+              Html.tolerance(point.tolerance()),
+              Html.seconds(point.seconds()),
+              point.first().evaluations(),
+              Html.error(point.error()));
+      String next =
+          choice
+              .runnerUp()
+              .map(
+                  second ->
+                      String.format(
+                          Locale.ROOT,
+                          " Next: %s, %s.",
+                          second.first().method(),
+                          Html.factor(second.seconds() / point.seconds())))
+              .orElse("");
+      sentences.add(
+          line
+              + next
+              + "<br><code>"
+              + Html.escape(
+                  choice.method().options()
+                      + " --rtol "
+                      + Html.tolerance(point.tolerance())
+                      + " --atol "
+                      + Html.tolerance(point.tolerance() * 0.01))
+              + "</code>");
+    }
+    return sentences;
+  }
+
+  /** Returns what the spectrum says; empty if it is of no importance to this scene. */
+  Optional<String> stiffness() {
+    Optional<Spectrum.Mode> fastest = found.spectrum().flatMap(Spectrum::fastest);
+    if (fastest.isEmpty()) {
+      return Optional.empty();
+    }
+    Spectrum spectrum = found.spectrum().orElseThrow();
+    Spectrum.Mode mode = fastest.get();
+    double size = mode.modulus() * spectrum.interval();
+    String where = " It sits at joint <b>" + Html.escape(mode.joint()) + "</b>.";
+    return Optional.of(
+        switch (spectrum.verdict()) {
+          case NOT_STIFF ->
+              "<b>Not stiff.</b> The fastest motion of the linearised equations has modulus "
+                  + Html.number(mode.modulus())
+                  + " 1/s, "
+                  + Html.digits(size)
+                  + " times the inverse of the interval; explicit methods are not limited by it.";
+          case STIFF ->
+              "<b>Stiff.</b> The fastest motion decays with "
+                  + Html.number(-mode.real())
+                  + " 1/s (damping ratio "
+                  + Html.digits(mode.damping())
+                  + "): "
+                  + Html.number(size)
+                  + " time constants fit into the run, and an explicit method needs about as many"
+                  + " steps whatever error is asked for. Ratio to the slowest motion: "
+                  + Html.number(mode.modulus() / spectrum.slowest())
+                  + "."
+                  + where
+                  + explicitAgainstImplicit();
+          case OSCILLATORY ->
+              "<b>Fast oscillation, little damping.</b> The fastest motion swings with "
+                  + Html.number(mode.imaginary())
+                  + " rad/s (damping ratio "
+                  + Html.number(mode.damping())
+                  + "): "
+                  + Html.number(mode.imaginary() * spectrum.interval() / (2 * Math.PI))
+                  + " periods fit into the run. Where it is excited every method has to follow it;"
+                  + " the higher order of explicit ones is then the advantage."
+                  + where
+                  + explicitAgainstImplicit();
+        });
+  }
+
+  private String explicitAgainstImplicit() {
+    Optional<String> best = Optional.empty();
+    for (double error : new double[] {1e-6, 1e-4, 1e-3}) {
+      double explicit = least(error, true);
+      double implicit = least(error, false);
+      if (best.isEmpty() && Double.isFinite(explicit) && Double.isFinite(implicit)) {
+        String winner = explicit < implicit ? "explicit" : "implicit";
+        double ratio = Math.max(explicit, implicit) / Math.min(explicit, implicit);
+        best =
+            Optional.of(
+                " Measured at error "
+                    + Html.tolerance(error)
+                    + ": the best "
+                    + winner
+                    + " method wins by "
+                    + Html.factor(ratio)
+                    + ".");
+      }
+    }
+    return best.orElse("");
+  }
+
+  private double least(double error, boolean explicit) {
+    double least = Double.POSITIVE_INFINITY;
+    for (Method method : found.methods()) {
+      if (method.integrator().startsWith("ode15") != explicit) {
+        least =
+            Math.min(
+                least,
+                EqualError.cost(found.pointsOf(method.name()), error, Point::seconds)
+                    .orElse(Double.POSITIVE_INFINITY));
+      }
+    }
+    return least;
+  }
+}

@@ -1,0 +1,33 @@
+package org.mechservice.report.page;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.report.method.Method;
+
+/** Colours and marks of all methods of a page. */
+final class CurveStyles {
+  private static final List<String> INTEGRATORS = List.of("ode113", "DE", "ode15s", "ode15sR");
+  private static final int FAILURES_BESIDE_EACH_OTHER = 4;
+  private static final double FAILURE_WIDTH = 7;
+
+  private final List<String> groups = new ArrayList<>();
+
+  CurveStyles(List<Method> methods) {
+    for (Method method : methods) {
+      if (!groups.contains(group(method))) {
+        groups.add(group(method));
+      }
+    }
+  }
+
+  private static String group(Method method) {
+    return method.formulation() + method.closure();
+  }
+
+  /** Returns the style of one of the methods. */
+  CurveStyle of(Method method) {
+    int colour = groups.indexOf(group(method));
+    int mark = Math.max(0, INTEGRATORS.indexOf(method.integrator()));
+    return new CurveStyle(colour, mark, FAILURE_WIDTH * (colour % FAILURES_BESIDE_EACH_OTHER));
+  }
+}

@@ -1,0 +1,318 @@
+package org.mechservice.report.page;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.ToDoubleFunction;
+import org.mechservice.report.SceneFindings;
+import org.mechservice.report.measure.Effort;
+import org.mechservice.report.measure.Judge;
+import org.mechservice.report.measure.Point;
+import org.mechservice.report.measure.Reference;
+import org.mechservice.report.measure.Spectrum;
+import org.mechservice.report.method.LeftOut;
+import org.mechservice.report.method.Method;
+
+/** The page of one scene. What does not concern the scene is not on it. */
+public final class ScenePage {
+  private final SceneFindings found;
+  private final CurveStyles styles;
+  private final StringBuilder page = new StringBuilder();
+
+  private ScenePage(SceneFindings found) {
+    this.found = found;
+    styles = new CurveStyles(found.methods());
+  }
+
+  /** Returns the page as HTML. */
+  public static String of(SceneFindings found) {
+    ScenePage scene = new ScenePage(found);
+    scene.write();
+    return PageFrame.of(found.model() + ": error against run time", scene.page.toString());
+  }
+
+  private void write() {
+    head();
+    Doubts.of(found).forEach(doubt -> add("<p class=\"doubt\">" + Html.escape(doubt) + "</p>"));
+    recommendation();
+    if (!found.points().isEmpty()) {
+      diagrams();
+      MethodTables tables = new MethodTables(found, styles);
+      add(tables.equalError());
+      add(tables.methods());
+      failures();
+    }
+    spectrum();
+    if (!found.points().isEmpty()) {
+      add(new MethodTables(found, styles).points());
+    }
+    leftOut();
+    measured();
+  }
+
+  private void add(String html) {
+    page.append(html).append('\n');
+  }
+
+  private void head() {
+    double end = found.judge().reference().map(Reference::end).orElse(found.endOfFile());
+    String loops =
+        found.methods().stream().anyMatch(method -> !method.closure().equals(Method.OPEN))
+            ? "closed loops"
+            : "open chain";
+    add("<h1>" + Html.escape(found.model()) + "</h1>");
+    add(
+        String.format(
+            Locale.ROOT,
+            "<p class=\"sub\">%s · %d degrees of freedom · %s · %s s · %d methods%s · %s</p>",
+            Html.escape(found.file()),
+            found.freedoms(),
+            loops,
+            Html.number(end),
+            found.methods().size(),
+            found.effort().equals(Effort.QUICK) ? " · quick report" : "",
+            Html.escape(found.versions().get(0))));
+  }
+
+  private void recommendation() {
+    Advice advice = new Advice(found);
+    List<String> sentences = advice.sentences();
+    add("<section class=\"advice\"><h2>Recommendation</h2>");
+    if (sentences.isEmpty()) {
+      add("<p>No method reached an error that the reference can tell; see below why.</p>");
+    }
+    sentences.forEach(sentence -> add("<p>" + sentence + "</p>"));
+    advice.stiffness().ifPresent(text -> add("<p>" + text + "</p>"));
+    add("</section>");
+  }
+
+  private void diagrams() {
+    add("<section><h2>Error against run time</h2>");
+    add(legend());
+    add(chart("run time, s (median)", Point::seconds));
+    add("<h2>Error against evaluations</h2>");
+    add(
+        chart(
+            "evaluations of right-hand side or residual",
+            point -> (double) point.first().evaluations()));
+    add("<h2>Error achieved against tolerance asked for</h2>");
+    add(
+        "<p class=\"note\">On the line the error is the tolerance; between the dotted lines (0.01"
+            + " to 100) the tolerance is honest.</p>");
+    add(honesty());
+    add("</section>");
+  }
+
+  private String legend() {
+    StringBuilder legend = new StringBuilder("<p class=\"legend\">");
+    for (Method method : found.methods()) {
+      legend
+          .append("<span data-m=\"")
+          .append(Html.escape(method.name()))
+          .append("\">")
+          .append(styles.of(method).swatch())
+          .append(Html.escape(method.name()))
+          .append("</span>");
+    }
+    boolean failed = found.points().stream().anyMatch(point -> !point.completed());
+    if (failed) {
+      legend.append(
+          "<span><svg class=\"swatch\" viewBox=\"0 0 26 12\"><path class=\"fail\" d=\"M9 2l8 8m0"
+              + " -8l-8 8\"/></svg>failed, at the tolerance asked for</span>");
+    }
+    return legend.append("</p>").toString();
+  }
+
+  private String chart(String xTitle, ToDoubleFunction<Point> x) {
+    LogLogChart chart = new LogLogChart(xTitle, "largest error over time").floor(found.floor());
+    for (Method method : found.methods()) {
+      chart.add(curve(method, x));
+    }
+    return chart.svg();
+  }
+
+  private LogLogChart.Curve curve(Method method, ToDoubleFunction<Point> x) {
+    List<LogLogChart.Mark> marks = new ArrayList<>();
+    List<LogLogChart.Mark> failures = new ArrayList<>();
+    for (Point point : found.pointsOf(method.name())) {
+      if (!point.completed()) {
+        failures.add(new LogLogChart.Mark(0, point.tolerance(), "", hover(method, point), false));
+      } else if (x.applyAsDouble(point) > 0 && Double.isFinite(point.error())) {
+        marks.add(
+            new LogLogChart.Mark(
+                x.applyAsDouble(point),
+                Math.max(point.error(), 1e-17),
+                label(point),
+                hover(method, point),
+                point.error() <= found.floor()));
+      }
+    }
+    return new LogLogChart.Curve(styles.of(method), marks, failures);
+  }
+
+  /** The exponent of the tolerance asked for. */
+  private static String label(Point point) {
+    return String.format(Locale.ROOT, "%.0f", -Math.log10(point.tolerance()));
+  }
+
+  private String hover(Method method, Point point) {
+    if (!point.completed()) {
+      return method.name()
+          + "\nasked "
+          + Html.tolerance(point.tolerance())
+          + "\n"
+          + point.first().cause();
+    }
+    return method.name()
+        + "\nasked "
+        + Html.tolerance(point.tolerance())
+        + ", error "
+        + Html.error(point.error())
+        + (point.error() <= found.floor() ? " (below the reference's floor)" : "")
+        + "\n"
+        + Html.seconds(point.seconds())
+        + " ("
+        + Html.seconds(point.lowSeconds())
+        + " – "
+        + Html.seconds(point.highSeconds())
+        + ", "
+        + point.repeats()
+        + " runs)\n"
+        + point.first().steps()
+        + " steps, "
+        + point.first().evaluations()
+        + " evaluations";
+  }
+
+  private String honesty() {
+    LogLogChart chart =
+        new LogLogChart("relative tolerance asked for", "largest error over time")
+            .floor(found.floor())
+            .honestBand();
+    for (Method method : found.methods()) {
+      List<LogLogChart.Mark> marks = new ArrayList<>();
+      for (Point point : found.pointsOf(method.name())) {
+        if (point.completed() && Double.isFinite(point.error())) {
+          marks.add(
+              new LogLogChart.Mark(
+                  point.tolerance(),
+                  Math.max(point.error(), 1e-17),
+                  "",
+                  hover(method, point),
+                  point.error() <= found.floor()));
+        }
+      }
+      chart.add(new LogLogChart.Curve(styles.of(method), marks, List.of()));
+    }
+    return chart.svg();
+  }
+
+  private void failures() {
+    List<Point> failed = found.points().stream().filter(point -> !point.completed()).toList();
+    if (failed.isEmpty()) {
+      return;
+    }
+    Map<String, List<Point>> byCause = new LinkedHashMap<>();
+    for (Point point : failed) {
+      byCause
+          .computeIfAbsent(
+              point.first().method() + "\n" + kind(point.first().cause()), k -> new ArrayList<>())
+          .add(point);
+    }
+    add("<section><h2>Failures</h2><table><tr><th>method<th>tolerances<th>cause (of the first)");
+    for (List<Point> same : byCause.values()) {
+      Point first = same.get(0);
+      add(
+          "<tr><td>"
+              + Html.escape(first.first().method())
+              + "<td>"
+              + String.join(", ", same.stream().map(p -> Html.tolerance(p.tolerance())).toList())
+              + "<td class=\"text\">"
+              + Html.escape(first.first().cause()));
+    }
+    add("</table></section>");
+  }
+
+  /** The code of a message, so that one line tells of all failures of a kind. */
+  private static String kind(String cause) {
+    return cause.substring(0, Math.min(cause.length(), 5));
+  }
+
+  private void spectrum() {
+    Optional<Spectrum> spectrum = found.spectrum();
+    boolean matters =
+        spectrum.isPresent() && spectrum.get().verdict() != Spectrum.Verdict.NOT_STIFF;
+    if (matters) {
+      add(SpectrumTable.of(spectrum.get()));
+    }
+  }
+
+  private void leftOut() {
+    if (found.leftOut().isEmpty()) {
+      return;
+    }
+    Map<String, List<LeftOut>> byReason = new LinkedHashMap<>();
+    for (LeftOut one : found.leftOut()) {
+      String key = one.method().formulation() + one.method().closure();
+      byReason.computeIfAbsent(key, k -> new ArrayList<>()).add(one);
+    }
+    add("<details><summary>Methods that do not fit this scene</summary><table>");
+    for (List<LeftOut> same : byReason.values()) {
+      String names =
+          String.join(", ", same.stream().map(one -> one.method().integrator()).toList());
+      Method first = same.get(0).method();
+      add(
+          "<tr><td>"
+              + new Method(first.formulation(), first.closure(), "").name().strip()
+              + " with "
+              + names
+              + "<td class=\"text\">"
+              + Html.escape(same.get(0).reason()));
+    }
+    add("</table></details>");
+  }
+
+  private void measured() {
+    Judge judge = found.judge();
+    add("<details open><summary>How this was measured</summary><ul>");
+    judge.said().forEach(said -> add("<li>" + Html.escape(said)));
+    judge
+        .reference()
+        .flatMap(Reference::amplification)
+        .ifPresent(
+            factors ->
+                add(
+                    "<li>A small change of the start has grown "
+                        + Html.factor(factors[factors.length - 1])
+                        + " at the end."));
+    add(
+        "<li>Error: the largest |x − x<sub>ref</sub>| / (1 + |x<sub>ref</sub>|) of all positions"
+            + " and velocities in SI units, over all times of the reference ("
+            + judge.reference().map(reference -> reference.times().length).orElse(0)
+            + "). The same for every method.");
+    add(
+        "<li>Tolerances: relative as stated, absolute a hundredth of it. Intervals and output the"
+            + " same for all.");
+    add(
+        String.format(
+            Locale.ROOT,
+            "<li>Time: median of up to %d runs (never fewer than %d; the tables say how many) after"
+                + " %.2g s of warm-up per method; every round runs every point once. Spread:"
+                + " quartiles. Runs were stopped after %.3g s.",
+            Effort.REPEATS,
+            Effort.FEWEST_REPEATS,
+            found.effort().warmSeconds(),
+            found.effort().limitSeconds()));
+    add("<li>" + String.join(" · ", found.versions().stream().map(Html::escape).toList()));
+    add(
+        "<li>Every single run: <a href=\""
+            + Html.escape(found.csv())
+            + "\">"
+            + Html.escape(found.csv())
+            + "</a>");
+    add("</ul></details>");
+  }
+}

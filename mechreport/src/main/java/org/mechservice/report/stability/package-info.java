@@ -1,0 +1,5 @@
+/** The suite of stiff and extreme scenes. */
+@NullMarked
+package org.mechservice.report.stability;
+
+import org.jspecify.annotations.NullMarked;

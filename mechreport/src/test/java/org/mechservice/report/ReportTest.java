@@ -1,0 +1,161 @@
+package org.mechservice.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.report.measure.Campaign;
+import org.mechservice.report.measure.Effort;
+import org.mechservice.report.measure.Journal;
+import org.mechservice.report.measure.Judge;
+import org.mechservice.report.measure.MethodRunner;
+import org.mechservice.report.measure.Point;
+import org.mechservice.report.measure.Progress;
+import org.mechservice.report.measure.PublishedReference;
+import org.mechservice.report.measure.Reference;
+import org.mechservice.report.measure.ReferenceMaker;
+import org.mechservice.report.measure.RunGrid;
+import org.mechservice.report.measure.Spectrum;
+import org.mechservice.report.measure.StateDistance;
+import org.mechservice.report.method.Candidate;
+import org.mechservice.report.method.Method;
+import org.mechservice.report.method.ModelProblem;
+import org.mechservice.report.page.Doubts;
+import org.mechservice.report.page.ScenePage;
+import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.simulation.RuntimeSolver;
+
+class ReportTest {
+  private static final Effort SHORT =
+      new Effort("test", new double[] {1e-3, 1e-5, 1e-7, 1e-9}, 20, 0.1, 20, 0, 0);
+  private static final RunGrid GRID = RunGrid.uniform(0, 2, 20);
+  private static final StateDistance DISTANCE =
+      new StateDistance(new PlanarPendulum(0).description());
+
+  @TempDir Path folder;
+
+  private static ReferenceMaker.Source pendulum(double damping) {
+    return new ReferenceMaker.Source("DTR", () -> new ModelProblem(new PlanarPendulum(damping)));
+  }
+
+  private static Judge judge(ReferenceMaker maker) {
+    return Judge.of(Optional.empty(), List.of(pendulum(0)), maker, DISTANCE, GRID);
+  }
+
+  private static Judge goodJudge() {
+    return judge(new ReferenceMaker(DISTANCE, 20));
+  }
+
+  private SceneFindings findings(Judge judge, String integrator, Solver solver, double damping)
+      throws IOException {
+    Method method = new Method("DTR", Method.OPEN, integrator);
+    Candidate candidate = new Candidate(method, () -> new PlanarPendulum(damping), solver);
+    Reference reference = judge.reference().orElseThrow();
+    List<Point> points;
+    try (Journal journal = Journal.open(folder.resolve(integrator + ".csv"), "test");
+        MethodRunner runner = new MethodRunner(reference, DISTANCE, judge.grid())) {
+      new Campaign(runner, journal, SHORT, Progress.SILENT).run(List.of(candidate));
+      points = Point.of(journal.runs());
+    }
+    ModelProblem problem = new ModelProblem(new PlanarPendulum(damping));
+    return new SceneFindings(
+        "PlanarPendulum",
+        "planar.xml",
+        2,
+        1,
+        2,
+        List.of(method),
+        List.of(),
+        judge,
+        points,
+        Optional.of(Spectrum.along(reference, problem, 3)),
+        Map.of(),
+        Map.of(),
+        SHORT,
+        "planar.csv",
+        List.of("2000-01-01"));
+  }
+
+  @Test
+  void integratorsOfTheProductRaiseNoDoubt() throws IOException {
+    SceneFindings found = findings(goodJudge(), "ode113", new RuntimeSolver(), 0);
+    assertThat(Doubts.of(found)).isEmpty();
+  }
+
+  @Test
+  void rungeKuttaMethodWithItsRightCoefficientsRaisesNoDoubt() throws IOException {
+    SceneFindings found = findings(goodJudge(), "RK4", new RungeKuttaSolver(1.0 / 6), 0);
+    assertThat(Doubts.of(found)).isEmpty();
+  }
+
+  @Test
+  void integratorWithAWrongCoefficientIsExposed() throws IOException {
+    SceneFindings found = findings(goodJudge(), "RK4", new RungeKuttaSolver(0.16), 0);
+    assertThat(Doubts.of(found)).singleElement().asString().startsWith("DTR RK4 does not converge");
+    assertThat(ScenePage.of(found)).contains("class=\"doubt\">DTR RK4 does not converge");
+  }
+
+  @Test
+  void modelThatDiffersFromItsReferenceIsExposed() throws IOException {
+    SceneFindings found = findings(goodJudge(), "ode113", new RuntimeSolver(), 1e-3);
+    assertThat(Doubts.of(found)).singleElement().asString().contains("does not converge");
+  }
+
+  @Test
+  void looseReferenceIsExposed() throws IOException {
+    // Output times far apart, so that nothing but the tolerance bounds the steps.
+    RunGrid coarse = RunGrid.uniform(0, 2, 2);
+    ReferenceMaker maker = new ReferenceMaker(DISTANCE, 20, 0.5, 0.1);
+    Judge loose = Judge.of(Optional.empty(), List.of(pendulum(0)), maker, DISTANCE, coarse);
+    SceneFindings found = findings(loose, "ode113", new RuntimeSolver(), 0);
+    assertThat(Doubts.of(found)).first().asString().startsWith("The reference is doubtful");
+    assertThat(ScenePage.of(found)).contains("class=\"doubt\">The reference is doubtful");
+  }
+
+  @Test
+  void publishedReferenceOfAnotherSceneIsExposed() {
+    double[] times = {0, 1, 2};
+    double[][] wrong = {{1, 0}, {0.5, 0.1}, {0.2, 0.3}};
+    PublishedReference other = new PublishedReference("By hand", times, wrong, new double[3]);
+    Judge judge =
+        Judge.of(
+            Optional.of(other),
+            List.of(pendulum(0)),
+            new ReferenceMaker(DISTANCE, 20),
+            DISTANCE,
+            GRID);
+    assertThat(judge.doubtful()).isTrue();
+  }
+
+  @Test
+  void codesThatCheckEachOtherAgreeToTwelveDigits() {
+    Reference reference = goodJudge().reference().orElseThrow();
+    // Two codes, each at its limit, on a motion that hardly amplifies.
+    assertThat(reference.worstFloor()).isLessThan(1e-12);
+  }
+
+  @Test
+  void journalIsTakenUpAgainForTheSamePurposeAndNoOther() throws IOException {
+    Path file = folder.resolve("kept.csv");
+    findings(goodJudge(), "kept", new RungeKuttaSolver(1.0 / 6), 0);
+    int runs = Journal.read(file).size();
+    assertThat(runs).isPositive();
+    try (Journal again = Journal.open(file, "test")) {
+      assertThat(again.runs()).hasSize(runs);
+    }
+    try (Journal other = Journal.open(file, "another model")) {
+      assertThat(other.runs()).isEmpty();
+    }
+  }
+
+  @Test
+  void pageOfATreeSaysNothingOfLoopsNorOfStiffnessItDoesNotHave() throws IOException {
+    String page = ScenePage.of(findings(goodJudge(), "ode113", new RuntimeSolver(), 0));
+    assertThat(page).contains("Not stiff").doesNotContain("closed loops", "Eigenvalues along");
+  }
+}

@@ -1,0 +1,129 @@
+package org.mechservice.server.keys;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.regex.Pattern;
+import org.mechservice.orb.Role;
+
+/**
+ * The folder of a service's certificates.
+ *
+ * <pre>
+ * keys/
+ *   ca/        the authority; its key signs all others and is needed to make more, nowhere else
+ *   server/    a folder per identity, which is all that a process needs: --tls keys/server
+ *   client/
+ *   admin/
+ * </pre>
+ *
+ * What is there is never overwritten, so that more identities can be made later.
+ */
+public final class KeyFolder {
+  private static final Pattern NAME = Pattern.compile("[A-Za-z0-9._:-]{1,64}");
+
+  private final Path folder;
+  private final Authority authority;
+  private final List<Path> made = new ArrayList<>();
+
+  private KeyFolder(Path folder, Authority authority) {
+    this.folder = folder;
+    this.authority = authority;
+  }
+
+  /**
+   * Opens a folder, making it and its authority if need be.
+   *
+   * @throws IllegalArgumentException with code S-155 if it cannot be used
+   */
+  public static KeyFolder open(Path folder) {
+    try {
+      Path ca = folder.resolve("ca");
+      if (Files.exists(ca)) {
+        return new KeyFolder(folder, Authority.load(ca));
+      }
+      Authority authority = Authority.make();
+      authority.save(ca);
+      return new KeyFolder(folder, authority);
+    } catch (IOException e) {
+      throw unusable(folder.toString(), e);
+    }
+  }
+
+  private static IllegalArgumentException unusable(String what, Exception cause) {
+    return new IllegalArgumentException(
+        "S-155 no keys can be made in " + what + ": " + cause, cause);
+  }
+
+  /**
+   * Makes an identity for a server or host, in a folder with the first of its names.
+   *
+   * @param names names and numeric addresses at which it is reached; what a name resolves to is
+   *     added
+   * @throws IllegalArgumentException with code S-155 if a name cannot be used
+   */
+  public void server(List<String> names) {
+    make(names.get(0), Role.SERVER, names.get(0), withAddresses(names));
+  }
+
+  /** Makes the identity of a server that only this machine reaches, in folder {@code server}. */
+  public void localServer() {
+    make("server", Role.SERVER, "localhost", List.of("localhost", "127.0.0.1", "::1"));
+  }
+
+  /**
+   * Makes an identity for a user.
+   *
+   * @param role what he may do
+   * @throws IllegalArgumentException with code S-155 if the name cannot be used
+   */
+  public void user(String name, Role role) {
+    make(name, role, name, List.of());
+  }
+
+  private void make(String child, Role role, String name, List<String> addresses) {
+    if (!NAME.matcher(child).matches() || child.startsWith(".") || child.equals("ca")) {
+      throw new IllegalArgumentException(
+          "S-155 no keys can be made for \""
+              + child
+              + "\": a name has 1 to 64 letters, digits, points, hyphens, colons, underscores,"
+              + " and is not \"ca\"");
+    }
+    Path place = folder.resolve(child.replace(':', '-'));
+    if (Files.exists(place)) {
+      return;
+    }
+    try {
+      authority.identity(name, role, addresses).save(place, authority.certificate());
+      made.add(place);
+    } catch (IOException e) {
+      throw unusable(place.toString(), e);
+    }
+  }
+
+  /** A name that is not known here may be known where it is used. */
+  private static List<String> withAddresses(List<String> names) {
+    Set<String> all = new LinkedHashSet<>(names);
+    for (String name : names) {
+      try {
+        for (InetAddress address : InetAddress.getAllByName(name)) {
+          all.add(address.getHostAddress());
+        }
+      } catch (UnknownHostException e) {
+        all.add(name);
+      }
+    }
+    return List.copyOf(all);
+  }
+
+  /** Returns the folders of the identities made since this was opened. */
+  public List<Path> made() {
+    return List.copyOf(made);
+  }
+}

@@ -1,0 +1,117 @@
+package org.mechservice.server.keys;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystems;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.FileAttribute;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.security.GeneralSecurityException;
+import java.security.Key;
+import java.security.KeyStore;
+import java.security.PrivateKey;
+import java.security.SecureRandom;
+import java.security.cert.Certificate;
+import java.security.cert.X509Certificate;
+import java.util.Arrays;
+import java.util.Base64;
+import java.util.List;
+import org.mechservice.orb.TlsIdentity;
+
+/**
+ * A key with its certificate, and its folder on disk, which only its owner may read.
+ *
+ * @param chain the certificate, and those of whom it was signed by
+ */
+record StoredKey(PrivateKey key, List<X509Certificate> chain) {
+  private static final String STORE_TYPE = "PKCS12";
+  private static final String ALIAS = "mechservice";
+  private static final String CERTIFICATE_FILE = "identity.crt";
+  private static final int PASSWORD_BYTES = 24;
+  private static final int PEM_LINE = 64;
+
+  static StoredKey load(Path folder) throws IOException {
+    char[] password =
+        Files.readString(folder.resolve(TlsIdentity.PASSWORD_FILE)).strip().toCharArray();
+    try (InputStream in = Files.newInputStream(folder.resolve(TlsIdentity.KEY_FILE))) {
+      KeyStore store = KeyStore.getInstance(STORE_TYPE);
+      store.load(in, password);
+      Key key = store.getKey(ALIAS, password);
+      if (key instanceof PrivateKey own) {
+        return new StoredKey(
+            own,
+            Arrays.stream(store.getCertificateChain(ALIAS))
+                .map(X509Certificate.class::cast)
+                .toList());
+      }
+      throw new IOException(folder.resolve(TlsIdentity.KEY_FILE) + " holds no key");
+    } catch (GeneralSecurityException e) {
+      throw new IOException(e);
+    }
+  }
+
+  /**
+   * Writes key, certificate and whom to trust.
+   *
+   * @param trusted the authority
+   */
+  void save(Path folder, X509Certificate trusted) throws IOException {
+    Files.createDirectories(folder.toAbsolutePath().getParent());
+    Files.createDirectory(folder, ownersOnly("rwx------"));
+    byte[] random = new byte[PASSWORD_BYTES];
+    new SecureRandom().nextBytes(random);
+    String password = Base64.getUrlEncoder().withoutPadding().encodeToString(random);
+    try {
+      KeyStore keys = empty();
+      keys.setKeyEntry(ALIAS, key, password.toCharArray(), chain.toArray(Certificate[]::new));
+      KeyStore trust = empty();
+      trust.setCertificateEntry("authority", trusted);
+      write(
+          folder.resolve(TlsIdentity.PASSWORD_FILE),
+          (password + "\n").getBytes(StandardCharsets.US_ASCII));
+      write(folder.resolve(TlsIdentity.KEY_FILE), bytes(keys, password));
+      write(folder.resolve(TlsIdentity.TRUST_FILE), bytes(trust, password));
+      write(folder.resolve(CERTIFICATE_FILE), pem(chain.get(0)));
+    } catch (GeneralSecurityException e) {
+      throw new IOException(e);
+    }
+  }
+
+  private static KeyStore empty() throws IOException, GeneralSecurityException {
+    KeyStore store = KeyStore.getInstance(STORE_TYPE);
+    store.load(null, null);
+    return store;
+  }
+
+  private static byte[] bytes(KeyStore store, String password)
+      throws IOException, GeneralSecurityException {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    store.store(out, password.toCharArray());
+    return out.toByteArray();
+  }
+
+  private static byte[] pem(X509Certificate certificate) throws GeneralSecurityException {
+    String text =
+        Base64.getMimeEncoder(PEM_LINE, new byte[] {'\n'}).encodeToString(certificate.getEncoded());
+    return ("-----BEGIN CERTIFICATE-----\n" + text + "\n-----END CERTIFICATE-----\n")
+        .getBytes(StandardCharsets.US_ASCII);
+  }
+
+  private static void write(Path file, byte[] content) throws IOException {
+    Files.createFile(file, ownersOnly("rw-------"));
+    Files.write(file, content, StandardOpenOption.WRITE);
+  }
+
+  private static FileAttribute<?>[] ownersOnly(String permissions) {
+    boolean posix = FileSystems.getDefault().supportedFileAttributeViews().contains("posix");
+    return posix
+        ? new FileAttribute<?>[] {
+          PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString(permissions))
+        }
+        : new FileAttribute<?>[0];
+  }
+}

@@ -1,0 +1,32 @@
+package org.mechservice.sim.build;
+
+import java.util.EnumSet;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.mechservice.solver.api.ColumnGroup;
+
+/** Which column groups a model that was built has, and which it shows. */
+final class BuiltColumns {
+  private BuiltColumns() {}
+
+  /** Returns the groups the model can put out: some always, the others if it was built for them. */
+  static Set<ColumnGroup> of(CompiledModel model) {
+    Set<ColumnGroup> built =
+        EnumSet.of(ColumnGroup.JOINTS, ColumnGroup.ACCELERATIONS, ColumnGroup.ENERGY);
+    built.addAll(model.options().columns());
+    return built;
+  }
+
+  /** Returns those of them that its file selects; the joints alone if it says nothing. */
+  static Set<ColumnGroup> shown(CompiledModel model) {
+    Set<ColumnGroup> shown = EnumSet.of(ColumnGroup.JOINTS);
+    model.source().settings().columns().stream().map(ColumnGroup::of).forEach(shown::addAll);
+    shown.retainAll(of(model));
+    return shown;
+  }
+
+  /** Returns the labels of groups, separated by commas. */
+  static String labels(Set<ColumnGroup> groups) {
+    return groups.stream().sorted().map(ColumnGroup::label).collect(Collectors.joining(","));
+  }
+}

@@ -1,0 +1,125 @@
+package org.mechservice.sim.build;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.jar.JarEntry;
+import java.util.jar.JarInputStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.simulation.RuntimeSolver;
+import org.mechservice.solver.standalone.Launcher;
+
+/** Columns that no code is generated for travel as data with the models that asked for them. */
+class DataColumnsTest {
+  private static final RunSettings SETTINGS = new RunSettings(0, 0.2, 0.1, "DE", 1e-6, 1e-6);
+  private static final String ANALYSIS = "solver/analysis/";
+
+  private static CompiledModel pendulum(boolean compact, ColumnGroup... columns) {
+    BuildOptions options = new BuildOptions("DTR", "auto", compact, Set.of(columns), SETTINGS);
+    MechmlModel model = Scenes.model(Scenes.pendulum());
+    return ModelFactory.compile(model, options, ModelFactory.generate(model, options));
+  }
+
+  private static List<double[]> rows(CompiledModel model, List<Variable> names, ColumnGroup... of)
+      throws IOException {
+    List<double[]> rows = new ArrayList<>();
+    ResultSink sink =
+        new ResultSink() {
+          @Override
+          public void begin(List<Variable> columns) {
+            names.addAll(columns);
+          }
+
+          @Override
+          public void row(double[] values) {
+            rows.add(values.clone());
+          }
+        };
+    RunRequest request = new RunRequest(SETTINGS, Set.of(of));
+    RunReport report =
+        new RuntimeSolver().run(model.newInstance(), request, sink, new RunControl());
+    assertThat(report.outcome()).isInstanceOf(Outcome.Completed.class);
+    return rows;
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void motionIsTheSameToTheBitWithColumnsAndWithout(boolean compact) throws IOException {
+    List<Variable> with = new ArrayList<>();
+    List<Variable> without = new ArrayList<>();
+    List<double[]> extended =
+        rows(pendulum(compact, ColumnGroup.REACTIONS), with, ColumnGroup.REACTIONS);
+    List<double[]> plain = rows(pendulum(compact), without);
+    assertThat(with.subList(0, without.size())).isEqualTo(without);
+    assertThat(with).contains(new Variable("j3.fz", "N"), new Variable("j5.tx", "N·m"));
+    assertThat(with).hasSize(without.size() + 5 * 6);
+    for (int i = 0; i < plain.size(); i++) {
+      assertThat(Arrays.copyOf(extended.get(i), without.size())).containsExactly(plain.get(i));
+    }
+  }
+
+  @Test
+  void modelJarHasWhatTheRuntimeLacksOnlyIfAskedFor() throws IOException {
+    assertThat(entries(ModelFactory.modelJar(pendulum(false), "")))
+        .noneMatch(name -> name.contains("solver"));
+    assertThat(entries(ModelFactory.modelJar(pendulum(false, ColumnGroup.REACTIONS), "")))
+        .anyMatch(name -> name.contains(ANALYSIS))
+        .contains(
+            "org/mechservice/model/FiveBarPendulum.class",
+            "org/mechservice/model/FiveBarPendulumWithColumns.class");
+    assertThat(entries(ModelFactory.runtimeJar())).noneMatch(name -> name.contains(ANALYSIS));
+  }
+
+  @Test
+  void standaloneJarHasColumnsOnlyIfAskedFor() throws IOException {
+    assertThat(solverOf(ModelFactory.standaloneJar(pendulum(false), "")))
+        .noneMatch(name -> name.contains("solver.analysis."));
+    assertThat(solverOf(ModelFactory.standaloneJar(pendulum(false, ColumnGroup.REACTIONS), "")))
+        .anyMatch(name -> name.contains("solver.analysis.ReactionColumns"));
+  }
+
+  private static List<String> entries(PackedJar jar) throws IOException {
+    List<String> names = new ArrayList<>();
+    try (JarInputStream stream = new JarInputStream(new ByteArrayInputStream(jar.bytes()))) {
+      for (JarEntry e = stream.getNextJarEntry(); e != null; e = stream.getNextJarEntry()) {
+        names.add(e.getName());
+      }
+    }
+    return names;
+  }
+
+  private static List<String> solverOf(PackedJar jar) throws IOException {
+    List<String> names = new ArrayList<>();
+    try (JarInputStream stream = new JarInputStream(new ByteArrayInputStream(jar.bytes()))) {
+      for (JarEntry e = stream.getNextJarEntry(); e != null; e = stream.getNextJarEntry()) {
+        if (e.getName().equals(Launcher.SOLVER)) {
+          DataInputStream in = new DataInputStream(stream);
+          in.readUTF();
+          int count = in.readInt();
+          for (int i = 0; i < count; i++) {
+            names.add(in.readUTF());
+            in.readNBytes(in.readInt());
+          }
+        }
+      }
+    }
+    return names;
+  }
+}

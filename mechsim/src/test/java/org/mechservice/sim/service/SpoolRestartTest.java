@@ -1,0 +1,128 @@
+package org.mechservice.sim.service;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.mechservice.sim.service.HostedClient.ALL;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.IMechSimRemoteHelper;
+import org.mechservice.idl.InvalidState;
+import org.mechservice.idl.NotFound;
+import org.mechservice.idl.SimState;
+import org.mechservice.sim.host.HostOptions;
+import org.mechservice.sim.host.SimHost;
+import org.mechservice.solver.api.Solver;
+import org.omg.CORBA.DoubleHolder;
+
+/** What a host with a spool folder has written outlives its process. */
+class SpoolRestartTest {
+  @TempDir private Path folder;
+
+  private static HostedClient on(Path spool, Solver solver) {
+    return new HostedClient(
+        solver, new HostOptions("here", 1, HostLimits.DEFAULT, Optional.of(spool)));
+  }
+
+  private static IMechSimRemote found(HostedClient there, String simId) throws Exception {
+    return IMechSimRemoteHelper.unchecked_narrow(
+        there.clientOrb.fromIor(there.hostOrb.toIor(there.host.findSimulation(simId))));
+  }
+
+  @Test
+  void completedRunIsTakenUpAgainWithItsRowsStateAndReport() throws Exception {
+    String simId;
+    String report;
+    List<double[]> rows;
+    double[] state;
+    try (HostedClient before = on(folder, SimHost.installedSolver())) {
+      IMechSimRemote run = before.simulation();
+      run.start();
+      rows = HostedClient.rows(run.openResults(ALL), 0);
+      report = run.report();
+      state = run.getStates(new DoubleHolder());
+      simId = run.simId();
+    }
+    try (HostedClient after = on(folder, SimHost.installedSolver())) {
+      IMechSimRemote run = found(after, simId);
+      assertThat(run.getProgress().state).isEqualTo(SimState.SIM_DONE);
+      assertThat(run.report()).isEqualTo(report);
+      DoubleHolder time = new DoubleHolder();
+      assertThat(run.getStates(time)).isEqualTo(state);
+      assertThat(time.value).isEqualTo(3);
+      assertThat(HostedClient.rows(run.openResults(ALL), 7))
+          .usingElementComparator(Arrays::compare)
+          .isEqualTo(rows);
+      assertThatThrownBy(run::start).isInstanceOf(InvalidState.class);
+    }
+  }
+
+  @Test
+  void runDestroyedByItsClientIsGone() throws Exception {
+    String simId;
+    try (HostedClient before = on(folder, SimHost.installedSolver())) {
+      IMechSimRemote run = before.simulation();
+      run.start();
+      HostedClient.rows(run.openResults(ALL), 0);
+      simId = run.simId();
+      run.destroy();
+    }
+    try (HostedClient after = on(folder, SimHost.installedSolver())) {
+      assertThatThrownBy(() -> after.host.findSimulation(simId)).isInstanceOf(NotFound.class);
+    }
+    try (Stream<Path> left = Files.list(folder)) {
+      assertThat(left.map(file -> file.getFileName().toString())).containsExactly("lock");
+    }
+  }
+
+  /** What is on disk at any moment is what a killed process leaves. */
+  @Test
+  void runCutOffIsReportedAsSuchWithItsRowsSoFar(@TempDir Path copy) throws Exception {
+    String simId;
+    try (HostedClient killed = on(folder, new PacedSolver(Long.MAX_VALUE, 0))) {
+      IMechSimRemote run = killed.simulation();
+      run.start();
+      simId = run.simId();
+      Eventually.holds(() -> run.getProgress().rowsReady > 10_000);
+      copyFiles(folder, copy);
+    }
+    try (HostedClient after = on(copy, SimHost.installedSolver())) {
+      IMechSimRemote run = found(after, simId);
+      assertThat(run.getProgress().state).isEqualTo(SimState.SIM_FAILED);
+      assertThat(run.failure().code).isEqualTo("S-112");
+      List<double[]> rows = HostedClient.rows(run.openResults(ALL), 0);
+      assertThat(rows).hasSizeGreaterThan(1000);
+      for (int i = 0; i < rows.size(); i++) {
+        assertThat(rows.get(i)[0]).isEqualTo(i);
+        assertThat(rows.get(i)[10]).isEqualTo(i * 1000.0 + 10);
+      }
+    }
+  }
+
+  private static void copyFiles(Path from, Path to) throws IOException {
+    try (Stream<Path> files = Files.list(from)) {
+      for (Path file : files.toList()) {
+        Files.copy(file, to.resolve(file.getFileName()));
+      }
+    }
+  }
+
+  @Test
+  void folderOfALivingHostIsRefused() {
+    try (HostedClient first = on(folder, SimHost.installedSolver())) {
+      assertThat(first.host.getInfo().name).isEqualTo("here");
+      assertThatThrownBy(() -> on(folder, SimHost.installedSolver()))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessageStartingWith("S-114")
+          .hasMessageContaining("another host uses it");
+    }
+  }
+}

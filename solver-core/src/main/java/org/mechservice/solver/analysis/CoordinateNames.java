@@ -1,0 +1,48 @@
+package org.mechservice.solver.analysis;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/** What the velocities of the state are called, and the coordinates that move with them. */
+final class CoordinateNames {
+  private final List<String> names = new ArrayList<>();
+  private final List<Boolean> slides = new ArrayList<>();
+
+  CoordinateNames(Mechanism mechanism) {
+    for (int j = 0; j < mechanism.joints().size(); j++) {
+      Joint joint = mechanism.joints().get(j);
+      JointType type = joint.type();
+      for (int i = 0; i < type.velocityCount() && !mechanism.isDriven(j); i++) {
+        names.add(type.velocityCount() == 1 ? joint.name() : joint.name() + "[" + i + "]");
+        slides.add(type.velocityUnit(i).startsWith("m"));
+      }
+    }
+  }
+
+  /** Returns the joint's name, with the number of the velocity if the joint has several. */
+  String name(int velocity) {
+    return names.get(velocity);
+  }
+
+  /** Returns the coordinate for messages. */
+  String part(int velocity) {
+    return "coordinate \"" + name(velocity) + "\"";
+  }
+
+  /** Returns the unit of a small move: m or rad. */
+  String unit(int velocity) {
+    return slides.get(velocity) ? "m" : "rad";
+  }
+
+  /** Returns the unit of a force in the coordinate. */
+  String forceUnit(int velocity) {
+    return slides.get(velocity) ? "N" : "N·m";
+  }
+
+  int count() {
+    return names.size();
+  }
+}

@@ -1,0 +1,165 @@
+package org.mechservice.solver.analysis;
+
+import java.util.Arrays;
+import org.mechservice.solver.api.Defects.Defect;
+import org.mechservice.solver.closure.CoordinateUnits;
+import org.mechservice.solver.closure.LoopEquations;
+import org.mechservice.solver.closure.ScaledJacobian;
+import org.mechservice.solver.dynamics.OpenTree;
+import org.mechservice.solver.dynamics.SemiRecursive;
+import org.mechservice.solver.force.ForceSet;
+import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.kinematics.StateCoordinates;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/**
+ * M v' + b − τ + Jᵀ λ = 0 and Φ(q, t) = 0 of a mechanism with or without loops, at one state at a
+ * time, whatever the formulation it is integrated in. Workspace of one thread.
+ *
+ * <p>Where loops have more equations than freedoms they take, the multipliers are those of least
+ * norm, each counted as the moment or the force times the mechanism's length.
+ */
+final class EquationsOfMotion {
+  /** Residual over its size at which loops are closed, and what rounding may leave of it. */
+  private static final double CLOSED = 1e-14;
+
+  private static final double ROUNDED = 1e-11;
+  private static final int ITERATIONS = 40;
+
+  final TreeGeometry tree;
+  final TreeMotion motion;
+  final LoopEquations loops;
+  final StateCoordinates coordinates;
+  final OpenTree open;
+  final ForceSet forces;
+  final int nq;
+  final int nv;
+
+  /** Applied wrenches, 6 per link, and joint forces, one per extended velocity. */
+  final double[] wrench;
+
+  final double[] tau;
+
+  /** M v' + b − τ, with the forces of multipliers or without, one per extended velocity. */
+  final double[] residual;
+
+  /** λ, one per equation of the loops, N or N·m. */
+  final double[] lambda;
+
+  /** Unit of each velocity of the state, 1 or the mechanism's length in m, per second. */
+  final double[] unit;
+
+  /** Applied wrenches and joint forces with those of the multipliers. */
+  final double[] loadedWrench;
+
+  final double[] loadedTau;
+
+  /** J by its singular values, as decomposed last. */
+  final ScaledJacobian jacobian;
+
+  /** Change found by {@link #solveLeast}, one number per velocity of the state. */
+  final double[] step;
+
+  EquationsOfMotion(Mechanism mechanism, UserForceSource userForces) {
+    tree = new TreeGeometry(mechanism);
+    motion = new TreeMotion(tree);
+    loops = new LoopEquations(tree);
+    coordinates = new StateCoordinates(mechanism);
+    open = new SemiRecursive(tree).newWorkspace(motion);
+    forces = new ForceSet(motion, userForces);
+    nq = tree.statePositionCount;
+    nv = tree.stateVelocityCount;
+    wrench = new double[6 * tree.linkCount];
+    tau = new double[tree.velocityCount];
+    residual = new double[tree.velocityCount];
+    lambda = new double[loops.count()];
+    loadedWrench = new double[wrench.length];
+    loadedTau = new double[tau.length];
+    unit = new CoordinateUnits(mechanism, loops.length()).velocities;
+    jacobian = new ScaledJacobian(loops, unit);
+    step = new double[nv];
+  }
+
+  /** Sweeps places and velocities; evaluates Φ, J and Φ'. */
+  void place(double t, double[] y) {
+    motion.sweep(t, y);
+    loops.place(motion, t);
+    loops.differentiate(motion);
+    loops.move(motion, t);
+  }
+
+  /** Evaluates the applied forces at the last place; returns whether all have values. */
+  boolean applyForces(double t) {
+    Arrays.fill(wrench, 0);
+    Arrays.fill(tau, 0);
+    return forces.apply(t, wrench, tau) == ForceSet.REGULAR;
+  }
+
+  /** Returns why {@link #applyForces} failed. */
+  Defect defect() {
+    return forces.defect();
+  }
+
+  /**
+   * Evaluates M v' + b − τ without multipliers.
+   *
+   * @param a v' from {@code aAt}; not modified
+   */
+  void formResidual(double[] a, int aAt) {
+    motion.accelerationSweep(a, aAt);
+    open.formResidual(wrench, tau, residual);
+  }
+
+  /**
+   * Finds the multipliers that come nearest to M v' + b − τ + Jᵀ λ = 0 after {@link #formResidual},
+   * and takes their forces into the residual and the transmitted wrenches.
+   */
+  void balance() {
+    System.arraycopy(wrench, 0, loadedWrench, 0, wrench.length);
+    System.arraycopy(tau, 0, loadedTau, 0, tau.length);
+    if (lambda.length == 0) {
+      return;
+    }
+    jacobian.decompose();
+    jacobian.multipliers(rank(), residual, lambda);
+    loops.addForces(lambda, -1, loadedWrench, loadedTau);
+    open.formResidual(loadedWrench, loadedTau, residual);
+  }
+
+  /** Returns the number of independent equations at the last decomposition of J. */
+  int rank() {
+    return jacobian.rank(lambda.length);
+  }
+
+  /**
+   * Moves positions as little as closes the loops.
+   *
+   * @param y state; its positions are overwritten
+   * @return whether they are closed; if not, y is where the iteration ended
+   */
+  boolean closePositions(double t, double[] y) {
+    for (int i = 0; i < ITERATIONS; i++) {
+      place(t, y);
+      double before = loops.largestResidual();
+      if (before <= CLOSED) {
+        return true;
+      }
+      solveLeast(loops.value);
+      coordinates.move(y, 0, step, 0, 1);
+      place(t, y);
+      // Rounding may keep the residual just above the bound: no correction makes it smaller then.
+      if (loops.largestResidual() <= ROUNDED && !(loops.largestResidual() < 0.5 * before)) {
+        return true;
+      }
+    }
+    return loops.largestResidual() <= ROUNDED;
+  }
+
+  /** Leaves the smallest x with J x = −rows in {@code step}. */
+  void solveLeast(double[] rows) {
+    jacobian.decompose();
+    jacobian.change(rank(), rows, step);
+  }
+}

@@ -1,0 +1,156 @@
+package org.mechservice.solver.analysis;
+
+import java.util.Arrays;
+import org.mechservice.solver.closure.LoopEquations;
+import org.mechservice.solver.linear.DenseLu;
+import org.mechservice.solver.linear.LinearSolver;
+import org.mechservice.solver.linear.PivotedElimination;
+
+/**
+ * The directions that loops leave free at a state: x = R x_I with J x = 0, x_I those of as many
+ * independent velocities as there are freedoms, chosen by pivoting.
+ */
+final class FreeDirections {
+  private final EquationsOfMotion equations;
+  private final int n;
+  private final int rank;
+
+  /** Velocities of the state that are independent and dependent. */
+  final int[] independent;
+
+  private final int[] dependent;
+  private final int[] kept;
+
+  /** R, n × f row by row. */
+  final double[] r;
+
+  private final DenseLu lu;
+  private final double[] column;
+
+  /** Chooses directions at the place of the equations, whose J is evaluated. */
+  FreeDirections(EquationsOfMotion equations) {
+    this.equations = equations;
+    n = equations.nv;
+    equations.jacobian.decompose();
+    rank = equations.rank();
+    PivotedElimination elimination = new PivotedElimination(equations.lambda.length, n);
+    elimination.eliminate(equations.jacobian.elements(), rank);
+    independent = new int[n - rank];
+    dependent = new int[rank];
+    kept = new int[rank];
+    for (int i = 0; i < rank; i++) {
+      dependent[i] = elimination.column(i);
+      kept[i] = elimination.row(i);
+    }
+    boolean[] isDependent = new boolean[n];
+    for (int j : dependent) {
+      isDependent[j] = true;
+    }
+    int next = 0;
+    for (int j = 0; j < n; j++) {
+      if (!isDependent[j]) {
+        independent[next++] = j;
+      }
+    }
+    lu = new DenseLu(rank);
+    column = new double[rank];
+    r = new double[n * (n - rank)];
+    factor();
+    formDirections();
+  }
+
+  private void factor() {
+    double[] block = new double[rank * rank];
+    for (int i = 0; i < rank; i++) {
+      for (int j = 0; j < rank; j++) {
+        block[i * rank + j] = equations.jacobian.elements()[kept[i] * n + dependent[j]];
+      }
+    }
+    if (lu.factor(block) != LinearSolver.NONSINGULAR) {
+      throw new IllegalStateException("pivots were found, but the block is singular");
+    }
+  }
+
+  private void formDirections() {
+    LoopEquations loops = equations.loops;
+    double[] rows = new double[equations.lambda.length];
+    double[] direction = new double[n];
+    for (int j = 0; j < freedom(); j++) {
+      for (int row = 0; row < rows.length; row++) {
+        rows[row] = loops.jacobian[row * loops.width() + independent[j]];
+      }
+      complete(rows, direction);
+      direction[independent[j]] = 1;
+      for (int i = 0; i < n; i++) {
+        r[i * freedom() + j] = direction[i];
+      }
+    }
+  }
+
+  /** Returns the number of freedoms. */
+  int freedom() {
+    return n - rank;
+  }
+
+  /**
+   * Finds what dependent velocities must be so that J x + rows = 0, the independent ones being
+   * zero.
+   *
+   * @param rows one number per equation; not modified
+   * @param x n numbers; overwritten
+   */
+  void complete(double[] rows, double[] x) {
+    for (int i = 0; i < rank; i++) {
+      column[i] = -rows[kept[i]] / equations.loops.size(kept[i]);
+    }
+    lu.solve(column);
+    Arrays.fill(x, 0);
+    for (int i = 0; i < rank; i++) {
+      x[dependent[i]] = column[i] * equations.unit[dependent[i]];
+    }
+  }
+
+  /** Writes R x_I. */
+  void expand(double[] reduced, double[] x) {
+    for (int i = 0; i < n; i++) {
+      double sum = 0;
+      for (int j = 0; j < freedom(); j++) {
+        sum += r[i * freedom() + j] * reduced[j];
+      }
+      x[i] = sum;
+    }
+  }
+
+  /** Writes Rᵀ x. */
+  void project(double[] x, double[] reduced) {
+    for (int j = 0; j < freedom(); j++) {
+      double sum = 0;
+      for (int i = 0; i < n; i++) {
+        sum += r[i * freedom() + j] * x[i];
+      }
+      reduced[j] = sum;
+    }
+  }
+
+  /** Returns Rᵀ A B, f × f, with A n × n and B n × f. */
+  double[] reduce(double[] a, double[] b) {
+    int f = freedom();
+    double[] product = new double[f * f];
+    double[] ab = new double[n];
+    double[] reduced = new double[f];
+    for (int j = 0; j < f; j++) {
+      for (int i = 0; i < n; i++) {
+        double sum = 0;
+        for (int k = 0; k < n; k++) {
+          sum += a[i * n + k] * b[k * f + j];
+        }
+        ab[i] = sum;
+      }
+      project(ab, reduced);
+      for (int i = 0; i < f; i++) {
+        product[i * f + j] = reduced[i];
+      }
+    }
+    return product;
+  }
+}

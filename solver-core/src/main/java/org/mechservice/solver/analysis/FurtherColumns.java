@@ -1,0 +1,113 @@
+package org.mechservice.solver.analysis;
+
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ExtendedModel;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.api.ResultColumns;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.force.UserForceSource;
+
+/**
+ * Result columns that a model does not have of itself: residuals and multipliers of constraints,
+ * reactions in joints, values of forces, outputs by expression. They follow from its accelerations
+ * by one sweep over the mechanism, the same for every formulation.
+ */
+public final class FurtherColumns implements ResultColumns {
+  private final ExplicitModel model;
+  private final EquationsOfMotion equations;
+  private final Map<ColumnGroup, ColumnValues> groups = new EnumMap<>(ColumnGroup.class);
+  private final boolean needsBalance;
+  private final double[] yDot;
+
+  /**
+   * Prepares columns.
+   *
+   * @param model gives the accelerations, and the groups that are not asked for here
+   * @param data its mechanism and outputs
+   * @param asked groups among constraints, reactions, forces and outputs
+   * @param userForces makes the forces that users have written
+   */
+  public FurtherColumns(
+      ExplicitModel model, CompactModel data, Set<ColumnGroup> asked, UserForceSource userForces) {
+    this.model = model;
+    equations = new EquationsOfMotion(data.mechanism(), userForces);
+    for (ColumnGroup group : asked) {
+      groups.put(group, values(group, data));
+    }
+    needsBalance = asked.stream().anyMatch(group -> group != ColumnGroup.OUTPUTS);
+    yDot = new double[equations.nq + equations.nv];
+  }
+
+  private ColumnValues values(ColumnGroup group, CompactModel data) {
+    return switch (group) {
+      case CONSTRAINTS -> new ConstraintColumns(equations);
+      case REACTIONS -> new ReactionColumns(equations);
+      case FORCES -> new ForceColumns(equations);
+      case OUTPUTS -> new OutputColumns(equations.motion, data.outputs());
+      default -> throw new IllegalArgumentException(group + " are columns of the model itself");
+    };
+  }
+
+  /**
+   * Extends the model of a generated class, or of a compact one, by columns.
+   *
+   * @param own an instance of the model's class
+   * @param loader finds the classes of user forces
+   * @param groups their labels, separated by commas
+   * @param texts of the {@link CompactModel} that has mechanism and outputs
+   */
+  public static Model extend(Object own, ClassLoader loader, String groups, String... texts) {
+    Model built = ModelSource.of(own);
+    ExplicitModel model = (ExplicitModel) WatchedModel.bare(built);
+    Set<ColumnGroup> asked = ColumnGroup.of(groups);
+    asked.remove(ColumnGroup.JOINTS);
+    CompactModel data = CompactModel.of(List.of(texts));
+    return new ExtendedModel(
+        built, new FurtherColumns(model, data, asked, CompactModel.userForces(loader)));
+  }
+
+  @Override
+  public List<Variable> columns(ColumnGroup group) {
+    ColumnValues own = groups.get(group);
+    if (own != null) {
+      return own.columns();
+    }
+    return model instanceof ResultColumns columns ? columns.columns(group) : List.of();
+  }
+
+  @Override
+  public void values(ColumnGroup group, double t, double[] y, double[] values, int at) {
+    ColumnValues own = groups.get(group);
+    if (own == null) {
+      ((ResultColumns) model).values(group, t, y, values, at);
+    } else if (evaluate(t, y)) {
+      own.write(t, values, at);
+    } else {
+      Arrays.fill(values, at, at + own.columns().size(), Double.NaN);
+    }
+  }
+
+  /** Returns whether the state has accelerations and forces. */
+  private boolean evaluate(double t, double[] y) {
+    equations.place(t, y);
+    if (!needsBalance) {
+      return true;
+    }
+    if (model.derivative(t, y, yDot) != ExplicitModel.REGULAR || !equations.applyForces(t)) {
+      return false;
+    }
+    equations.formResidual(yDot, equations.nq);
+    equations.balance();
+    equations.forces.accepted();
+    return true;
+  }
+}

@@ -1,0 +1,192 @@
+package org.mechservice.solver.analysis;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.solver.api.Defects.Defect;
+import org.mechservice.solver.dynamics.MassiveRods;
+import org.mechservice.solver.dynamics.ResidualJacobian;
+import org.mechservice.solver.dynamics.TreePattern;
+import org.mechservice.solver.force.ForceSet;
+import org.mechservice.solver.linear.DenseLu;
+import org.mechservice.solver.linear.LinearSolver;
+
+/**
+ * Small motions about a state, in the directions that loops leave free:
+ *
+ * <pre>
+ * M z'' + C z' + K z = 0,  ξ = R z
+ * K = Rᵀ (∂F/∂q R + ∂F/∂v V + M A_q),  C = Rᵀ (∂F/∂v R + M A_v),  F = M v' + b − τ + Jᵀ λ
+ * </pre>
+ *
+ * <p>ξ is a small move of each velocity's coordinate: a rotation in the axes of body 1 where those
+ * are Euler parameters. The derivatives of F are analytic, λ held; V, A_q and A_v are those of
+ * {@link LoopVariations}. About an equilibrium the motions are those near it; about another state
+ * they are the differences between neighbouring motions at that instant.
+ */
+final class Linearisation {
+  private final EquationsOfMotion equations;
+  private final FreeDirections free;
+  private final int n;
+  private final int f;
+
+  /** M, C and K, f × f row by row. */
+  final double[] mass;
+
+  final double[] damping;
+  final double[] stiffness;
+
+  /** Turning of small rotations with the angular velocity of Euler parameters, f × f. */
+  private final double[] turning;
+
+  /**
+   * Linearises.
+   *
+   * @param equations placed anew
+   * @param t time, s
+   * @param y state that closes the loops; not modified
+   * @param a accelerations that fit the state; not modified
+   * @throws NotLinearised if a force has no derivative there
+   */
+  Linearisation(EquationsOfMotion equations, double t, double[] y, double[] a)
+      throws NotLinearised {
+    this.equations = equations;
+    n = equations.nv;
+    equations.place(t, y);
+    free = new FreeDirections(equations);
+    f = free.freedom();
+    LoopVariations loops = new LoopVariations(equations, free, t, y, a);
+    equations.place(t, y);
+    require(equations.applyForces(t));
+    equations.formResidual(a, 0);
+    equations.balance();
+    ResidualJacobian jacobian =
+        new ResidualJacobian(equations.motion, new TreePattern(equations.tree, couplings()));
+    jacobian.evaluate(equations.loadedWrench);
+    require(equations.forces.linearise(t, jacobian.forces()) == ForceSet.REGULAR);
+    equations.loops.linearise(equations.lambda, -1, jacobian.forces());
+    jacobian.finish();
+    double[] m = new double[n * n];
+    double[] c = new double[n * n];
+    double[] k = new double[n * n];
+    jacobian.mass().toDense(m);
+    jacobian.byVelocity().toDense(c);
+    jacobian.byPosition().toDense(k);
+    mass = free.reduce(m, free.r);
+    damping = sum(free.reduce(c, free.r), free.reduce(m, loops.accelerationByVelocity));
+    stiffness =
+        sum(
+            sum(free.reduce(k, free.r), free.reduce(c, loops.velocityByPlace)),
+            free.reduce(m, loops.accelerationByPlace));
+    turning = turning();
+  }
+
+  private void require(boolean fine) throws NotLinearised {
+    if (!fine) {
+      throw new NotLinearised(equations.defect());
+    }
+  }
+
+  /** A force has no value or derivative in the state. */
+  static final class NotLinearised extends Exception {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Defect defect;
+
+    NotLinearised(Defect defect) {
+      super(defect.cause());
+      this.defect = defect;
+    }
+
+    Defect defect() {
+      return defect;
+    }
+  }
+
+  private int[] couplings() {
+    List<Integer> links = new ArrayList<>();
+    equations.forces.couplings(
+        (on, by) -> {
+          links.add(on);
+          links.add(by);
+        });
+    equations.loops.couplings(
+        (on, by) -> {
+          links.add(on);
+          links.add(by);
+        });
+    for (int link : new MassiveRods(equations.tree).pairs()) {
+      links.add(link);
+    }
+    return links.stream().mapToInt(Integer::intValue).toArray();
+  }
+
+  private static double[] sum(double[] a, double[] b) {
+    for (int i = 0; i < a.length; i++) {
+      a[i] += b[i];
+    }
+    return a;
+  }
+
+  /** The independent part of G R: ξ' = δv + ω × ξ for rotations. */
+  private double[] turning() {
+    double[] rows = new double[f * f];
+    for (int ball = 0; ball < equations.coordinates.ballCount(); ball++) {
+      int at = equations.coordinates.ballVelocity(ball);
+      for (int i = 0; i < f; i++) {
+        int axis = free.independent[i] - at;
+        if (axis >= 0 && axis < 3) {
+          int next = (axis + 1) % 3;
+          int last = (axis + 2) % 3;
+          for (int j = 0; j < f; j++) {
+            rows[i * f + j] =
+                equations.motion.v[at + next] * free.r[(at + last) * f + j]
+                    - equations.motion.v[at + last] * free.r[(at + next) * f + j];
+          }
+        }
+      }
+    }
+    return rows;
+  }
+
+  /** Returns the number of freedoms f. */
+  int freedom() {
+    return f;
+  }
+
+  /** Returns the velocities of the state that are independent, one per freedom. */
+  int[] independent() {
+    return free.independent;
+  }
+
+  /** Writes ξ = R z. */
+  void expand(double[] z, double[] xi) {
+    free.expand(z, xi);
+  }
+
+  /** Writes Rᵀ x. */
+  void project(double[] x, double[] reduced) {
+    free.project(x, reduced);
+  }
+
+  /** Returns A of [z; v_I]' = A [z; v_I], 2f × 2f row by row; empty if M is singular. */
+  double[] system() {
+    DenseLu lu = new DenseLu(f);
+    if (lu.factor(mass) != LinearSolver.NONSINGULAR) {
+      return new double[0];
+    }
+    double[] a = new double[4 * f * f];
+    double[] column = new double[f];
+    for (int j = 0; j < 2 * f; j++) {
+      double[] source = j < f ? stiffness : damping;
+      for (int i = 0; i < f; i++) {
+        column[i] = -source[i * f + j % f];
+        a[i * 2 * f + j] = j < f ? turning[i * f + j] : i == j - f ? 1 : 0;
+      }
+      lu.solve(column);
+      for (int i = 0; i < f; i++) {
+        a[(f + i) * 2 * f + j] = column[i];
+      }
+    }
+    return a;
+  }
+}

@@ -1,0 +1,149 @@
+package org.mechservice.solver.analysis;
+
+import java.util.Arrays;
+import org.mechservice.solver.closure.LoopEquations;
+
+/**
+ * How dependent velocities and accelerations of a moving loop change with the independent ones: v =
+ * R v_I + V ξ_I, a = R a_I + A_v v_I + A_q ξ_I for small ξ. At rest all three vanish.
+ *
+ * <p>J v + Φ_t and J a + γ are varied by central differences of three steps, extrapolated; in v
+ * they are quadratic, so that one step is exact.
+ */
+final class LoopVariations {
+  private static final double STEP = 4e-3;
+
+  private final EquationsOfMotion equations;
+  private final FreeDirections free;
+  private final double t;
+  private final double[] y;
+  private final double[] a;
+  private final int m;
+
+  /** V, A_q and A_v, n × f row by row. */
+  final double[] velocityByPlace;
+
+  final double[] accelerationByPlace;
+  final double[] accelerationByVelocity;
+
+  /**
+   * @param y state; not modified
+   * @param a accelerations that fit it; not modified
+   */
+  LoopVariations(
+      EquationsOfMotion equations, FreeDirections free, double t, double[] y, double[] a) {
+    this.equations = equations;
+    this.free = free;
+    this.t = t;
+    this.y = y;
+    this.a = a;
+    m = equations.lambda.length;
+    int size = equations.nv * free.freedom();
+    velocityByPlace = new double[size];
+    accelerationByPlace = new double[size];
+    accelerationByVelocity = new double[size];
+    if (m > 0 && !atRest()) {
+      for (int j = 0; j < free.freedom(); j++) {
+        vary(j);
+      }
+    }
+  }
+
+  private boolean atRest() {
+    double largest = 0;
+    for (int i = equations.nq; i < y.length; i++) {
+      largest = Math.max(largest, Math.abs(y[i]));
+    }
+    for (double acceleration : a) {
+      largest = Math.max(largest, Math.abs(acceleration));
+    }
+    for (double rate : equations.loops.rate) {
+      largest = Math.max(largest, Math.abs(rate));
+    }
+    return largest == 0;
+  }
+
+  private void vary(int j) {
+    int n = equations.nv;
+    double[] direction = new double[n];
+    for (int i = 0; i < n; i++) {
+      direction[i] = free.r[i * free.freedom() + j];
+    }
+    double[] rows = byPlace(direction);
+    double[] change = new double[n];
+    free.complete(Arrays.copyOf(rows, m), change);
+    put(change, velocityByPlace, j);
+    double[] accelerations = Arrays.copyOfRange(rows, m, 2 * m);
+    double[] ofVelocity = byVelocity(change);
+    for (int row = 0; row < m; row++) {
+      accelerations[row] += ofVelocity[row];
+    }
+    free.complete(accelerations, change);
+    put(change, accelerationByPlace, j);
+    free.complete(byVelocity(direction), change);
+    put(change, accelerationByVelocity, j);
+  }
+
+  private void put(double[] column, double[] matrix, int j) {
+    for (int i = 0; i < column.length; i++) {
+      matrix[i * free.freedom() + j] = column[i];
+    }
+  }
+
+  /** Returns how Φ' and Φ'' change with a displacement, velocities and accelerations held. */
+  private double[] byPlace(double[] direction) {
+    double[] coarse = difference(direction, STEP);
+    double[] middle = difference(direction, STEP / 2);
+    double[] fine = difference(direction, STEP / 4);
+    for (int i = 0; i < fine.length; i++) {
+      double first = middle[i] + (middle[i] - coarse[i]) / 3;
+      double second = fine[i] + (fine[i] - middle[i]) / 3;
+      fine[i] = second + (second - first) / 15;
+    }
+    return fine;
+  }
+
+  private double[] difference(double[] direction, double h) {
+    double[] plus = displaced(direction, h);
+    double[] minus = displaced(direction, -h);
+    for (int i = 0; i < plus.length; i++) {
+      plus[i] = (plus[i] - minus[i]) / (2 * h);
+    }
+    return plus;
+  }
+
+  private double[] displaced(double[] direction, double h) {
+    double[] moved = y.clone();
+    equations.coordinates.move(moved, 0, direction, 0, h);
+    return rates(moved);
+  }
+
+  private double[] byVelocity(double[] change) {
+    double[] plus = rates(faster(change, 0.5));
+    double[] minus = rates(faster(change, -0.5));
+    double[] difference = new double[m];
+    for (int row = 0; row < m; row++) {
+      difference[row] = plus[m + row] - minus[m + row];
+    }
+    return difference;
+  }
+
+  private double[] faster(double[] change, double factor) {
+    double[] moved = y.clone();
+    for (int i = 0; i < change.length; i++) {
+      moved[equations.nq + i] += factor * change[i];
+    }
+    return moved;
+  }
+
+  /** Returns Φ' and Φ''. */
+  private double[] rates(double[] state) {
+    LoopEquations loops = equations.loops;
+    equations.place(t, state);
+    equations.motion.accelerationSweep(a);
+    loops.accelerate(equations.motion, t);
+    double[] both = Arrays.copyOf(loops.rate, 2 * m);
+    System.arraycopy(loops.acceleration, 0, both, m, m);
+    return both;
+  }
+}

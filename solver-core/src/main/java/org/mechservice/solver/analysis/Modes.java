@@ -1,0 +1,117 @@
+package org.mechservice.solver.analysis;
+
+import java.util.Arrays;
+import org.mechservice.solver.linear.Eigenvalues;
+
+/**
+ * Eigenvalues λ and shapes of small motions e^(λt): the slowest first, one mode for each pair of
+ * conjugates, two for the real pair of an overdamped motion. A motion that nothing brings back,
+ * such as that of a body in free flight, gives modes of λ = 0: two where nothing damps it.
+ */
+final class Modes {
+  /**
+   * Eigenvalues below this part of the largest are zero: a double one at zero is found to half the
+   * digits.
+   */
+  private static final double ZERO = 1e-6;
+
+  private final Linearisation linear;
+  private final Eigenvalues eigen;
+  private final int[] mode;
+  private final double zero;
+
+  /**
+   * @param system as {@link Linearisation#system()} returned it, not empty
+   */
+  Modes(Linearisation linear, double[] system) {
+    this.linear = linear;
+    int size = 2 * linear.freedom();
+    eigen = new Eigenvalues(size, system);
+    int[] found = new int[size];
+    int count = 0;
+    double largest = 0;
+    for (int i = 0; i < size && eigen.converged(); i++) {
+      largest = Math.max(largest, StrictMath.hypot(eigen.real(i), eigen.imaginary(i)));
+      if (eigen.imaginary(i) >= 0) {
+        found[count++] = i;
+      }
+    }
+    mode = Arrays.copyOf(found, count);
+    zero = ZERO * largest;
+  }
+
+  /** Returns whether all eigenvalues were found. */
+  boolean converged() {
+    return eigen.converged();
+  }
+
+  int count() {
+    return mode.length;
+  }
+
+  private double modulus(int k) {
+    return StrictMath.hypot(eigen.real(mode[k]), eigen.imaginary(mode[k]));
+  }
+
+  private boolean isZero(int k) {
+    return modulus(k) <= zero;
+  }
+
+  /** Returns Re λ, 1/s. */
+  double growth(int k) {
+    return isZero(k) ? 0 : eigen.real(mode[k]);
+  }
+
+  /** Returns Im λ ≥ 0, rad/s. */
+  double angularFrequency(int k) {
+    return isZero(k) ? 0 : eigen.imaginary(mode[k]);
+  }
+
+  /** Returns |λ| / 2π, Hz: the frequency without its damping. */
+  double frequency(int k) {
+    return isZero(k) ? 0 : modulus(k) / (2 * Math.PI);
+  }
+
+  /**
+   * Returns −Re λ / |λ|: 0 of an undamped mode, 1 of one that does not oscillate, negative of one
+   * that grows; 0 where λ is.
+   */
+  double dampingRatio(int k) {
+    return isZero(k) ? 0 : -eigen.real(mode[k]) / modulus(k);
+  }
+
+  /**
+   * Writes the move of each velocity's coordinate, rad or m, the largest being 1 (1 rad or one
+   * length of the mechanism).
+   *
+   * @param unit of each velocity
+   * @param re real parts; overwritten
+   * @param im imaginary parts; overwritten
+   */
+  void shape(int k, double[] unit, double[] re, double[] im) {
+    int f = linear.freedom();
+    double[] vr = new double[2 * f];
+    double[] vi = new double[2 * f];
+    eigen.vector(mode[k], vr, vi);
+    linear.expand(vr, re);
+    linear.expand(vi, im);
+    int largest = 0;
+    for (int i = 1; i < unit.length; i++) {
+      if (size(re, im, unit, i) > size(re, im, unit, largest) * (1 + 1e-9)) {
+        largest = i;
+      }
+    }
+    double dr = re[largest] / unit[largest];
+    double di = im[largest] / unit[largest];
+    double square = dr * dr + di * di;
+    for (int i = 0; i < unit.length; i++) {
+      double r = (re[i] * dr + im[i] * di) / square;
+      im[i] = eigen.imaginary(mode[k]) == 0 ? 0 : (im[i] * dr - re[i] * di) / square;
+      re[i] = r;
+    }
+  }
+
+  private static double size(double[] re, double[] im, double[] unit, int i) {
+    return StrictMath.hypot(re[i], im[i]) / unit[i];
+  }
+}

@@ -1,0 +1,32 @@
+package org.mechservice.solver.analysis;
+
+import java.util.List;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.force.ExpressionInputs;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.mechanism.Output;
+
+/** What a model's author asked for by expression. */
+final class OutputColumns implements ColumnValues {
+  private final List<Variable> columns;
+  private final ExpressionInputs expressions;
+
+  OutputColumns(TreeMotion motion, List<Output> outputs) {
+    columns = outputs.stream().map(output -> new Variable(output.name(), output.unit())).toList();
+    expressions = new ExpressionInputs(motion, outputs.stream().map(Output::value).toList());
+  }
+
+  @Override
+  public List<Variable> columns() {
+    return columns;
+  }
+
+  @Override
+  public void write(double t, double[] values, int at) {
+    expressions.evaluate(t);
+    expressions.accepted();
+    for (int i = 0; i < columns.size(); i++) {
+      values[at + i] = expressions.value(i);
+    }
+  }
+}

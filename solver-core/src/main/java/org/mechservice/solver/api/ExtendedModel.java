@@ -1,0 +1,32 @@
+package org.mechservice.solver.api;
+
+/**
+ * A model with result columns that are computed apart from it.
+ *
+ * @param model the model
+ * @param columns its columns
+ */
+public record ExtendedModel(Model model, ResultColumns columns) implements Model {
+  @Override
+  public ModelDescription description() {
+    return model.description();
+  }
+
+  @Override
+  public void initialState(double[] y) {
+    model.initialState(y);
+  }
+
+  /** Returns a model without what extends it. */
+  public static Model bare(Model model) {
+    return model instanceof ExtendedModel extended ? extended.model() : model;
+  }
+
+  /** Returns the further columns of a model, of itself or apart from it. */
+  public static ResultColumns columnsOf(Model model) {
+    if (model instanceof ExtendedModel extended) {
+      return extended.columns();
+    }
+    return model instanceof ResultColumns own ? own : ResultColumns.NONE;
+  }
+}

@@ -1,0 +1,129 @@
+package org.mechservice.solver.closure;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.solver.dynamics.JointReactions;
+import org.mechservice.solver.mechanism.closure.JointClosure;
+
+/**
+ * Multipliers of closed loops, and what joints of the tree and cut joints exert, at a state whose
+ * accelerations are known: M v' + b − τ + Jᵀ λ = 0.
+ *
+ * <p>Of redundant equations the multipliers are not unique; those written are of least norm, forces
+ * being counted times a length of the mechanism to compare with moments ({@link #areUnique} tells).
+ *
+ * <p>A joint's reaction is what it exerts by what it forbids, and by the motion that drives it,
+ * without springs, dampers, motors and friction along its coordinates. Workspace of one thread;
+ * nothing allocates after construction.
+ */
+public final class Reactions {
+  private final ClosedTree work;
+  private final int rank;
+  private final JointReactions joints;
+  private final ScaledJacobian jacobian;
+  private final List<JointClosure> cutJoints = new ArrayList<>();
+  private final CutReaction[] cuts;
+  private final double[] residual;
+  private final double[] loads;
+  private final double[] tau;
+
+  /**
+   * λ, one per equation of the loops in their order, N or N·m; positive against growing Φ: the
+   * tension of a rod.
+   */
+  public final double[] multipliers;
+
+  /**
+   * Reactions of the tree's joints, [force; moment] per joint in file order, N, N·m: what the body
+   * nearer the root exerts on the outer one, at the joint's point on the outer one, world axes.
+   */
+  public final double[] onJoints;
+
+  /**
+   * Reactions of the cut joints, [force; moment] per joint in the order of {@link #cutJoints}, N,
+   * N·m: what body 1 exerts on body 2, at the joint's point on body 2, world axes.
+   */
+  public final double[] onCutJoints;
+
+  /**
+   * @param work the equations; its motion, forces and loops are evaluated at the states asked for
+   * @param rank number of independent equations among those of the loops
+   */
+  Reactions(ClosedTree work, int rank) {
+    this.work = work;
+    this.rank = rank;
+    joints = new JointReactions(work.motion);
+    onJoints = joints.wrench;
+    LoopEquations loops = work.loops;
+    jacobian = new ScaledJacobian(loops, work.units.velocities);
+    residual = new double[work.tree.velocityCount];
+    loads = new double[work.wrench.length];
+    tau = new double[work.tau.length];
+    multipliers = new double[loops.count()];
+    cuts = cuts().toArray(CutReaction[]::new);
+    onCutJoints = new double[6 * cuts.length];
+  }
+
+  private List<CutReaction> cuts() {
+    List<CutReaction> found = new ArrayList<>();
+    LoopEquations loops = work.loops;
+    for (int row = 0; row < loops.count(); row++) {
+      boolean first = row == 0 || loops.closure(row) != loops.closure(row - 1);
+      if (first && loops.closure(row) instanceof JointClosure joint) {
+        cutJoints.add(joint);
+        found.add(new CutReaction(joint, work.tree, loops, row));
+      }
+    }
+    return found;
+  }
+
+  /** Returns the cut joints that exert something, in the order of their equations. */
+  public List<JointClosure> cutJoints() {
+    return List.copyOf(cutJoints);
+  }
+
+  /** Returns the equations the multipliers belong to. */
+  public LoopEquations equations() {
+    return work.loops;
+  }
+
+  /** Returns whether the multipliers are unique: no equation follows from others. */
+  public boolean areUnique() {
+    return rank == work.loops.count();
+  }
+
+  /**
+   * Evaluates multipliers and reactions.
+   *
+   * @param t time, s
+   * @param y state [q; v] that closes the loops; not modified
+   * @param a accelerations v' from {@code aAt} that obey the equations of motion; not modified
+   * @return false if a force has no value there
+   */
+  public boolean evaluate(double t, double[] y, double[] a, int aAt) {
+    work.place(t, y);
+    if (!work.applyForces(t)) {
+      return false;
+    }
+    work.formResidual(a, aAt, residual);
+    jacobian.decompose();
+    jacobian.multipliers(jacobian.rank(rank), residual, multipliers);
+    System.arraycopy(work.wrench, 0, loads, 0, loads.length);
+    System.arraycopy(work.tau, 0, tau, 0, tau.length);
+    work.loops.addForces(multipliers, -1, loads, tau);
+    joints.evaluate(loads, tau);
+    for (int i = 0; i < cuts.length; i++) {
+      cuts[i].write(work.motion, multipliers, onCutJoints, 6 * i);
+    }
+    return true;
+  }
+
+  /**
+   * Returns the force that moves a driven joint of the tree as prescribed, N·m or N.
+   *
+   * @param velocity the joint's velocity among the extended ones, which follow those of the state
+   */
+  public double drivingForce(int velocity) {
+    return joints.drivingForce(velocity);
+  }
+}

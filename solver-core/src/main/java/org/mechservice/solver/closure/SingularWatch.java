@@ -1,0 +1,150 @@
+package org.mechservice.solver.closure;
+
+import java.util.function.Consumer;
+
+/**
+ * Watches how close the loops come to positions in which their equations lose rank, from one
+ * accepted state to the next. There two branches of the motion meet, and neither energy nor
+ * residuals would show a change from one to the other (NUMERICS §3).
+ *
+ * <p>Closeness is the smallest pivot of J, rows over their sizes and columns in units, as full
+ * pivoting finds it, over the largest that it was in the run. A step may lead across: J is then
+ * interpolated to where the pivot would vanish. Workspace of one thread.
+ */
+final class SingularWatch {
+  /** Closeness worth a warning. */
+  static final double NEAR = 1e-2;
+
+  /** Closeness at which a singular position lies behind: the next one is another. */
+  private static final double CLEAR = 5 * NEAR;
+
+  /** Above this closeness at both ends of a step there is nothing in between. */
+  private static final double LOOK_BETWEEN = 0.3;
+
+  private final LoopEquations loops;
+  private final Partition partition;
+  private final Consumer<LoopFinding> notes;
+
+  /** Scaled J of the last accepted state, and what is between it and this one. */
+  private final double[] before;
+
+  private final double[] between;
+  private double timeBefore;
+  private double closenessBefore = 1;
+  private double largest;
+
+  /** The closest since a singular position came near; none if it is 1. */
+  private double closest = 1;
+
+  private double closestTime;
+  private int closestRow;
+  private int rowBefore;
+
+  /**
+   * @param partition of the velocities, which finds pivots
+   * @param notes is told of singular positions passed
+   */
+  SingularWatch(LoopEquations loops, Partition partition, Consumer<LoopFinding> notes) {
+    this.loops = loops;
+    this.partition = partition;
+    this.notes = notes;
+    before = new double[partition.scaled().length];
+    between = new double[before.length];
+  }
+
+  /** Returns the length of what {@link #save} writes. */
+  int stateLength() {
+    return before.length + 7;
+  }
+
+  /** Writes what the next states are compared with. */
+  void save(double[] state, int at) {
+    System.arraycopy(before, 0, state, at, before.length);
+    int next = at + before.length;
+    state[next++] = timeBefore;
+    state[next++] = closenessBefore;
+    state[next++] = closest;
+    state[next++] = closestTime;
+    state[next++] = closestRow;
+    state[next++] = rowBefore;
+    state[next] = largest;
+  }
+
+  /** Takes up what {@link #save} wrote. */
+  void restore(double[] state, int at) {
+    System.arraycopy(state, at, before, 0, before.length);
+    int next = at + before.length;
+    timeBefore = state[next++];
+    closenessBefore = state[next++];
+    closest = state[next++];
+    closestTime = state[next++];
+    closestRow = (int) state[next++];
+    rowBefore = (int) state[next++];
+    largest = state[next];
+  }
+
+  /** Takes the state a run begins with, in which the partition has chosen. */
+  void begin(double t) {
+    largest = partition.bestPivot();
+    keep(t, 1);
+  }
+
+  /** Returns how close the last accepted state is. */
+  double closeness() {
+    return closenessBefore;
+  }
+
+  /** Returns whether the last accepted state is close to a singular position. */
+  boolean isNear() {
+    return closenessBefore < CLEAR;
+  }
+
+  /** Returns the equation whose pivot was smallest in the last accepted state. */
+  int weakestRow() {
+    return rowBefore;
+  }
+
+  /** Takes note of an accepted state, at which the partition looked for a better choice. */
+  void accepted(double t) {
+    largest = Math.max(largest, partition.bestPivot());
+    double closeness = partition.bestPivot() / largest;
+    remember(closeness, t);
+    double s = closenessBefore / (closenessBefore + closeness);
+    double timeOfLast = timeBefore;
+    boolean look = Math.min(closeness, closenessBefore) < LOOK_BETWEEN;
+    for (int i = 0; look && i < between.length; i++) {
+      between[i] = (1 - s) * before[i] + s * partition.scaled()[i];
+    }
+    keep(t, closeness);
+    if (look && s >= 0) {
+      remember(partition.bestPivot(between) / largest, timeOfLast + s * (t - timeOfLast));
+    }
+    if (closeness >= CLEAR) {
+      report();
+    }
+  }
+
+  private void keep(double t, double closeness) {
+    System.arraycopy(partition.scaled(), 0, before, 0, before.length);
+    timeBefore = t;
+    closenessBefore = closeness;
+    rowBefore = partition.weakestRow();
+  }
+
+  private void report() {
+    if (closest < NEAR) {
+      String equation = loops.name(closestRow);
+      notes.accept(
+          new LoopFinding(LoopFinding.Kind.SINGULAR_PASSED, equation, closest, "1", closestTime));
+    }
+    closest = 1;
+  }
+
+  private void remember(double closeness, double t) {
+    if (closeness < closest) {
+      closest = closeness;
+      closestTime = t;
+      closestRow = partition.weakestRow();
+    }
+  }
+}

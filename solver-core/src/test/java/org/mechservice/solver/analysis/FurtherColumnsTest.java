@@ -1,0 +1,91 @@
+package org.mechservice.solver.analysis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.ResultColumns;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.mechanism.FiveBarPendulum;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.mechanism.Output;
+import org.mechservice.solver.scenes.SharedScene;
+import org.mechservice.solver.spatial.Vector3;
+
+/** Columns that are computed apart from the model. */
+class FurtherColumnsTest {
+  @Test
+  void outputsAreValuesOfTheirExpressions() {
+    Mechanism pendulum = FiveBarPendulum.mechanism();
+    Expression tip = new Expression.PointPosition(new BodyPoint(4, new Vector3(1, 0, 0)), 0);
+    Expression angle = new Expression.CoordinatePosition(new JointCoordinate(0, 0));
+    List<Output> outputs =
+        List.of(
+            new Output("tip", tip, "m", Origin.NONE),
+            new Output("doubled", new Expression.Sum(angle, angle), "rad", Origin.NONE));
+    ColumnsAt columns = new ColumnsAt(pendulum, outputs, ColumnGroup.OUTPUTS);
+    double[] y = columns.start();
+    y[4] = Math.PI / 3;
+    assertThat(columns.columns.columns(ColumnGroup.OUTPUTS))
+        .containsExactly(new Variable("tip", "m"), new Variable("doubled", "rad"));
+    // four bars ahead and one turned by 60 degrees
+    assertThat(columns.at(0, y).get("tip")).isCloseTo(4.5, within(1e-14));
+    y[0] = 0.25;
+    assertThat(columns.at(0, y).get("doubled")).isEqualTo(0.5);
+  }
+
+  @Test
+  void residualsSayHowFarLoopsAreFromClosed() {
+    SharedScene scene = SharedScene.named("slider_crank_planar");
+    ColumnsAt columns = new ColumnsAt(scene.mechanism(), ColumnGroup.CONSTRAINTS);
+    double[] y = columns.start();
+    Map<String, Double> closed = columns.at(0, y);
+    assertThat(closed.get("constraint.position")).isLessThan(1e-15);
+    assertThat(closed.get("constraint.velocity")).isLessThan(1e-13);
+    y[2] += 0.01; // the slider alone
+    y[5] += 0.1;
+    Map<String, Double> open = columns.at(0, y);
+    assertThat(open.get("constraint.position")).isCloseTo(0.01, within(1e-14));
+    assertThat(open.get("constraint.velocity")).isCloseTo(0.1, within(1e-12));
+  }
+
+  @Test
+  void constraintsOfLoopsHaveOneMultiplierPerEquation() {
+    SharedScene scene = SharedScene.named("slider_crank_planar");
+    ColumnsAt columns = new ColumnsAt(scene.mechanism(), ColumnGroup.CONSTRAINTS);
+    assertThat(columns.columns.columns(ColumnGroup.CONSTRAINTS))
+        .containsExactly(
+            new Variable("constraint.position", "m"),
+            new Variable("constraint.velocity", "m/s"),
+            new Variable("pin.lambda[0]", "N"),
+            new Variable("pin.lambda[1]", "N"));
+  }
+
+  @Test
+  void groupsNotAskedForAreTheModelsOwn() {
+    SharedScene scene = SharedScene.named("driver_C0");
+    ColumnsAt columns = new ColumnsAt(scene.mechanism(), ColumnGroup.FORCES);
+    ColumnsAt others = new ColumnsAt(scene.mechanism(), ColumnGroup.REACTIONS);
+    List<Variable> names = columns.columns.columns(ColumnGroup.FORCES);
+    assertThat(others.columns.columns(ColumnGroup.FORCES)).isEqualTo(names);
+    double[] own = new double[names.size()];
+    double[] apart = new double[names.size()];
+    columns.columns.values(ColumnGroup.FORCES, 0, columns.start(), own, 0);
+    ((ResultColumns) others.model).values(ColumnGroup.FORCES, 0, others.start(), apart, 0);
+    assertThat(own).containsExactly(apart);
+  }
+
+  @Test
+  void openChainsHaveNoConstraints() {
+    ColumnsAt columns = new ColumnsAt(FiveBarPendulum.mechanism(), ColumnGroup.CONSTRAINTS);
+    assertThat(columns.columns.columns(ColumnGroup.CONSTRAINTS)).isEmpty();
+    assertThat(columns.at(0, columns.start())).isEmpty();
+  }
+}

@@ -1,0 +1,237 @@
+package org.mechservice.solver.analysis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.mechanism.Attachment;
+import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.FiveBarPendulum;
+import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.mechanism.PrescribedMotion;
+import org.mechservice.solver.mechanism.Prismatic;
+import org.mechservice.solver.mechanism.Revolute;
+import org.mechservice.solver.mechanism.Root;
+import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.Side;
+import org.mechservice.solver.simulation.RuntimeSolver;
+import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+
+/** Equilibria against closed forms and against motion that is damped until it rests. */
+class StaticEquilibriumTest {
+  private static final Root GROUND = new Root("ground", Vector3.ZERO, Rotation.IDENTITY);
+  private static final Vector3 DOWN = new Vector3(0, 0, -10);
+  private static final Vector3 Z = new Vector3(0, 0, 1);
+  private static final Vector3 Y = new Vector3(0, 1, 0);
+
+  private static StaticEquilibrium of(Mechanism mechanism) {
+    return new StaticEquilibrium(mechanism, UserForceSource.NONE, 1e-12, 200);
+  }
+
+  private static Mechanism with(
+      List<Body> bodies,
+      List<Joint> joints,
+      List<PrescribedMotion> motions,
+      List<ForceElement> forces) {
+    Mechanism tree = new Mechanism("statics", GROUND, DOWN, bodies, joints);
+    return new Mechanism(
+        tree.name(),
+        tree.root(),
+        tree.gravity(),
+        bodies,
+        joints,
+        motions,
+        tree.startRoles(),
+        List.of(),
+        forces,
+        List.of());
+  }
+
+  private static ForceElement spring(int joint, double stiffness, double damping, Side side) {
+    return new JointSpringDamper(
+        "k" + joint,
+        new JointCoordinate(joint, 0),
+        Expression.of(stiffness),
+        Expression.of(damping),
+        Expression.ZERO,
+        Expression.ZERO,
+        side,
+        Expression.of(side == Side.BOTH ? 0 : 1e-4),
+        Origin.NONE);
+  }
+
+  private static Body mass(String name, double mass, Vector3 center) {
+    return new Body(name, mass, center, InertiaTensor.ZERO, Origin.NONE);
+  }
+
+  private static Attachment at(int parent, int child) {
+    return new Attachment(parent, Vector3.ZERO, child, Vector3.ZERO, Rotation.IDENTITY);
+  }
+
+  /** n masses hanging from one another: spring i carries all below it. */
+  @Test
+  void chainOfSpringsSagsByTheWeightsBelow() {
+    int n = 6;
+    List<Body> bodies = new ArrayList<>();
+    List<Joint> joints = new ArrayList<>();
+    List<ForceElement> springs = new ArrayList<>();
+    for (int i = 0; i < n; i++) {
+      bodies.add(mass("m" + i, 2, Vector3.ZERO));
+      joints.add(new Prismatic("s" + i, at(i - 1, i), Z, 0, 0, Origin.NONE));
+      springs.add(spring(i, 1000, 0, Side.BOTH));
+    }
+    StaticEquilibrium found = of(with(bodies, joints, List.of(), springs));
+    assertThat(found.find(0)).isTrue();
+    for (int i = 0; i < n; i++) {
+      assertThat(found.state()[i]).isCloseTo(-(n - i) * 2 * 10 / 1000.0, within(1e-12));
+    }
+    assertThat(found.notes()).isEmpty();
+  }
+
+  /** From anywhere but the very top. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0.1, 1, 2, 3, 3.1, -1.5})
+  void pendulumComesToHang(double start) {
+    Joint joint = new Revolute("j", at(Mechanism.ROOT, 0), Y, start, 0, Origin.NONE);
+    Body bob = mass("bob", 1, new Vector3(0, 0, -1));
+    StaticEquilibrium found = of(with(List.of(bob), List.of(joint), List.of(), List.of()));
+    assertThat(found.find(0)).isTrue();
+    assertThat(found.state()[0]).isCloseTo(0, within(1e-11));
+    assertThat(found.notes()).isEmpty();
+  }
+
+  @Test
+  void pendulumOnItsHeadIsToldToBeUnstable() {
+    Joint joint = new Revolute("j", at(Mechanism.ROOT, 0), Y, 0, 0, Origin.NONE);
+    Body bob = mass("bob", 1, Z);
+    StaticEquilibrium found = of(with(List.of(bob), List.of(joint), List.of(), List.of()));
+    assertThat(found.find(0)).isTrue();
+    assertThat(found.notes()).extracting(Note::code).containsExactly("N-064");
+    assertThat(found.notes().get(0).text()).contains("3.16/s", "coordinate \"j\"");
+  }
+
+  @Test
+  void bodyThatNothingHoldsAgainstGravityHasNoEquilibrium() {
+    Joint joint = new Prismatic("fall", at(Mechanism.ROOT, 0), Z, 0, 0, Origin.NONE);
+    Body stone = mass("stone", 1, Vector3.ZERO);
+    StaticEquilibrium found = of(with(List.of(stone), List.of(joint), List.of(), List.of()));
+    assertThat(found.find(0)).isFalse();
+    assertThat(found.defect().code()).isEqualTo("N-063");
+    assertThat(found.defect().part()).isEqualTo("coordinate \"fall\"");
+  }
+
+  @Test
+  void equilibriumThatIsOneOfManyIsToldToBe() {
+    Joint joint =
+        new Prismatic("glide", at(Mechanism.ROOT, 0), new Vector3(1, 0, 0), 0.5, 0, Origin.NONE);
+    Body stone = mass("stone", 1, Vector3.ZERO);
+    StaticEquilibrium found = of(with(List.of(stone), List.of(joint), List.of(), List.of()));
+    assertThat(found.find(0)).isTrue();
+    assertThat(found.state()[0]).isEqualTo(0.5);
+    assertThat(found.notes()).extracting(Note::code).containsExactly("N-065");
+    assertThat(found.notes().get(0).text()).contains("coordinate \"glide\"");
+  }
+
+  /** A stop below that only pushes; the mass starts above it, where nothing holds it. */
+  @Test
+  void massComesToRestOnStop() {
+    Joint joint = new Prismatic("fall", at(Mechanism.ROOT, 0), Z, 2, 0, Origin.NONE);
+    Body stone = mass("stone", 1, Vector3.ZERO);
+    ForceElement stop = spring(0, 1e5, 0, Side.BELOW);
+    StaticEquilibrium found = of(with(List.of(stone), List.of(joint), List.of(), List.of(stop)));
+    assertThat(found.find(0)).isTrue();
+    // k (x + √(x² + ε²)) / 2 = m g for the penetration x, ε = 1e-4 m
+    double force = 10 / 1e5;
+    double penetration = force - 0.25 * 1e-8 / force;
+    assertThat(found.state()[0]).isCloseTo(-penetration, within(1e-13));
+  }
+
+  /** A crane's boom held by its motor at the angle it has at the time asked for. */
+  @Test
+  void drivenJointsAreHeldWhereTheyAre() {
+    Joint boom = new Revolute("boom", at(Mechanism.ROOT, 0), Y, 0, 0, Origin.NONE);
+    Joint load =
+        new Revolute(
+            "load",
+            new Attachment(0, new Vector3(1, 0, 0), 1, Vector3.ZERO, Rotation.IDENTITY),
+            Y,
+            0.3,
+            0,
+            Origin.NONE);
+    List<Body> bodies =
+        List.of(mass("arm", 1, new Vector3(0.5, 0, 0)), mass("hook", 1, new Vector3(0, 0, -1)));
+    PrescribedMotion turning = new PrescribedMotion(0, List.of(new Expression.Time()));
+    StaticEquilibrium found = of(with(bodies, List.of(boom, load), List.of(turning), List.of()));
+    assertThat(found.find(0.7)).isTrue();
+    assertThat(found.state()[0]).isCloseTo(-0.7, within(1e-11));
+    assertThat(found.state()[1]).isZero();
+  }
+
+  @Test
+  void paperPendulumHangsInEquilibrium() {
+    StaticEquilibrium found = of(FiveBarPendulum.mechanism());
+    assertThat(found.find(0)).isTrue();
+    assertThat(found.notes()).filteredOn(note -> note.code().equals("N-064")).isEmpty();
+  }
+
+  /** The loop with a damper in its universal joint, until nothing moves any more. */
+  @Test
+  void equilibriumOfLoopIsWhereDampedMotionEnds() throws Exception {
+    List<ForceElement> dampers = List.of(spring(2, 1, 1, Side.BOTH));
+    Mechanism loop = SpatialLoop.cutAt(3, false, dampers);
+    StaticEquilibrium found = of(loop);
+    assertThat(found.find(0)).isTrue();
+    double[] end = endOfMotion(loop, 40);
+    for (int i = 0; i < loop.positionCount(); i++) {
+      // the tolerance of the integration, with a motion that has died away
+      assertThat(end[1 + i]).isCloseTo(found.state()[i], within(1e-7));
+    }
+  }
+
+  private static double[] endOfMotion(Mechanism mechanism, double end) throws Exception {
+    RunSettings settings = new RunSettings(0, end, end, "ode15sR", 1e-7, 1e-9);
+    CompactModel data = new CompactModel(mechanism, "RR-JF", "projection", settings);
+    List<double[]> rows = new ArrayList<>();
+    ResultSink sink =
+        new ResultSink() {
+          @Override
+          public void begin(List<Variable> columns) {}
+
+          @Override
+          public void row(double[] values) {
+            rows.add(values.clone());
+          }
+        };
+    RunReport report =
+        new RuntimeSolver()
+            .run(
+                data.model(UserForceSource.NONE),
+                new RunRequest(settings, Set.of()),
+                sink,
+                new RunControl());
+    assertThat(report.outcome()).isInstanceOf(Outcome.Completed.class);
+    return rows.get(rows.size() - 1);
+  }
+}

@@ -1,0 +1,100 @@
+package org.mechservice.solver.closure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.mechservice.solver.api.Checkpoints;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.scenes.SharedScene;
+import org.mechservice.solver.simulation.RuntimeSolver;
+
+/** A run with loops, taken up between any two steps, has the rows of one never interrupted. */
+class LoopCheckpointTest {
+  private static final class Rows implements ResultSink {
+    final List<double[]> rows = new ArrayList<>();
+
+    @Override
+    public void begin(List<Variable> columns) {}
+
+    @Override
+    public void row(double[] values) {
+      rows.add(values.clone());
+    }
+  }
+
+  private record Kept(List<byte[]> all, double secondsBetween, Optional<byte[]> saved)
+      implements Checkpoints {
+    @Override
+    public String modelHash() {
+      return "cafe";
+    }
+
+    @Override
+    public void keep(byte[] checkpoint) {
+      all.add(checkpoint);
+    }
+  }
+
+  private static RunReport run(
+      Mechanism mechanism, String formulation, RunSettings settings, Rows rows, Kept kept)
+      throws IOException {
+    return new RuntimeSolver()
+        .run(
+            LoopModels.of(mechanism, formulation, settings),
+            new RunRequest(settings, Set.of()),
+            rows,
+            new RunControl(),
+            kept);
+  }
+
+  /** What the loops had to say; the largest drift of a norm is that of the rows written. */
+  private static List<Note> ofLoops(RunReport report) {
+    return report.notes().stream().filter(note -> !note.code().equals("N-010")).toList();
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "slider_crank_singular, DSR, ode113",
+    "slider_crank_singular, DSR, DE",
+    "slider_crank_singular, DSR, ode15s",
+    "slider_crank_singular, RR, ode15sR",
+    "slider_crank_singular, RR-JF, ode15sR",
+    "fps, DSR, ode113",
+    "fps, RR-JF, ode15sR",
+  })
+  void runTakenUpAnywhereHasTheSameRows(String name, String formulation, String integrator)
+      throws IOException {
+    Mechanism mechanism = SharedScene.named(name).mechanism();
+    RunSettings settings = SceneRun.settings(1.5, 0.05, integrator, 1e-6);
+    Rows all = new Rows();
+    Kept everyStep = new Kept(new ArrayList<>(), 0, Optional.empty());
+    RunReport whole = run(mechanism, formulation, settings, all, everyStep);
+    for (int i = 0; i < everyStep.all.size(); i += 11) {
+      Rows rest = new Rows();
+      Kept from =
+          new Kept(new ArrayList<>(), Double.POSITIVE_INFINITY, Optional.of(everyStep.all.get(i)));
+      RunReport resumed = run(mechanism, formulation, settings, rest, from);
+      int missing = all.rows.size() - rest.rows.size();
+      for (int row = 0; row < rest.rows.size(); row++) {
+        assertThat(rest.rows.get(row)).as("step %s", i).isEqualTo(all.rows.get(missing + row));
+      }
+      assertThat(resumed.outcome()).isEqualTo(whole.outcome());
+      assertThat(resumed.steps()).isEqualTo(whole.steps());
+      assertThat(resumed.evaluations()).isEqualTo(whole.evaluations());
+      assertThat(ofLoops(resumed)).isEqualTo(ofLoops(whole));
+    }
+  }
+}

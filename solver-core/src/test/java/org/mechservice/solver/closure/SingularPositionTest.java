@@ -1,0 +1,122 @@
+package org.mechservice.solver.closure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.mechanism.closure.CoordinateClosure;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.scenes.SharedScene;
+
+class SingularPositionTest {
+  private static List<Note> passages(SceneRun run) {
+    return run.report.notes().stream().filter(note -> note.code().equals("N-046")).toList();
+  }
+
+  /** Kinetic and potential energy of a parallelogram: of uprights, and couplers at their tops. */
+  private static double energy(int windows, double angle, double speed) {
+    double uprights = (windows + 1) * (0.5 * (1 / 3.0 + 1e-3) * speed * speed);
+    double couplers = windows * 0.5 * speed * speed;
+    return uprights + couplers + ((windows + 1) * 0.5 + windows) * 9.81 * Math.cos(angle);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "1, DSR, ode113, 1e-4",
+    "2, DSR, ode113, 1e-8",
+    "8, DSR, DE, 1e-6",
+    "2, DSR, ode15s, 1e-6",
+    "3, RR, ode15sR, 1e-6",
+    "8, RR-JF, ode15sR, 1e-6"
+  })
+  void windowsInARowStayParallelogramsAndEveryPassageIsNoted(
+      int count, String formulation, String integrator, double tolerance) {
+    RunSettings settings = SceneRun.settings(4, 0.05, integrator, tolerance);
+    SceneRun run = LoopModels.run(Linkages.windows(count, 1), formulation, settings);
+    assertThat(run.report.outcome()).isInstanceOf(Outcome.Completed.class);
+    long horizontal = 0;
+    for (int row = 0; row < run.rows.size(); row++) {
+      double[] values = run.rows.get(row);
+      for (int i = 1; i <= count; i++) {
+        assertThat(values[1 + i]).as("t = %s", values[0]).isCloseTo(values[1], within(1e-10));
+        assertThat(values[1 + count + i]).isCloseTo(-values[1], within(1e-10));
+      }
+      if (row > 0 && Math.cos(values[1]) * Math.cos(run.rows.get(row - 1)[1]) < 0) {
+        horizontal++;
+      }
+    }
+    assertThat(passages(run)).hasSize((int) horizontal).allMatch(Note::warning);
+    double[] last = run.rows.get(run.rows.size() - 1);
+    double start = energy(count, 0, 1);
+    double end = energy(count, last[1], last[2 + 2 * count]);
+    assertThat(end).isCloseTo(start, within(1e4 * tolerance * count * 9.81));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"slider_crank_planar", "fourbar_redundant", "fps", "A03_andrews"})
+  void nothingIsNotedWhereNoBranchBegins(String name) {
+    SharedScene scene = SharedScene.named(name);
+    RunSettings settings = SceneRun.settings(1, 0.05, "ode113", 1e-6);
+    assertThat(passages(LoopModels.run(scene.mechanism(), "DSR", settings))).isEmpty();
+  }
+
+  @Test
+  void coordinatesChosenAnewAreNotedByName() {
+    RunSettings settings = SceneRun.settings(2, 0.05, "ode113", 1e-6);
+    SceneRun run = LoopModels.run(Linkages.slidingPendulum(0), "DSR", settings);
+    List<Note> chosen =
+        run.report.notes().stream().filter(note -> note.code().equals("N-047")).toList();
+    assertThat(chosen).isNotEmpty().noneMatch(Note::warning);
+    assertThat(chosen.get(0).text())
+        .isEqualTo("From here the independent coordinates are x.q, x.v.");
+  }
+
+  /** The crank of this linkage cannot turn all round: B would have to come within reach of D. */
+  @ParameterizedTest
+  @CsvSource({"DSR, ode113", "DSR, DE", "DSR, ode15s", "RR, ode15sR", "RR-JF, ode15sR"})
+  void aLinkageDrivenIntoItsLockSaysWhereAndWhen(String formulation, String integrator) {
+    RunSettings settings = SceneRun.settings(20, 0.1, integrator, 1e-6);
+    SceneRun run = LoopModels.run(Linkages.drivenFourBar(-0.5), formulation, settings);
+    Failure failure = ((Outcome.Failed) run.report.outcome()).failure();
+    assertThat(failure.code()).isIn("N-020", "N-023");
+    assertThat(failure.part()).startsWith("constraint \"D\"");
+    assertThat(failure.time()).isBetween(0.1, 19.0);
+    assertThat(run.rows).allMatch(row -> Arrays.stream(row).allMatch(Double::isFinite));
+  }
+
+  /** Two gears of the same ratio, of which one leaves it beyond an angle of 0.1 rad. */
+  @Test
+  void anEquationLeftOutThatNoLongerFollowsEndsTheRunByName() {
+    Expression first = new Expression.CoordinatePosition(new JointCoordinate(0, 0));
+    Expression second = new Expression.CoordinatePosition(new JointCoordinate(1, 0));
+    Expression difference = new Expression.Sum(first, new Expression.Negation(second));
+    Expression beyond =
+        new Expression.Call(
+            Function.MAX, List.of(Expression.ZERO, new Expression.Sum(first, Expression.of(-0.1))));
+    Expression leaving = new Expression.Sum(difference, new Expression.Product(beyond, beyond));
+    List<LoopClosure> gears =
+        List.of(
+            new CoordinateClosure("true gear", difference, Origin.NONE),
+            new CoordinateClosure("worn gear", leaving, Origin.NONE));
+    SceneRun run =
+        LoopModels.run(
+            Linkages.twoPendulums(gears), "DSR", SceneRun.settings(5, 0.1, "ode113", 1e-6));
+    Failure failure = ((Outcome.Failed) run.report.outcome()).failure();
+    assertThat(failure.code()).isEqualTo("N-024");
+    assertThat(failure.part()).contains("gear");
+    assertThat(run.rows.get(run.rows.size() - 1)[1]).isCloseTo(0.1, within(0.05));
+  }
+}
