@@ -354,6 +354,15 @@ public final class Simulation implements Solver {
       return notes;
     }
 
+    private List<RunReport.Limit> limits(IntegrationStatistics done) {
+      List<RunReport.Limit> limits = new ArrayList<>();
+      for (IntegrationStatistics.Limit limit : done.limits()) {
+        String name = equations.name(limit.component());
+        limits.add(new RunReport.Limit(name, limit.inaccurate(), limit.unsolved()));
+      }
+      return limits;
+    }
+
     private RunReport report(Outcome outcome) {
       IntegrationStatistics done = integrator.statistics();
       EnergyMonitor energy = rows.energyMonitor();
@@ -373,6 +382,7 @@ public final class Simulation implements Solver {
           done.stiffnessSuspected(),
           done.jacobians(),
           done.factorisations(),
+          limits(done),
           notes(),
           SolverVersion.CURRENT);
     }
