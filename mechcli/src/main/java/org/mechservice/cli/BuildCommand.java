@@ -54,18 +54,22 @@ final class BuildCommand implements Callable<Integer> {
 
   @Mixin private MethodOptions method = new MethodOptions();
 
+  @Mixin private ParameterOptions parameters = new ParameterOptions();
+
   @Mixin private ServerOption server = new ServerOption();
+
+  @Mixin private UserCodeOption userCode = new UserCodeOption();
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
   public Integer call() throws IOException {
     OutputFile.requireUsable(target);
-    SimulationOptions asInFile = SimulationOptions.asInFile();
+    SimulationOptions asInFile = parameters.addTo(SimulationOptions.asInFile());
     SimulationOptions options = method.addTo(compact ? asInFile.compact() : asInFile);
     try (Service service = Service.open(server);
         MechSession session = service.connection().openSession()) {
-      session.loadModel(model).forEach(spec.commandLine().getErr()::println);
+      session.loadModel(model, userCode.folder()).forEach(spec.commandLine().getErr()::println);
       BuiltJar jar = session.build(options, standalone);
       if (sourceFolder.isPresent()) {
         writeSource(session.generatedSource(options), sourceFolder.get());

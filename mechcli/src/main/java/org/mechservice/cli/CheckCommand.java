@@ -23,6 +23,8 @@ final class CheckCommand implements Callable<Integer> {
 
   @Mixin private ServerOption server = new ServerOption();
 
+  @Mixin private UserCodeOption userCode = new UserCodeOption();
+
   @Option(names = "--json", description = "Print one JSON object.")
   private boolean json;
 
@@ -32,7 +34,7 @@ final class CheckCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     try (Service service = Service.open(server);
         MechSession session = service.connection().openSession()) {
-      session.loadModel(model);
+      session.loadModel(model, userCode.folder());
       spec.commandLine().getOut().println(session.checkReport(json).stripTrailing());
       return ExitStatus.DONE;
     }

@@ -23,6 +23,12 @@ final class HostingOptions {
       description = "Keep ended runs in this folder, where they outlive the process.")
   private Optional<Path> spool = Optional.empty();
 
+  @Option(
+      names = "--allow-user-code",
+      description =
+          "Compile and run the classes of user forces that clients send; for trusted clients only.")
+  private boolean userCode;
+
   /**
    * Returns what the host is like.
    *
@@ -33,6 +39,6 @@ final class HostingOptions {
     for (Map.Entry<String, Long> limit : limits.entrySet()) {
       all = all.with(limit.getKey(), limit.getValue());
     }
-    return new HostOptions(name, capacity, all, spool);
+    return new HostOptions(name, capacity, all, spool, userCode);
   }
 }

@@ -6,10 +6,13 @@ import org.mechservice.client.MechConnection;
 import org.mechservice.client.ServiceException;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
+import org.mechservice.sim.host.HostOptions;
 
 /** The service a command asks: one on the network, or one started for this command alone. */
 final class Service implements AutoCloseable {
-  private static final ServerSettings EMBEDDED = new ServerSettings("embedded", "127.0.0.1", 0, 1);
+  /** What the user of this process has written may run in it. */
+  private static final ServerSettings EMBEDDED =
+      new ServerSettings("127.0.0.1", 0, new HostOptions("embedded", 1).withUserCode(true));
 
   private final Optional<MechServerProcess> embedded;
   private final MechConnection connection;

@@ -49,10 +49,14 @@ final class SimulateCommand implements Callable<Integer> {
 
   @Mixin private ServerOption server = new ServerOption();
 
+  @Mixin private UserCodeOption userCode = new UserCodeOption();
+
   @Option(names = "--host", paramLabel = "NAME", description = "Host of the server to run on.")
   private String host = "";
 
   @Mixin private MethodOptions method = new MethodOptions();
+
+  @Mixin private ParameterOptions parameters = new ParameterOptions();
 
   @Option(names = "--rtol", paramLabel = "R", description = "Relative tolerance.")
   private Optional<Double> relativeTolerance = Optional.empty();
@@ -91,7 +95,7 @@ final class SimulateCommand implements Callable<Integer> {
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
         Service service = Service.open(server);
         MechSession session = service.connection().openSession(host)) {
-      List<ModelMessage> warnings = session.loadModel(model);
+      List<ModelMessage> warnings = session.loadModel(model, userCode.folder());
       if (!quiet) {
         warnings.forEach(warning -> err().println(warning));
       }
@@ -112,7 +116,7 @@ final class SimulateCommand implements Callable<Integer> {
   }
 
   private SimulationOptions options() {
-    SimulationOptions options = method.addTo(SimulationOptions.asInFile());
+    SimulationOptions options = method.addTo(parameters.addTo(SimulationOptions.asInFile()));
     options = relativeTolerance.map(options::relativeTolerance).orElse(options);
     options = absoluteTolerance.map(options::absoluteTolerance).orElse(options);
     options = endTime.map(options::endTime).orElse(options);

@@ -86,6 +86,6 @@ class CommandLineTest {
     mech("help", "simulate");
     assertThat(out.toString())
         .contains("--formulation", "--columns")
-        .doesNotContain("--view", "--set", "--plot");
+        .doesNotContain("--view", "--plot");
   }
 }

@@ -81,13 +81,13 @@ record FetchedModel(
   }
 
   /**
-   * Returns a new instance of the model, for one run.
+   * Returns a new source of the model: one for each run.
    *
    * @throws JarRefusedException if the class cannot be used
    */
-  Model newModel() {
+  ModelSource newSource() {
     try {
-      return ModelSource.of(modelClass.getDeclaredConstructor().newInstance());
+      return ModelSource.from(modelClass.getDeclaredConstructor().newInstance());
     } catch (ReflectiveOperationException | LinkageError e) {
       throw refused("cannot be loaded: " + e);
     }
@@ -97,8 +97,9 @@ record FetchedModel(
    * @param columns column groups asked for; empty: those its file selects
    */
   LocalRun prepare(Optional<Set<ColumnGroup>> columns, Map<String, Object> facts) {
-    Model model = newModel();
+    ModelSource source = newSource();
+    Model model = source.model();
     RunRequest request = new RunRequest(model.description().defaults(), columns.orElse(shown));
-    return new LocalRun(model, solver, sha256, request, facts);
+    return new LocalRun(source, model, solver, sha256, request, facts);
   }
 }

@@ -18,7 +18,7 @@ public final class LocalModel {
 
   /** Returns a new instance of the model, for one run. */
   public Model newModel() {
-    return fetched.newModel();
+    return fetched.newSource().model();
   }
 
   /** Returns the server's solver. */

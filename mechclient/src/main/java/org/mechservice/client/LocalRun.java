@@ -2,40 +2,47 @@ package org.mechservice.client;
 
 import java.io.IOException;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.api.TunableParameter;
 
 /**
  * A run on this machine, of the model class and with the solver fetched from the server. It needs
  * the server no more. It runs once.
  */
 public final class LocalRun implements PreparedRun {
-  private final Model model;
+  private final ModelSource source;
+  private final Map<String, String> parameters = new LinkedHashMap<>();
   private final Solver solver;
   private final String modelSha256;
   private final RunRequest request;
   private final Map<String, Object> facts;
   private final RunControl control = new RunControl();
+  private Model model;
   private volatile RunState state = RunState.CREATED;
 
   /**
    * @param modelSha256 of the JAR the model came in
    */
   LocalRun(
+      ModelSource source,
       Model model,
       Solver solver,
       String modelSha256,
       RunRequest request,
       Map<String, Object> facts) {
+    this.source = source;
     this.model = model;
     this.modelSha256 = modelSha256;
     this.solver = solver;
@@ -46,6 +53,35 @@ public final class LocalRun implements PreparedRun {
   /** Returns names, units and settings of the model. */
   public ModelDescription model() {
     return model.description();
+  }
+
+  @Override
+  public List<TunableParameter> parameters() {
+    return source.parameters().stream()
+        .map(
+            p ->
+                parameters.containsKey(p.name())
+                    ? new TunableParameter(
+                        p.name(), p.unit(), Double.parseDouble(parameters.get(p.name())))
+                    : p)
+        .toList();
+  }
+
+  @Override
+  public void setParameters(Map<String, String> values) {
+    if (state != RunState.CREATED) {
+      throw new InvalidStateException(
+          "S-009", "parameters are set before the start; prepare another run", state);
+    }
+    Map<String, String> all = new LinkedHashMap<>(parameters);
+    values.forEach((name, value) -> all.put(name, value.strip()));
+    try {
+      model = source.model(all);
+    } catch (IllegalArgumentException e) {
+      String text = String.valueOf(e.getMessage());
+      throw new InvalidOptionException(ServiceException.codeOf(text, "S-039"), text, "set");
+    }
+    parameters.putAll(all);
   }
 
   @Override
@@ -71,7 +107,7 @@ public final class LocalRun implements PreparedRun {
     return new Checkpoints() {
       @Override
       public String modelHash() {
-        return modelSha256;
+        return parameters.isEmpty() ? modelSha256 : modelSha256 + " with " + parameters;
       }
 
       @Override

@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.IMechSimRemote;
@@ -55,23 +56,41 @@ public final class MechSession implements AutoCloseable {
   }
 
   /**
-   * Sends a model to the server, which reads and checks it.
+   * Sends a model to the server, which reads and checks it. Classes that its forces name are sought
+   * in the model's folder and sent too.
+   *
+   * @see #loadModel(Path, Optional)
+   */
+  public List<ModelMessage> loadModel(Path file) throws IOException {
+    return loadModel(file, Optional.empty());
+  }
+
+  /**
+   * Sends a model to the server, which reads and checks it, and the classes that its forces name.
    *
    * @param file MechML file
+   * @param userCode where to look for classes that are not beside the file
    * @return warnings, in the order of the file
    * @throws IOException if the file cannot be read
    * @throws InvalidModelException if the model cannot be used; says what and where
    */
-  public List<ModelMessage> loadModel(Path file) throws IOException {
+  public List<ModelMessage> loadModel(Path file, Optional<Path> userCode) throws IOException {
     byte[] content = Files.readAllBytes(file);
     String name = String.valueOf(file.getFileName());
-    try {
-      return loadModel(name, content).stream().map(said -> located(said, name, file)).toList();
-    } catch (InvalidModelException e) {
-      throw new InvalidModelException(
-          e.code(),
-          String.valueOf(e.getMessage()),
-          e.messages().stream().map(said -> located(said, name, file)).toList());
+    UserFiles classes = new UserFiles(file, userCode);
+    while (true) {
+      try {
+        return load(name, content, classes.files()).stream()
+            .map(said -> located(said, name, file))
+            .toList();
+      } catch (InvalidModelException e) {
+        if (!classes.seek(e.messages())) {
+          throw new InvalidModelException(
+              e.code(),
+              String.valueOf(e.getMessage()),
+              e.messages().stream().map(said -> located(said, name, file)).toList());
+        }
+      }
     }
   }
 
@@ -89,9 +108,13 @@ public final class MechSession implements AutoCloseable {
    * @throws InvalidModelException if the model cannot be used; says what and where
    */
   public List<ModelMessage> loadModel(String fileName, byte[] content) {
+    return load(fileName, content, new ModelFile[0]);
+  }
+
+  private List<ModelMessage> load(String fileName, byte[] content, ModelFile[] classes) {
     Stopwatch watch = new Stopwatch();
     ModelFile model = new ModelFile(fileName, content);
-    var warnings = calls.get(() -> session.loadModel(model, new ModelFile[0]));
+    var warnings = calls.get(() -> session.loadModel(model, classes));
     loadSeconds = watch.lap();
     atLoad = setsUpInOneCall() ? ServerTimes.NONE : serverTimes();
     soFar = atLoad;
@@ -271,6 +294,7 @@ public final class MechSession implements AutoCloseable {
   public LocalModel fetchModel(SimulationOptions options) {
     BuiltJar modelJar = compile(options, new NameValueSeqHolder(new NameValue[0]));
     byte[] runtimeJar = connection.cache().get(modelJar.runtimeSha256(), () -> fetch(modelJar));
+    verifyRuntime(runtimeJar);
     return new LocalModel(modelJar, FetchedModel.load(modelJar, runtimeJar));
   }
 

@@ -1,10 +1,30 @@
 package org.mechservice.client;
 
 import java.io.IOException;
+import java.util.List;
+import java.util.Map;
 import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.TunableParameter;
 
 /** A run that is ready to start, at the server or on this machine. */
 public sealed interface PreparedRun extends AutoCloseable permits RemoteRun, LocalRun {
+  /**
+   * Returns the parameters that may be set before the start, with the values they have.
+   *
+   * @throws ServiceException if the server is lost
+   */
+  List<TunableParameter> parameters();
+
+  /**
+   * Sets parameters before the start; those set earlier stay.
+   *
+   * @param values numbers by the parameters' names, in their units
+   * @throws InvalidOptionException if a parameter was settled when the model was built (S-125), or
+   *     a value is no number (S-126)
+   * @throws InvalidStateException if the run was started
+   */
+  void setParameters(Map<String, String> values);
+
   /**
    * Runs to the end and puts out the rows as they arise.
    *

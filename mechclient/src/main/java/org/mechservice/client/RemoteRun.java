@@ -6,11 +6,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.NameValue;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.Variable;
 
 /**
@@ -50,6 +53,22 @@ public final class RemoteRun implements PreparedRun {
   /** Returns name and unit of every column; the first is time. */
   public List<Variable> columns() {
     return rows.columns();
+  }
+
+  @Override
+  public List<TunableParameter> parameters() {
+    return Stream.of(calls.get(simulation::parameters))
+        .map(p -> new TunableParameter(p.name, p.unit, p.value))
+        .toList();
+  }
+
+  @Override
+  public void setParameters(Map<String, String> values) {
+    NameValue[] all =
+        values.entrySet().stream()
+            .map(entry -> new NameValue(entry.getKey(), entry.getValue()))
+            .toArray(NameValue[]::new);
+    calls.run(() -> simulation.setParameters(all));
   }
 
   /**

@@ -53,6 +53,7 @@ final class ServerChoice {
    * @param lost what was thrown when it was used
    * @throws ServerLostException if no other answers
    */
+  @SuppressWarnings("ReferenceEquality") // The same server may have been chosen anew since.
   synchronized Chosen instead(Chosen gone, ServerLostException lost) {
     if (addresses.size() == 1) {
       throw lost;

@@ -1,11 +1,15 @@
 package org.mechservice.client;
 
+import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.OPT_ABS_TOL;
 import org.mechservice.idl.OPT_CLOSURE;
@@ -14,7 +18,10 @@ import org.mechservice.idl.OPT_COMPACT;
 import org.mechservice.idl.OPT_FORMULATION;
 import org.mechservice.idl.OPT_INTEGRATOR;
 import org.mechservice.idl.OPT_REL_TOL;
+import org.mechservice.idl.OPT_SET;
+import org.mechservice.idl.OPT_SIMULATION;
 import org.mechservice.idl.OPT_STANDALONE;
+import org.mechservice.idl.OPT_TUNABLE;
 import org.mechservice.idl.OPT_T_END;
 import org.mechservice.idl.OPT_T_STEP;
 import org.mechservice.solver.api.ColumnGroup;
@@ -34,17 +41,46 @@ public final class SimulationOptions {
   /** Every column group that the model has. */
   private static final String ALL_COLUMNS = "all";
 
-  private static final SimulationOptions AS_IN_FILE = new SimulationOptions(Map.of());
+  private static final SimulationOptions AS_IN_FILE =
+      new SimulationOptions(Map.of(), Map.of(), Set.of());
 
   private final Map<String, String> texts;
+  private final Map<String, String> parameters;
+  private final Set<String> tunable;
 
-  private SimulationOptions(Map<String, String> texts) {
+  private SimulationOptions(
+      Map<String, String> texts, Map<String, String> parameters, Set<String> tunable) {
     this.texts = texts;
+    this.parameters = parameters;
+    this.tunable = tunable;
   }
 
   /** Returns the settings of the model's file, unchanged. */
   public static SimulationOptions asInFile() {
     return AS_IN_FILE;
+  }
+
+  /** Chooses the simulation among those of the file, by its name or its number, from 1. */
+  public SimulationOptions simulation(String nameOrNumber) {
+    return with(OPT_SIMULATION.value, nameOrNumber);
+  }
+
+  /**
+   * Sets a parameter of the file; the model is generated with this value.
+   *
+   * @param value an expression, read in the unit that the file gives the parameter
+   */
+  public SimulationOptions parameter(String name, String value) {
+    Map<String, String> more = new LinkedHashMap<>(parameters);
+    more.put(name, value);
+    return new SimulationOptions(texts, more, tunable);
+  }
+
+  /** Keeps a parameter as an input of the model, which may be set before a run. */
+  public SimulationOptions tunable(String name) {
+    Set<String> more = new LinkedHashSet<>(tunable);
+    more.add(name);
+    return new SimulationOptions(texts, parameters, more);
   }
 
   /** Chooses the formulation: {@code auto}, {@code DTR}, {@code DSR}, {@code RR}, {@code RR-JF}. */
@@ -110,7 +146,7 @@ public final class SimulationOptions {
   public SimulationOptions with(String key, String text) {
     Map<String, String> more = new LinkedHashMap<>(texts);
     more.put(key, text);
-    return new SimulationOptions(more);
+    return new SimulationOptions(more, parameters, tunable);
   }
 
   /** Returns the column groups asked for; empty if that is left to the file. */
@@ -124,13 +160,18 @@ public final class SimulationOptions {
   }
 
   NameValue[] toNameValues() {
-    return texts.entrySet().stream()
-        .map(entry -> new NameValue(entry.getKey(), entry.getValue()))
-        .toArray(NameValue[]::new);
+    List<NameValue> options = new ArrayList<>();
+    texts.forEach((key, text) -> options.add(new NameValue(key, text)));
+    parameters.forEach(
+        (name, value) -> options.add(new NameValue(OPT_SET.value, name + "=" + value)));
+    tunable.forEach(name -> options.add(new NameValue(OPT_TUNABLE.value, name)));
+    return options.toArray(NameValue[]::new);
   }
 
   @Override
   public String toString() {
-    return texts.isEmpty() ? "as in file" : texts.toString();
+    String all =
+        Stream.of(toNameValues()).map(o -> o.key + "=" + o.text).collect(Collectors.joining(", "));
+    return all.isEmpty() ? "as in file" : all;
   }
 }

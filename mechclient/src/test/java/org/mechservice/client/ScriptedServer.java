@@ -155,6 +155,9 @@ final class ScriptedServer implements AutoCloseable {
     orb.destroy();
   }
 
+  /** Files of classes that models need, asked for one after the other. */
+  volatile List<String> missing = List.of();
+
   private final class Server {
     ServerInfo getInfo() {
       return new ServerInfo("scripted", apiVersion, "0.0", 0, new String[0]);
@@ -193,6 +196,14 @@ final class ScriptedServer implements AutoCloseable {
               Severity.SEV_ERROR, "M-014", "no such joint", model.fileName, "MechML", 3, 5);
       if (new String(model.content, StandardCharsets.UTF_8).contains("bad")) {
         throw new InvalidModel("M-014", "1 error", new Diagnostic[] {said});
+      }
+      for (ModelFile file : userFiles) {
+        happened.add("user file " + file.fileName);
+      }
+      if (userFiles.length < missing.size()) {
+        said.code = "S-121";
+        said.fileName = missing.get(userFiles.length);
+        throw new InvalidModel("S-016", "1 error", new Diagnostic[] {said});
       }
       said.level = Severity.SEV_WARNING;
       return new Diagnostic[] {said};

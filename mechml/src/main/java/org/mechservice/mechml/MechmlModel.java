@@ -10,6 +10,7 @@ import org.mechservice.solver.mechanism.Output;
  * @param mechanism the mechanism
  * @param settings the simulation wanted
  * @param simulations every simulation of the file, in file order
+ * @param parameters in file order
  * @param outputs columns of its author's own, in file order
  * @param unused points, vectors and parameters that nothing refers to, such as {@code point "p3" of
  *     body "bar"}
@@ -19,11 +20,13 @@ public record MechmlModel(
     Mechanism mechanism,
     SimulationSettings settings,
     List<SimulationSettings> simulations,
+    List<ModelParameter> parameters,
     List<Output> outputs,
     List<String> unused,
     List<Diagnostic> warnings) {
   public MechmlModel {
     simulations = List.copyOf(simulations);
+    parameters = List.copyOf(parameters);
     outputs = List.copyOf(outputs);
     unused = List.copyOf(unused);
     warnings = List.copyOf(warnings);
@@ -34,8 +37,8 @@ public record MechmlModel(
     return mechanism.withEvents(settings.events());
   }
 
-  /** A model with one simulation and no outputs of its own. */
+  /** A model with one simulation, and neither parameters nor outputs of its own. */
   public MechmlModel(Mechanism mechanism, SimulationSettings settings, List<Diagnostic> warnings) {
-    this(mechanism, settings, List.of(settings), List.of(), List.of(), warnings);
+    this(mechanism, settings, List.of(settings), List.of(), List.of(), List.of(), warnings);
   }
 }

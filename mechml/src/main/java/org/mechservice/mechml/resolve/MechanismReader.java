@@ -197,7 +197,10 @@ final class MechanismReader {
           new Parameter(
               tunable.name(),
               tunable.unit().toSi(tunable.value()),
-              tunable.unit().dimension().siSymbol()));
+              tunable.unit().dimension().siSymbol(),
+              tunable.unitSymbol(),
+              tunable.unit().numerator(),
+              tunable.unit().denominator()));
     }
     return parameters;
   }

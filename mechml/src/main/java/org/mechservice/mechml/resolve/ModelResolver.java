@@ -59,6 +59,7 @@ public final class ModelResolver {
         mechanism.orElseThrow(),
         settings.get(chosen),
         settings,
+        parameters.all(),
         outputs,
         unused(reader.orElseThrow(), parameters, mechanism.get()),
         diagnostics.inFileOrder());

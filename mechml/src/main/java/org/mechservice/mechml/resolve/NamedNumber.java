@@ -20,6 +20,11 @@ record NamedNumber(
     return element.required("name");
   }
 
+  /** Returns its unit as the file writes it, {@code 1} if it has none. */
+  String unitSymbol() {
+    return element.attribute("unit").map(String::strip).orElse("1");
+  }
+
   /** Returns whether expressions see it in rad. */
   boolean isAngle() {
     return unit.dimension().equals(Dimension.ANGLE);

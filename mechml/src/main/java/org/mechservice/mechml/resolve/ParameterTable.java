@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.mechservice.mechml.ModelParameter;
 import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.expression.ExpressionException;
@@ -43,6 +44,13 @@ final class ParameterTable implements Scope {
     return name.names().size() == 1 && name.index().isEmpty()
         ? Optional.ofNullable(parameters.get(name.text()))
         : Optional.empty();
+  }
+
+  /** Returns all parameters, in file order. */
+  List<ModelParameter> all() {
+    return parameters.values().stream()
+        .map(p -> new ModelParameter(p.name(), p.unitSymbol(), p.value(), p.tunable()))
+        .toList();
   }
 
   /** Returns the parameters that stay inputs of the model, in the order of their indices. */

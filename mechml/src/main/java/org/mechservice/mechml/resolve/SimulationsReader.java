@@ -78,8 +78,14 @@ final class SimulationsReader {
         Place.FILE,
         Phrase.of(
             "the file has no simulation %s; it has %s%s",
-            Quoted.of(wanted.get()), listed(names), Nearest.suggestion(wanted.get(), names)));
+            Quoted.of(wanted.get()),
+            listed(names),
+            Nearest.suggestion(wanted.get(), named(names))));
     return 0;
+  }
+
+  private static List<String> named(List<String> names) {
+    return names.stream().filter(name -> !name.isEmpty()).toList();
   }
 
   private static String listed(List<String> names) {

@@ -4,9 +4,11 @@ import java.io.ByteArrayOutputStream;
 import java.lang.reflect.Constructor;
 import java.util.Collections;
 import java.util.SortedMap;
+import java.util.TreeMap;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.jar.Sha256;
 import org.mechservice.sim.build.javac.ModelClassLoader;
+import org.mechservice.sim.build.user.UserClasses;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 
@@ -16,6 +18,7 @@ public final class CompiledModel {
   private final GeneratedModel generated;
   private final BuildOptions options;
   private final SortedMap<String, byte[]> classFiles;
+  private final UserClasses userClasses;
   private final Constructor<?> constructor;
 
   /**
@@ -25,23 +28,28 @@ public final class CompiledModel {
    * @param generated its source
    * @param options what it was built for
    * @param classFiles class file bytes by binary class name; not modified
+   * @param userClasses the classes of its users' forces
    */
   CompiledModel(
       MechmlModel source,
       GeneratedModel generated,
       BuildOptions options,
-      SortedMap<String, byte[]> classFiles) {
+      SortedMap<String, byte[]> classFiles,
+      UserClasses userClasses) {
     this.source = source;
     this.generated = generated;
     this.options = options;
-    this.classFiles = Collections.unmodifiableSortedMap(classFiles);
-    this.constructor = constructor(generated.className(), classFiles);
+    this.userClasses = userClasses;
+    this.constructor = constructor(generated.className(), classFiles, userClasses.loader());
+    SortedMap<String, byte[]> all = new TreeMap<>(classFiles);
+    all.putAll(userClasses.classFiles());
+    this.classFiles = Collections.unmodifiableSortedMap(all);
   }
 
   private static Constructor<?> constructor(
-      String className, SortedMap<String, byte[]> classFiles) {
+      String className, SortedMap<String, byte[]> classFiles, ClassLoader userClasses) {
     try {
-      return new ModelClassLoader(classFiles).loadClass(className).getConstructor();
+      return new ModelClassLoader(classFiles, userClasses).loadClass(className).getConstructor();
     } catch (ReflectiveOperationException e) {
       throw new IllegalStateException("the generated class " + className + " cannot be loaded", e);
     }
@@ -62,7 +70,7 @@ public final class CompiledModel {
     return options;
   }
 
-  /** Returns class file bytes by binary class name; not to be modified. */
+  /** Returns class file bytes by binary class name, those of users too; not to be modified. */
   public SortedMap<String, byte[]> classFiles() {
     return classFiles;
   }
@@ -74,10 +82,36 @@ public final class CompiledModel {
     return Sha256.of(all.toByteArray());
   }
 
-  /** Returns a new instance of the model, for one run. The class is loaded once. */
+  /** Returns whether running it runs classes of users. */
+  public boolean hasUserClasses() {
+    return !userClasses.isEmpty();
+  }
+
+  /**
+   * Returns an instance to be asked for names, units and settings: classes of users are not loaded
+   * for it.
+   */
+  Model withoutUserClasses() {
+    return hasUserClasses() ? generated.withoutUserClasses() : newInstance();
+  }
+
+  /**
+   * Returns a new instance of the model, for one run. Its classes are loaded once, those of users
+   * too.
+   *
+   * @throws IllegalArgumentException S-068 if a class of a user cannot be used
+   */
   public Model newInstance() {
+    return instances().model();
+  }
+
+  /**
+   * Returns what makes instances of the model, with values of its tunable parameters if wanted; the
+   * model of one run is not to be that of another.
+   */
+  public ModelSource instances() {
     try {
-      return ModelSource.of(constructor.newInstance());
+      return ModelSource.from(constructor.newInstance());
     } catch (ReflectiveOperationException e) {
       throw new IllegalStateException(
           "the generated class " + generated.className() + " cannot be instantiated", e);

@@ -7,6 +7,11 @@ import java.util.TreeMap;
 import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.WrittenClass;
+import org.mechservice.solver.api.ForceDeclaration;
+import org.mechservice.solver.api.ForceLoads;
+import org.mechservice.solver.api.ForceState;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.UserForce;
 
 /**
  * A model specialised to its scene: what its class computes, planned, ready to be written as Java
@@ -75,6 +80,27 @@ public final class GeneratedModel {
     files.put(sourceName(), written.classFile());
     columns.ifPresent(further -> files.put(name(further), further.classFile()));
     return files;
+  }
+
+  /** Returns the model with forces of users that do nothing. */
+  Model withoutUserClasses() {
+    if (written instanceof CompactClass compact) {
+      return compact.model().model(element -> new NoForce());
+    }
+    throw new IllegalStateException("no code is generated for classes of users");
+  }
+
+  /** Stands for a force that is not to be loaded. */
+  private static final class NoForce implements UserForce {
+    @Override
+    public void declare(ForceDeclaration model) {
+      // It reads nothing.
+    }
+
+    @Override
+    public void apply(ForceState state, ForceLoads loads) {
+      // It does nothing.
+    }
   }
 
   /** Returns the formulation its equations are written in. */

@@ -18,6 +18,7 @@ import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.ModelPlan;
 import org.mechservice.sim.build.javac.ModelCompiler;
+import org.mechservice.sim.build.user.UserClasses;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.scene.ModelBuildException;
@@ -171,14 +172,22 @@ public final class ModelFactory {
   }
 
   /**
-   * Writes the class file of a generated model and loads it.
+   * Writes the class file of a generated model and loads it; classes of users are loaded when it is
+   * instantiated.
    *
+   * @param userClasses those of the model's forces
    * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
    *     the class is too large (S-085)
    */
   public static CompiledModel compile(
+      MechmlModel model, BuildOptions options, GeneratedModel generated, UserClasses userClasses) {
+    return new CompiledModel(model, generated, options, generated.classFiles(), userClasses);
+  }
+
+  /** Writes and loads the class of a model without classes of users. */
+  public static CompiledModel compile(
       MechmlModel model, BuildOptions options, GeneratedModel generated) {
-    return new CompiledModel(model, generated, options, generated.classFiles());
+    return compile(model, options, generated, UserClasses.NONE);
   }
 
   /**
@@ -194,7 +203,7 @@ public final class ModelFactory {
     classFiles.putAll(
         ModelCompiler.compile(
             generated.sourceName(), generated.source(), Collections.emptySortedMap()));
-    return new CompiledModel(model, generated, options, classFiles);
+    return new CompiledModel(model, generated, options, classFiles, UserClasses.NONE);
   }
 
   /** Packs the model's own classes, description and manifest; it runs with {@link #runtimeJar}. */

@@ -96,7 +96,7 @@ final class ModelJars {
   }
 
   private static String descriptionXml(CompiledModel model, String mechmlSha256) {
-    Model instance = model.newInstance();
+    Model instance = model.withoutUserClasses();
     ModelDescription description = instance.description();
     double[] start = new double[description.stateCount()];
     instance.initialState(start);

@@ -38,7 +38,7 @@ final class StandaloneMain {
   static SortedMap<String, byte[]> classFiles(CompiledModel model) {
     SortedMap<String, byte[]> classes = new TreeMap<>(model.classFiles());
     String name = model.options().settings().integrator();
-    EquationForm form = RuntimeSolver.formOf(model.newInstance(), name);
+    EquationForm form = RuntimeSolver.formOf(model.withoutUserClasses(), name);
     classes.put(
         className(model.generated()),
         MainClass.of(

@@ -11,10 +11,22 @@ import org.mechservice.sim.service.HostLimits;
  * @param capacity simulations it runs at once
  * @param limits what it allows
  * @param spool folder in which ended runs outlive the process; empty: they do not
+ * @param userCode whether classes of users may be compiled and run here
  */
-public record HostOptions(String name, int capacity, HostLimits limits, Optional<Path> spool) {
+public record HostOptions(
+    String name, int capacity, HostLimits limits, Optional<Path> spool, boolean userCode) {
+  /** A host that runs no classes of users. */
+  public HostOptions(String name, int capacity, HostLimits limits, Optional<Path> spool) {
+    this(name, capacity, limits, spool, false);
+  }
+
   /** A host with the limits of one nobody configured, which keeps nothing over its end. */
   public HostOptions(String name, int capacity) {
     this(name, capacity, HostLimits.DEFAULT, Optional.empty());
+  }
+
+  /** Returns the same host, which may run classes of users or not. */
+  public HostOptions withUserCode(boolean allowed) {
+    return new HostOptions(name, capacity, limits, spool, allowed);
   }
 }

@@ -72,7 +72,14 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
     journal = new Journal(options.name());
     sessions =
         new SessionTable(
-            orb, options.name(), options.capacity(), limits, options.spool(), solver, journal);
+            orb,
+            options.name(),
+            options.capacity(),
+            limits,
+            options.spool(),
+            solver,
+            journal,
+            options.userCode());
   }
 
   /** Returns the solver of this process. */

@@ -52,12 +52,6 @@ public final class GenerationLimits {
     if (!settings.absoluteTolerances().isUniform()) {
       beyond.add("absolute tolerances by class of state");
     }
-    add(
-        beyond,
-        "forces written as classes",
-        model.mechanism().forces().stream()
-            .filter(UserForceElement.class::isInstance)
-            .map(ForceElement::name));
     return beyond;
   }
 
@@ -68,6 +62,12 @@ public final class GenerationLimits {
       beyond.add("formulation " + choice.formulation());
     }
     add(beyond, "constraints", mechanism.closures().stream().map(LoopClosure::name));
+    add(
+        beyond,
+        "forces written as classes",
+        mechanism.forces().stream()
+            .filter(UserForceElement.class::isInstance)
+            .map(ForceElement::name));
     add(beyond, "tunable parameters", mechanism.parameters().stream().map(Parameter::name));
     add(beyond, "events", mechanism.events().stream().map(Event::name));
     List<Double> jumps = mechanism.timeJumps(0, Double.POSITIVE_INFINITY);

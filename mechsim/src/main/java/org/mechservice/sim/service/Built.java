@@ -7,6 +7,7 @@ import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.OPT_COLUMNS;
 import org.mechservice.idl.OPT_FORMULATION;
 import org.mechservice.idl.OPT_INTEGRATOR;
+import org.mechservice.idl.OPT_SET;
 import org.mechservice.idl.ServerFailure;
 import org.mechservice.mechml.Diagnostic;
 import org.mechservice.mechml.Severity;
@@ -32,17 +33,35 @@ final class Built {
         case "S-081" -> throw new InvalidOption(e.code(), text, OPT_FORMULATION.value);
         case "S-082" -> throw new InvalidOption(e.code(), text, OPT_INTEGRATOR.value);
         case "S-084" -> throw new ServerFailure(e.code(), text, "");
-        default ->
-            throw Refusal.model(
-                List.of(new Diagnostic(Severity.ERROR, e.code(), text, "", 0, 0, "")));
+        default -> throw invalidModel(e.code(), text);
       }
     } catch (IllegalArgumentException e) {
       String message = String.valueOf(e.getMessage());
       if (message.startsWith("S-060 ")) {
         throw new InvalidOption("S-060", withoutCode("S-060", e), OPT_COLUMNS.value);
+      } else if (message.startsWith("S-068 ")) {
+        throw invalidModel("S-068", withoutCode("S-068", e));
       }
       throw e;
     }
+  }
+
+  /**
+   * Says that a parameter cannot be set.
+   *
+   * @param refusal S-125 or S-126; anything else is thrown as it is
+   */
+  static InvalidOption refusedParameter(IllegalArgumentException refusal) {
+    for (String code : List.of("S-125", "S-126")) {
+      if (String.valueOf(refusal.getMessage()).startsWith(code + " ")) {
+        return new InvalidOption(code, withoutCode(code, refusal), OPT_SET.value);
+      }
+    }
+    throw refusal;
+  }
+
+  private static InvalidModel invalidModel(String code, String text) {
+    return Refusal.model(List.of(new Diagnostic(Severity.ERROR, code, text, "", 0, 0, "")));
   }
 
   private static String withoutCode(String code, RuntimeException e) {

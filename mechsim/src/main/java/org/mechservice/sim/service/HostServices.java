@@ -12,6 +12,7 @@ import org.mechservice.orb.ServiceOrb;
  * @param journal where what happens is written down
  * @param store where ended runs go
  * @param callbacks threads that call clients back
+ * @param userCode whether classes of users may be compiled and run here
  */
 record HostServices(
     ServiceOrb orb,
@@ -19,4 +20,5 @@ record HostServices(
     LimitsInForce limits,
     Journal journal,
     RunStore store,
-    Executor callbacks) {}
+    Executor callbacks,
+    boolean userCode) {}

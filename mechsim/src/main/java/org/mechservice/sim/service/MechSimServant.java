@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.Diagnostic;
 import org.mechservice.idl.IMechClient;
@@ -20,7 +21,6 @@ import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.ModelInfo;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NameValueSeqHolder;
-import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.Parameter;
@@ -38,7 +38,7 @@ import org.mechservice.sim.build.CompiledModel;
 import org.mechservice.sim.build.GeneratedModel;
 import org.mechservice.sim.build.ModelFactory;
 import org.mechservice.sim.build.PackedJar;
-import org.mechservice.solver.api.Model;
+import org.mechservice.sim.build.user.UserFile;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.simulation.SolverVersion;
 import org.slf4j.Logger;
@@ -85,14 +85,16 @@ final class MechSimServant implements MechSimOperations {
 
   @Override
   public Diagnostic[] loadModel(ModelFile mechml, ModelFile[] userFiles)
-      throws InvalidModel, LimitExceeded, NotAuthorized {
+      throws InvalidModel, LimitExceeded {
     requireAllowedSize(mechml, userFiles);
-    if (userFiles.length > 0) {
-      throw Refusal.notAllowed("user code is not in this version; leave it out");
-    }
     long start = System.nanoTime();
     try {
-      LoadedModel read = LoadedModel.read(mechml.fileName, mechml.content);
+      LoadedModel read =
+          LoadedModel.read(
+              mechml.fileName,
+              mechml.content,
+              Stream.of(userFiles).map(file -> new UserFile(file.fileName, file.content)).toList(),
+              session.host().userCode());
       times.addTreating(System.nanoTime() - start);
       loaded = Optional.of(read);
       generateAhead(read);
@@ -130,16 +132,26 @@ final class MechSimServant implements MechSimOperations {
         () -> Refusal.state(SimState.SIM_CREATED, "no model is loaded; call loadModel first"));
   }
 
+  /** Returns the model as the options of a request want it read. */
+  private LoadedModel requireModel(NameValue[] options)
+      throws InvalidState, InvalidOption, InvalidModel {
+    try {
+      return requireModel().with(ModelOptions.parse(options));
+    } catch (MechmlException e) {
+      throw Refusal.model(e.diagnostics());
+    }
+  }
+
   @Override
   public ModelInfo getModelInfo() throws InvalidState {
     return ModelFacts.info(requireModel());
   }
 
-  /** None: this version folds all parameters into the generated class. */
   @Override
   public Parameter[] parameters() throws InvalidState {
-    requireModel();
-    return new Parameter[0];
+    return requireModel().model().parameters().stream()
+        .map(p -> new Parameter(p.name(), p.unit(), p.value(), p.tunable()))
+        .toArray(Parameter[]::new);
   }
 
   @Override
@@ -156,7 +168,7 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public ModelFile generatedSource(NameValue[] options)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
-    LoadedModel model = requireModel();
+    LoadedModel model = requireModel(options);
     RunOptions asked = RunOptions.parse(options, model.model().settings());
     GeneratedModel generated =
         Built.orRefused(() -> library.generated(model, asked.forJar(), times));
@@ -203,19 +215,32 @@ final class MechSimServant implements MechSimOperations {
   private Created created(NameValue[] options, @Nullable IMechClient client)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
     admission.requirePlace(session);
-    LoadedModel source = requireModel();
+    LoadedModel source = requireModel(options);
     SimulationSettings ofFile = source.model().settings();
     RunOptions asked = RunOptions.parse(options, ofFile);
     CompiledModel compiled =
         Built.orRefused(() -> library.compiled(source, asked.forRun(ofFile), times));
-    Model model = compiled.newInstance();
+    requireUserCodeAllowed(compiled);
     RunRequest request = new RunRequest(asked.settings(), asked.columns());
-    RunColumns columns = Built.orRefused(() -> runs.columns(model, request));
+    ModelRun task = Built.orRefused(() -> runs.task(compiled, request));
+    RunColumns columns = Built.orRefused(() -> runs.columns(task.model(), request));
     RunFacts facts = RunFacts.of(session.host().hostName(), source, compiled.generated(), times);
-    SimulationRun run = runs.create(model, compiled, request, columns, source, facts, session);
+    SimulationRun run = runs.create(task, columns, source, facts, session);
     IMechSimRemote reference = session.add(run, client);
     session.said(run, messages(source, compiled.generated(), asked));
     return new Created(run, reference, compiled.generated().formulationReason());
+  }
+
+  private void requireUserCodeAllowed(CompiledModel compiled) throws NotAvailable {
+    if (compiled.hasUserClasses() && !session.host().userCode()) {
+      throw new NotAvailable(
+          "S-120",
+          "host "
+              + hostName()
+              + " runs no classes of users, and forces of this model are such classes; run it with"
+              + " --mode local or without --server, or ask the operator to start the server with"
+              + " --allow-user-code");
+    }
   }
 
   private static Diagnostic[] messages(
@@ -238,7 +263,7 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public byte[] compileToJar(NameValue[] options, JarInfoHolder info)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
-    LoadedModel source = requireModel();
+    LoadedModel source = requireModel(options);
     RunOptions asked = RunOptions.parse(options, source.model().settings());
     BuildOptions build = asked.forJar();
     CompiledModel compiled = Built.orRefused(() -> library.compiled(source, build, times));

@@ -8,6 +8,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
+import org.mechservice.mechml.ReadOptions;
 import org.mechservice.sim.build.BuildOptions;
 import org.mechservice.sim.build.CompiledModel;
 import org.mechservice.sim.build.GeneratedModel;
@@ -21,7 +22,8 @@ final class ModelLibrary implements AutoCloseable {
   /** A generated class of a large scene takes some 100 kB, so this is bounded by tens of MB. */
   private static final int KEPT = 64;
 
-  private record Key(String fileName, String sha256, BuildOptions options) {}
+  private record Key(
+      String fileName, String sha256, String userSha256, ReadOptions read, BuildOptions options) {}
 
   private static final class Latest<V> extends LinkedHashMap<Key, CompletableFuture<V>> {
     private static final long serialVersionUID = 1L;
@@ -79,14 +81,20 @@ final class ModelLibrary implements AutoCloseable {
         key(loaded, options),
         () -> {
           long start = System.nanoTime();
-          CompiledModel model = ModelFactory.compile(loaded.model(), options, source);
+          CompiledModel model =
+              ModelFactory.compile(loaded.model(), options, source, loaded.userClasses());
           times.addCompiling(System.nanoTime() - start);
           return model;
         });
   }
 
   private static Key key(LoadedModel loaded, BuildOptions options) {
-    return new Key(loaded.fileName(), loaded.sha256(), options);
+    return new Key(
+        loaded.fileName(),
+        loaded.sha256(),
+        loaded.userClasses().sha256(),
+        loaded.options(),
+        options);
   }
 
   private <V> V once(Latest<V> kept, Key key, Supplier<V> build) {

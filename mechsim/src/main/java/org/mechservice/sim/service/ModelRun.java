@@ -1,25 +1,37 @@
 package org.mechservice.sim.service;
 
 import java.io.IOException;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.api.TunableParameter;
 
 /**
  * Computes in this process.
  *
  * @param solver integrates
+ * @param source makes models like the one used
  * @param model used by this run alone
+ * @param parameters tunable parameters with the values the model has
  * @param request what is wanted
  * @param checkpoints of the run
  */
-record ModelRun(Solver solver, Model model, RunRequest request, RunCheckpoints checkpoints)
+record ModelRun(
+    Solver solver,
+    ModelSource source,
+    Model model,
+    List<TunableParameter> parameters,
+    RunRequest request,
+    RunCheckpoints checkpoints)
     implements RunTask {
   @Override
   public ModelDescription description() {
@@ -42,7 +54,23 @@ record ModelRun(Solver solver, Model model, RunRequest request, RunCheckpoints c
   }
 
   @Override
+  public RunTask with(Map<String, String> values) {
+    Model changed = source.model(values);
+    List<TunableParameter> now =
+        source.parameters().stream()
+            .map(p -> values.containsKey(p.name()) ? changed(p, values.get(p.name())) : p)
+            .toList();
+    return new ModelRun(solver, source, changed, now, request, checkpoints);
+  }
+
+  private static TunableParameter changed(TunableParameter parameter, String value) {
+    return new TunableParameter(
+        parameter.name(), parameter.unit(), Double.parseDouble(value.strip()));
+  }
+
+  @Override
   public RunReport run(ResultSink sink, RunControl control) throws IOException {
+    checkpoints.ofParameters(parameters);
     return solver.run(model, request, sink, control, checkpoints);
   }
 }

@@ -5,7 +5,6 @@ import org.mechservice.idl.InvalidModel;
 import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.InvalidState;
 import org.mechservice.idl.LimitExceeded;
-import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.SimState;
@@ -49,11 +48,6 @@ public final class Refusal {
   /** There is no such thing, or no longer. */
   public static NotFound notFound(String text) {
     return new NotFound("S-011", text);
-  }
-
-  /** Not allowed on this server. */
-  public static NotAuthorized notAllowed(String text) {
-    return new NotAuthorized("S-007", text);
   }
 
   /**

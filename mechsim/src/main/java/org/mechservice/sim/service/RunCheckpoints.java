@@ -1,8 +1,10 @@
 package org.mechservice.sim.service;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.mechservice.solver.api.Checkpoints;
+import org.mechservice.solver.api.TunableParameter;
 
 /**
  * The checkpoint of one run: what it is to go on from, and the latest it has left, made when a
@@ -16,6 +18,7 @@ final class RunCheckpoints implements Checkpoints {
   private final boolean possible;
   private Optional<byte[]> saved = Optional.empty();
   private Optional<byte[]> latest = Optional.empty();
+  private List<TunableParameter> parameters = List.of();
   private long asked;
   private long answered;
 
@@ -31,6 +34,11 @@ final class RunCheckpoints implements Checkpoints {
   /** Returns whether the run can be saved at all. */
   boolean possible() {
     return possible;
+  }
+
+  /** Takes the values of the parameters, which identify the model beside its code. */
+  synchronized void ofParameters(List<TunableParameter> values) {
+    parameters = List.copyOf(values);
   }
 
   /** Takes what the run is to go on from. */
@@ -55,8 +63,8 @@ final class RunCheckpoints implements Checkpoints {
   }
 
   @Override
-  public String modelHash() {
-    return modelHash.get();
+  public synchronized String modelHash() {
+    return parameters.isEmpty() ? modelHash.get() : modelHash.get() + " with " + parameters;
   }
 
   @Override

@@ -8,6 +8,7 @@ import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimEvent;
 import org.mechservice.idl.StepTried;
 import org.mechservice.mechml.MechmlException;
+import org.mechservice.mechml.MechmlReader;
 import org.mechservice.sim.build.CheckReport;
 
 /** Everything about one run, in the type of the contract. */
@@ -32,9 +33,9 @@ final class RunDetail {
     }
     try {
       byte[] content = run.modelText().getBytes(StandardCharsets.UTF_8);
-      return CheckReport.of(LoadedModel.read(run.fileName(), content).model()).json();
+      return CheckReport.of(MechmlReader.read(run.fileName(), content)).json();
     } catch (MechmlException e) {
-      return ""; // its encoding is not UTF-8, or it needs user code
+      return ""; // its encoding is not UTF-8
     }
   }
 }

@@ -7,6 +7,7 @@ import java.util.UUID;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.sim.build.CompiledModel;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
@@ -34,36 +35,34 @@ final class RunFactory {
     return RunColumns.of(groups -> Simulation.columns(model, groups), request.columns());
   }
 
+  /** Makes the computing of a run of a model. */
+  ModelRun task(CompiledModel compiled, RunRequest request) {
+    ModelSource source = compiled.instances();
+    Model model = source.model();
+    RunCheckpoints checkpoints = new RunCheckpoints(compiled::sha256, Simulation.canBeSaved(model));
+    return new ModelRun(solver, source, model, source.parameters(), request, checkpoints);
+  }
+
   /**
    * Makes a simulation.
    *
-   * @param model used by it alone
-   * @param compiled what it is an instance of
    * @param session whose it is
    * @throws LimitExceeded if its rows would be more than the host or its disk takes
    */
   SimulationRun create(
-      Model model,
-      CompiledModel compiled,
-      RunRequest request,
-      RunColumns columns,
-      LoadedModel source,
-      RunFacts facts,
-      Session session)
+      ModelRun task, RunColumns columns, LoadedModel source, RunFacts facts, Session session)
       throws LimitExceeded {
-    requireRoomForRows(request.settings(), columns.count());
+    requireRoomForRows(task.settings(), columns.count());
     RunIdentity identity =
         new RunIdentity(
             UUID.randomUUID().toString(),
             session.id(),
             session.host().hostName(),
             session.owner(),
-            model.description().name(),
+            task.description().name(),
             source.fileName(),
             source.text(),
             System.currentTimeMillis());
-    RunCheckpoints checkpoints = new RunCheckpoints(compiled::sha256, Simulation.canBeSaved(model));
-    ModelRun task = new ModelRun(solver, model, request, checkpoints);
     RunPlan plan = new RunPlan(identity, task, columns, facts);
     return new SimulationRun(plan, queue, store, session::stateChanged);
   }

@@ -76,7 +76,7 @@ record RunOptions(
   }
 
   /**
-   * Reads the options of a request.
+   * Reads the options of a request, those of {@link ModelOptions} aside.
    *
    * @throws InvalidOption if an option is unknown, given twice, or its value cannot be used
    * @throws NotAvailable if the contract knows the option and this version does not
@@ -84,7 +84,6 @@ record RunOptions(
   static RunOptions parse(NameValue[] options, SimulationSettings ofFile)
       throws InvalidOption, NotAvailable {
     Map<String, String> given = byName(options);
-    refuseWhatIsToCome(given);
     return new RunOptions(
         given.getOrDefault(OPT_FORMULATION.value, ofFile.formulation()),
         given.getOrDefault(OPT_CLOSURE.value, ofFile.closure()),
@@ -94,8 +93,7 @@ record RunOptions(
         flag(given, OPT_STANDALONE.value));
   }
 
-  private static Map<String, String> byName(NameValue[] options)
-      throws InvalidOption, NotAvailable {
+  private static Map<String, String> byName(NameValue[] options) throws InvalidOption {
     Map<String, String> given = new HashMap<>();
     for (NameValue option : options) {
       if (!KNOWN.contains(option.key)) {
@@ -103,25 +101,12 @@ record RunOptions(
             option.key,
             "there is no option \"" + option.key + "\"; known are " + String.join(", ", KNOWN));
       }
-      if (option.key.equals(OPT_SET.value) || option.key.equals(OPT_TUNABLE.value)) {
-        throw Refusal.notAvailable(
-            "option \"" + option.key + "\" is not in this version: change the value in the file");
-      }
-      if (given.put(option.key, option.text.strip()) != null) {
+      boolean ofModel = ModelOptions.KEYS.contains(option.key);
+      if (!ofModel && given.put(option.key, option.text.strip()) != null) {
         throw Refusal.option(option.key, "option \"" + option.key + "\" is given twice");
       }
     }
     return given;
-  }
-
-  private static void refuseWhatIsToCome(Map<String, String> given)
-      throws InvalidOption, NotAvailable {
-    if (!given.getOrDefault(OPT_SIMULATION.value, "1").equals("1")) {
-      throw Refusal.notAvailable(
-          "simulation \""
-              + given.get(OPT_SIMULATION.value)
-              + "\" is not in this version, which runs the first one of a file; use 1");
-    }
   }
 
   private static boolean flag(Map<String, String> given, String name) throws InvalidOption {

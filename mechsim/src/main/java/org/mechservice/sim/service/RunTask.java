@@ -1,12 +1,15 @@
 package org.mechservice.sim.service;
 
 import java.io.IOException;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.TunableParameter;
 
 /** The computing of one run: here, or in a process of its own. It is done once. */
 interface RunTask {
@@ -15,6 +18,18 @@ interface RunTask {
 
   /** Returns when the run starts and ends, and how it is integrated. */
   RunSettings settings();
+
+  /** Returns the parameters that may be set before the run, with the values they have. */
+  List<TunableParameter> parameters();
+
+  /**
+   * Returns the same run with other values of some parameters.
+   *
+   * @param values numbers by the parameters' names, in their units; those set earlier are not kept
+   * @throws IllegalArgumentException S-125 if a parameter cannot be set, S-126 if a value cannot be
+   *     used
+   */
+  RunTask with(Map<String, String> values);
 
   /**
    * Returns the state at the start.

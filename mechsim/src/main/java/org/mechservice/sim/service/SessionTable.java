@@ -66,6 +66,7 @@ public final class SessionTable implements AutoCloseable {
    * @param spool folder in which ended runs outlive the process; empty: they do not
    * @param solver runs them
    * @param journal where sessions are written down
+   * @param userCode whether classes of users may be compiled and run here
    * @throws IllegalArgumentException with code S-114 if the folder cannot be used
    */
   public SessionTable(
@@ -75,10 +76,11 @@ public final class SessionTable implements AutoCloseable {
       LimitsInForce limits,
       Optional<Path> spool,
       Solver solver,
-      Journal journal) {
+      Journal journal,
+      boolean userCode) {
     RunStore store = new RunStore(spool, limits);
     callbacks = Executors.newCachedThreadPool(named("callback"));
-    host = new HostServices(orb, hostName, limits, journal, store, callbacks);
+    host = new HostServices(orb, hostName, limits, journal, store, callbacks, userCode);
     queue = new RunQueue(capacity, limits);
     runs =
         new RunFactory(

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.InvalidState;
 import org.mechservice.idl.LimitExceeded;
@@ -17,6 +18,7 @@ import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.Variable;
 
 /**
@@ -41,6 +43,8 @@ final class SimulationRun implements Runnable, ResultSink {
   private final RunColumnsWatch watch;
   private final double[] lastState;
 
+  private RunTask task;
+  private final Map<String, String> parameters = new TreeMap<>();
   private SimState phase = SimState.SIM_CREATED;
   private double lastTime;
   private String text = "";
@@ -65,7 +69,8 @@ final class SimulationRun implements Runnable, ResultSink {
     watch = new RunColumnsWatch(plan.columns());
     lastState = new double[plan.task().description().stateCount()];
     lastTime = settings().tStart();
-    plan.task().initialState(lastState);
+    task = plan.task();
+    task.initialState(lastState);
   }
 
   String simId() {
@@ -90,7 +95,35 @@ final class SimulationRun implements Runnable, ResultSink {
 
   /** Returns its checkpoints; empty if it can have none. */
   Optional<RunCheckpoints> checkpoints() {
-    return plan.task().checkpointsOfRun().filter(RunCheckpoints::possible);
+    return task().checkpointsOfRun().filter(RunCheckpoints::possible);
+  }
+
+  private synchronized RunTask task() {
+    return task;
+  }
+
+  /** Returns the parameters that may be set before the start, with the values they have. */
+  List<TunableParameter> parameters() {
+    return task().parameters();
+  }
+
+  /**
+   * Sets parameters; those set before stay.
+   *
+   * @throws InvalidState if the run was started
+   * @throws IllegalArgumentException S-125 if one of them cannot be set, S-126 if its value cannot
+   *     be used; then none is
+   */
+  synchronized void setParameters(Map<String, String> values) throws InvalidState {
+    if (phase != SimState.SIM_CREATED) {
+      throw Refusal.state(
+          state(), "parameters are set before the start; create another simulation");
+    }
+    Map<String, String> all = new TreeMap<>(parameters);
+    all.putAll(values);
+    task = plan.task().with(all);
+    task.initialState(lastState);
+    parameters.putAll(values);
   }
 
   private RunSettings settings() {
@@ -259,7 +292,7 @@ final class SimulationRun implements Runnable, ResultSink {
     } catch (IOException e) {
       return new RunVerdict(Optional.empty(), new Outcome.Stopped()).failed(e, control);
     }
-    RunVerdict result = RunVerdict.of(plan.task(), simId(), this, control);
+    RunVerdict result = RunVerdict.of(task(), simId(), this, control);
     synchronized (this) {
       endedAt = System.currentTimeMillis();
       endedNanos = System.nanoTime();

@@ -1,7 +1,10 @@
 package org.mechservice.sim.service;
 
+import java.util.Map;
+import java.util.TreeMap;
 import org.mechservice.idl.Channel;
 import org.mechservice.idl.FailureRecord;
+import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.InvalidState;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.NameValue;
@@ -103,16 +106,24 @@ final class SimulationServant implements HostedServant {
     return state;
   }
 
-  /** None: this version folds all parameters into the generated class. */
   @Override
   public Parameter[] parameters() {
-    return new Parameter[0];
+    return run.parameters().stream()
+        .map(p -> new Parameter(p.name(), p.unit(), p.value(), true))
+        .toArray(Parameter[]::new);
   }
 
   @Override
-  public void setParameters(NameValue[] values) throws NotAvailable {
-    throw Refusal.notAvailable(
-        "setting parameters is not in this version: change the file and load it again");
+  public void setParameters(NameValue[] values) throws InvalidOption, InvalidState {
+    Map<String, String> texts = new TreeMap<>();
+    for (NameValue value : values) {
+      texts.put(value.key, value.text);
+    }
+    try {
+      run.setParameters(texts);
+    } catch (IllegalArgumentException e) {
+      throw Built.refusedParameter(e);
+    }
   }
 
   @Override

@@ -39,7 +39,7 @@ public final class PacedSolver implements Solver {
   /** Never ends by itself, and keeps its processor busy over one row. */
   static Solver busy() {
     return (model, request, sink, control) -> {
-      List<Variable> columns = Simulation.columns((ExplicitModel) model, request.columns());
+      List<Variable> columns = Simulation.columns(model, request.columns());
       sink.begin(columns);
       sink.row(new double[columns.size()]);
       long steps = 0;

@@ -21,7 +21,6 @@ import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.ModelInfo;
 import org.mechservice.idl.NameValue;
-import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.Severity;
 import org.mechservice.idl.SimEvent;
@@ -69,15 +68,6 @@ class SessionContractTest {
       LimitExceeded refusal = catchThrowableOfType(LimitExceeded.class, there::session);
       assertThat(refusal.limitName).isEqualTo("modelBytes");
       assertThat(refusal.limitValue).isEqualTo(1000);
-    }
-  }
-
-  @Test
-  void userCodeIsNotTaken() throws UserException {
-    try (HostedClient there = HostedClient.withInstalledSolver()) {
-      ModelFile[] code = {new ModelFile("Force.class", new byte[10])};
-      assertThatThrownBy(() -> there.emptySession().loadModel(HostedClient.pendulum(), code))
-          .isInstanceOf(NotAuthorized.class);
     }
   }
 

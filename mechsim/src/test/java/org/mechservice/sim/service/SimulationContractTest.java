@@ -239,8 +239,6 @@ class SimulationContractTest {
       IMechSimRemote run = there.simulation();
       assertThatThrownBy(run::checkpoint).isInstanceOf(NotAvailable.class);
       assertThatThrownBy(() -> run.restore(new byte[3])).isInstanceOf(NotAvailable.class);
-      assertThatThrownBy(() -> run.setParameters(new NameValue[0]))
-          .isInstanceOf(NotAvailable.class);
     }
   }
 

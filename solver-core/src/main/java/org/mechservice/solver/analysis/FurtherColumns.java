@@ -7,12 +7,8 @@ import java.util.Map;
 import java.util.Set;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.ExtendedModel;
-import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.Variable;
-import org.mechservice.solver.api.WatchedModel;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.force.UserForceSource;
 
@@ -55,24 +51,6 @@ public final class FurtherColumns implements ResultColumns {
       case OUTPUTS -> new OutputColumns(equations.motion, data.outputs());
       default -> throw new IllegalArgumentException(group + " are columns of the model itself");
     };
-  }
-
-  /**
-   * Extends the model of a generated class, or of a compact one, by columns.
-   *
-   * @param own an instance of the model's class
-   * @param loader finds the classes of user forces
-   * @param groups their labels, separated by commas
-   * @param texts of the {@link CompactModel} that has mechanism and outputs
-   */
-  public static Model extend(Object own, ClassLoader loader, String groups, String... texts) {
-    Model built = ModelSource.of(own);
-    ExplicitModel model = (ExplicitModel) WatchedModel.bare(built);
-    Set<ColumnGroup> asked = ColumnGroup.of(groups);
-    asked.remove(ColumnGroup.JOINTS);
-    CompactModel data = CompactModel.of(List.of(texts));
-    return new ExtendedModel(
-        built, new FurtherColumns(model, data, asked, CompactModel.userForces(loader)));
   }
 
   @Override

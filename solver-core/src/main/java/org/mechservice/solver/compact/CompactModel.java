@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.WatchedModel;
 import org.mechservice.solver.dynamics.StateEvents;
 import org.mechservice.solver.force.UserForceSource;
@@ -90,18 +91,19 @@ public record CompactModel(
   }
 
   /**
-   * Makes the model of a compact class.
+   * Returns the model with other values of its parameters.
    *
-   * @param loader finds the classes of user forces
-   * @param texts what {@link #texts} returned
+   * @param values in the order and units of {@link #parameters}
    */
-  public static Model model(ClassLoader loader, String... texts) {
-    return of(List.of(texts)).model(userForces(loader));
+  public CompactModel with(double[] values) {
+    return new CompactModel(mechanism.with(values), formulation, closure, settings, outputs);
   }
 
-  /** Returns what makes user forces of classes that a loader finds. */
-  public static UserForceSource userForces(ClassLoader loader) {
-    return new LoadedUserForces(loader);
+  /** Returns the parameters that may be changed before a run. */
+  public List<TunableParameter> parameters() {
+    return mechanism.parameters().stream()
+        .map(p -> new TunableParameter(p.name(), p.unitInFile(), p.valueInFile()))
+        .toList();
   }
 
   /**

@@ -48,7 +48,7 @@ final class UserForceAtWork extends AppliedForce implements ForceBlocks {
     this.motion = motion;
     law = source.create(element);
     UserForceNames names = new UserForceNames(element, motion.tree());
-    law.declare(names);
+    declare(element, names);
     variables = List.copyOf(names.values);
     points = names.points.toArray(DeclaredPoint[]::new);
     coordinates = names.coordinates.toArray(TreeCoordinate[]::new);
@@ -62,6 +62,22 @@ final class UserForceAtWork extends AppliedForce implements ForceBlocks {
     }
     for (int c = 0; c < coordinates.length; c++) {
       addSensors(c);
+    }
+  }
+
+  private void declare(UserForceElement element, UserForceNames names) {
+    try {
+      law.declare(names);
+    } catch (RuntimeException | LinkageError | StackOverflowError e) {
+      String said = String.valueOf(e.getMessage());
+      throw new IllegalArgumentException(
+          said.startsWith(UserForceNames.REFUSED)
+              ? said
+              : UserForceNames.REFUSED
+                  + element.name()
+                  + "\" cannot be declared: its class threw "
+                  + e,
+          e);
     }
   }
 
@@ -144,7 +160,7 @@ final class UserForceAtWork extends AppliedForce implements ForceBlocks {
     reading.clear();
     try {
       law.apply(reading, reading);
-    } catch (RuntimeException failure) {
+    } catch (RuntimeException | LinkageError | StackOverflowError failure) {
       return thrown(failure);
     }
     for (DeclaredPoint point : points) {
@@ -162,7 +178,7 @@ final class UserForceAtWork extends AppliedForce implements ForceBlocks {
     return true;
   }
 
-  private boolean thrown(RuntimeException failure) {
+  private boolean thrown(Throwable failure) {
     return fail(
         "N-033",
         "Its class threw " + failure + ".",
@@ -189,7 +205,7 @@ final class UserForceAtWork extends AppliedForce implements ForceBlocks {
   private boolean differentiate() {
     try {
       ((UserForce.Derivatives) law).differentiate(reading, this);
-    } catch (RuntimeException failure) {
+    } catch (RuntimeException | LinkageError | StackOverflowError failure) {
       return thrown(failure);
     }
     return true;

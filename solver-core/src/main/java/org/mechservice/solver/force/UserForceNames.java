@@ -16,6 +16,9 @@ import org.mechservice.solver.spatial.Vector3;
 
 /** Answers a user force by the names of its model and remembers what it asked for. */
 final class UserForceNames implements ForceDeclaration {
+  /** How the message begins that a class of a user cannot be used; the force's name follows. */
+  static final String REFUSED = "S-068 force \"";
+
   private final UserForceElement element;
   private final TreeGeometry tree;
   private final Mechanism mechanism;
@@ -96,9 +99,9 @@ final class UserForceNames implements ForceDeclaration {
 
   private IllegalArgumentException unknown(String kind, String name) {
     return new IllegalArgumentException(
-        "force "
+        REFUSED
             + element.name()
-            + " ("
+            + "\" ("
             + element.className()
             + ") asks for the "
             + kind

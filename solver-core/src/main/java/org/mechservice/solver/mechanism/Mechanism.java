@@ -322,6 +322,30 @@ public final class Mechanism {
         other);
   }
 
+  /**
+   * Returns the same mechanism with other values of its parameters.
+   *
+   * @param values in the order of {@link #parameters}, in the units of the model file
+   */
+  public Mechanism with(double[] values) {
+    List<Parameter> changed = new ArrayList<>();
+    for (Parameter parameter : parameters) {
+      changed.add(parameter.with(values[changed.size()]));
+    }
+    return new Mechanism(
+        name,
+        root,
+        gravity,
+        bodies,
+        joints,
+        motions,
+        startRoles,
+        closures,
+        forces,
+        changed,
+        events);
+  }
+
   /** Returns whether a joint's coordinates follow a prescribed motion and are no states. */
   public boolean isDriven(int joint) {
     return motionOfJoint[joint] != NOT_DRIVEN;

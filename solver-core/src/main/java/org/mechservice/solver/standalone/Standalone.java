@@ -9,10 +9,12 @@ import java.util.Map;
 import java.util.Set;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.integration.IntegratorFactory;
 import org.mechservice.solver.simulation.EquationForm;
@@ -24,7 +26,7 @@ public final class Standalone {
   private static final int SIMULATION_FAILED = 1;
   private static final int BAD_USAGE = 2;
 
-  private final Model model;
+  private final ModelSource source;
   private final Simulation simulation;
   private final Set<ColumnGroup> built;
   private final Set<ColumnGroup> shown;
@@ -36,13 +38,13 @@ public final class Standalone {
    * @param shown labels of those put out where nothing else is asked for
    */
   Standalone(
-      Model model,
+      ModelSource source,
       Simulation simulation,
       String built,
       String shown,
       PrintStream out,
       PrintStream err) {
-    this.model = model;
+    this.source = source;
     this.simulation = simulation;
     this.built = ColumnGroup.of(built);
     this.shown = ColumnGroup.of(shown);
@@ -53,7 +55,7 @@ public final class Standalone {
   /**
    * Runs a model as its command line says, printing to the standard streams.
    *
-   * @param model the model
+   * @param source makes the model
    * @param integrators makes the integrator the JAR was built with
    * @param form how the equations are handed to it
    * @param built labels of the column groups the model was built with, separated by commas
@@ -63,33 +65,47 @@ public final class Standalone {
    *     usage
    */
   public static int run(
-      Model model,
+      ModelSource source,
       IntegratorFactory integrators,
       EquationForm form,
       String built,
       String shown,
       String[] args) {
     Simulation simulation = new Simulation(integrators, form);
-    return new Standalone(model, simulation, built, shown, System.out, System.err).run(args);
+    return new Standalone(source, simulation, built, shown, System.out, System.err).run(args);
   }
 
   int run(String[] args) {
     try {
+      Model model = source.model();
       StandaloneOptions options =
           StandaloneOptions.parse(args, model.description().defaults(), built, shown);
       if (options.help()) {
-        out.print(model.description().name() + "\n" + StandaloneOptions.HELP);
+        out.print(model.description().name() + "\n" + StandaloneOptions.HELP + parameters());
         return DONE;
+      } else if (!options.parameters().isEmpty()) {
+        model = source.model(options.parameters());
       }
       Simulation.requireColumns(model, options.request().columns(), built);
-      return options.out().isEmpty() ? runWithoutFile(options) : runIntoFile(options);
+      return options.out().isEmpty() ? runWithoutFile(model, options) : runIntoFile(model, options);
     } catch (UsageException | IllegalArgumentException | IOException e) {
       err.println(e.getMessage());
       return BAD_USAGE;
     }
   }
 
-  private int runWithoutFile(StandaloneOptions options) throws IOException {
+  /** Lists what {@code --set} takes. */
+  private String parameters() {
+    StringBuilder list = new StringBuilder();
+    for (TunableParameter parameter : source.parameters()) {
+      list.append(list.isEmpty() ? "Tunable parameters:\n" : "");
+      list.append("  ").append(parameter.name()).append('=').append(parameter.value());
+      list.append(parameter.unit().equals("1") ? "" : " " + parameter.unit()).append('\n');
+    }
+    return list.toString();
+  }
+
+  private int runWithoutFile(Model model, StandaloneOptions options) throws IOException {
     ResultSink nowhere =
         new ResultSink() {
           @Override
@@ -102,7 +118,7 @@ public final class Standalone {
     return tell(options, report, new LinkedHashMap<>(report.asMap()));
   }
 
-  private int runIntoFile(StandaloneOptions options) throws IOException {
+  private int runIntoFile(Model model, StandaloneOptions options) throws IOException {
     try (ResultFile file = new ResultFile(Path.of(options.out()))) {
       RunReport report = simulation.run(model, options.request(), file, new RunControl());
       Map<String, Object> facts = new LinkedHashMap<>(report.asMap());
@@ -112,6 +128,9 @@ public final class Standalone {
   }
 
   private int tell(StandaloneOptions options, RunReport report, Map<String, Object> facts) {
+    if (!options.parameters().isEmpty()) {
+      facts.put("parameters", options.parameters().toString());
+    }
     if (options.json()) {
       out.println(JsonText.write(facts));
     } else if (!options.quiet()) {

@@ -2,8 +2,10 @@ package org.mechservice.solver.standalone;
 
 import java.util.EnumSet;
 import java.util.Locale;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.TreeMap;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
@@ -12,13 +14,19 @@ import org.mechservice.solver.api.RunSettings;
  * The command line of a model's own JAR.
  *
  * @param request the run asked for
+ * @param parameters values of parameters by their names
  * @param out CSV file to write; empty: none
  * @param quiet print nothing but errors
  * @param json print the report as JSON
  * @param help print the options and do nothing
  */
 record StandaloneOptions(
-    RunRequest request, String out, boolean quiet, boolean json, boolean help) {
+    RunRequest request,
+    Map<String, String> parameters,
+    String out,
+    boolean quiet,
+    boolean json,
+    boolean help) {
 
   static final String HELP =
       """
@@ -27,6 +35,7 @@ record StandaloneOptions(
         --t-step H     distance of the output rows, s
         --rtol R       relative tolerance
         --atol A       absolute tolerance, SI
+        --set P=V      value of a tunable parameter, in its unit; once for each
         --out FILE     write the rows as CSV, and their units beside it
         --columns C    column groups besides joints, separated by commas, or all
         --quiet        print nothing but errors
@@ -64,6 +73,7 @@ record StandaloneOptions(
             defaults.maxOrder());
     return new StandaloneOptions(
         new RunRequest(settings, parser.columns),
+        parser.parameters,
         parser.out,
         parser.quiet,
         parser.json,
@@ -79,6 +89,7 @@ record StandaloneOptions(
     private OptionalDouble rtol = OptionalDouble.empty();
     private OptionalDouble atol = OptionalDouble.empty();
     private Set<ColumnGroup> columns;
+    private final Map<String, String> parameters = new TreeMap<>();
     private String out = "";
     private boolean quiet;
     private boolean json;
@@ -99,12 +110,24 @@ record StandaloneOptions(
         case "--t-step" -> tStep = OptionalDouble.of(number(option, inline));
         case "--rtol" -> rtol = OptionalDouble.of(number(option, inline));
         case "--atol" -> atol = OptionalDouble.of(number(option, inline));
+        case "--set" -> set(value(option, inline));
         case "--out" -> out = value(option, inline);
         case "--columns" -> columns = groups(value(option, inline));
         case "--quiet" -> quiet = true;
         case "--json" -> json = true;
         case "--help" -> help = true;
         default -> throw new UsageException("S-065 unknown option " + word + "\n" + HELP);
+      }
+    }
+
+    private void set(String assignment) throws UsageException {
+      int equals = assignment.indexOf('=');
+      if (equals < 1) {
+        throw new UsageException("S-065 --set takes PARAMETER=VALUE, not \"" + assignment + "\"");
+      }
+      String name = assignment.substring(0, equals).strip();
+      if (parameters.put(name, assignment.substring(equals + 1)) != null) {
+        throw new UsageException("S-065 --set names parameter \"" + name + "\" twice");
       }
     }
 

@@ -22,9 +22,15 @@ class CompactModelTest {
     Mechanism mechanism = RandomTrees.ofAllJoints(seed, 12);
     CompactModel written = new CompactModel(mechanism, "DTR", "none", SETTINGS);
     String[] texts = written.texts().toArray(new String[0]);
+    CompactSource source =
+        new CompactSource() {
+          @Override
+          protected String[] texts() {
+            return texts;
+          }
+        };
 
-    ExplicitModel read =
-        (ExplicitModel) CompactModel.model(CompactModelTest.class.getClassLoader(), texts);
+    ExplicitModel read = (ExplicitModel) source.model();
 
     ExplicitModel original = new DataDrivenModel(mechanism, SETTINGS);
     assertThat(read.description()).isEqualTo(original.description());

@@ -221,8 +221,8 @@ class ForceRefusalTest {
         };
     assertThatThrownBy(() -> new ForceSet(motion, element -> asking))
         .hasMessage(
-            "force mine (Mine) asks for the joint of the tree \"hinge\", which the model does not"
-                + " have");
+            "S-068 force \"mine\" (Mine) asks for the joint of the tree \"hinge\", which the model"
+                + " does not have");
   }
 
   @Test

@@ -74,7 +74,7 @@ class StandaloneTest {
         new DataDrivenModel(
             FiveBarPendulum.mechanism(), new RunSettings(0, 1, 0.1, "DE", 1e-5, 1e-5));
     return new Standalone(
-            model,
+            () -> model,
             new Simulation(De::new, new ExplicitForm()),
             "joints,energy",
             "joints",

@@ -1,10 +1,10 @@
 package org.mechservice.sim.build.emit;
 
 import java.util.List;
-import org.mechservice.solver.analysis.FurtherColumns;
-import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.analysis.ExtendedSource;
 import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.compact.CompactSource;
+import org.mechservice.solver.force.UserForceSource;
 import org.objectweb.asm.ClassWriter;
 import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;
@@ -23,12 +23,14 @@ import org.objectweb.asm.Type;
  */
 public record CompactClass(CompactModel model, String columns, String generated)
     implements WrittenClass {
-  private static final String LOADER = "Ljava/lang/ClassLoader;";
-  private static final String TEXTS = "[Ljava/lang/String;";
-
-  private static final String OBJECT = "java/lang/Object";
-  private static final String NOTHING_TO_VOID = "()V";
   private static final String TEXT = "java/lang/String";
+  private static final String TEXTS = "[Ljava/lang/String;";
+  private static final String NOTHING_TO_VOID = "()V";
+  private static final String BARE =
+      "("
+          + Type.getDescriptor(CompactModel.class)
+          + Type.getDescriptor(UserForceSource.class)
+          + ")Ljava/lang/Object;";
 
   @Override
   public String simpleName() {
@@ -36,39 +38,41 @@ public record CompactClass(CompactModel model, String columns, String generated)
     return generated.isEmpty() ? name : name + "WithColumns";
   }
 
+  private Class<?> base() {
+    return columns.isEmpty() ? CompactSource.class : ExtendedSource.class;
+  }
+
   @Override
   public String source() {
     SourceLines source = new SourceLines();
     source.line("package " + ModelClass.PACKAGE + ";").blank();
-    if (!columns.isEmpty()) {
-      source.line("import org.mechservice.solver.analysis.FurtherColumns;");
-    }
-    source.line("import org.mechservice.solver.api.Model;");
-    source.line("import org.mechservice.solver.api.ModelSource;");
-    if (generated.isEmpty()) {
-      source.line("import org.mechservice.solver.compact.CompactModel;");
+    source.line("import " + base().getName() + ";");
+    if (!generated.isEmpty()) {
+      source.line("import " + CompactModel.class.getName() + ";");
+      source.line("import " + UserForceSource.class.getName() + ";");
     }
     source.blank();
     source.documentation(
         List.of(
             JavaText.comment("Model \"" + model.mechanism().name() + "\" in compact form: data.")));
-    source.open("public final class " + simpleName() + " implements ModelSource");
-    source.line("@Override").open("public Model model()");
-    source.line("ClassLoader loader = " + simpleName() + ".class.getClassLoader();");
-    source.line("String[] data = {");
-    List<String> texts = model.texts();
-    for (int i = 0; i < texts.size(); i++) {
-      source.line("  " + literal(texts.get(i)) + (i + 1 < texts.size() ? "," : ""));
+    source.open("public final class " + simpleName() + " extends " + base().getSimpleName());
+    if (!columns.isEmpty()) {
+      source.open("public " + simpleName() + "()");
+      source.line("super(" + literal(columns) + ");");
+      source.close().blank();
+    }
+    if (!generated.isEmpty()) {
+      source.line("@Override");
+      source.open("protected Object bare(CompactModel data, UserForceSource userForces)");
+      source.line("return new " + generated + "();");
+      source.close().blank();
+    }
+    source.line("@Override").open("protected String[] texts()");
+    source.line("return new String[] {");
+    for (String text : model.texts()) {
+      source.line("  " + literal(text) + ",");
     }
     source.line("};");
-    String bare =
-        generated.isEmpty() ? "CompactModel.model(loader, data)" : "new " + generated + "()";
-    source.line(
-        "return "
-            + (columns.isEmpty()
-                ? bare
-                : "FurtherColumns.extend(" + bare + ", loader, \"" + columns + "\", data)")
-            + ";");
     source.close();
     return source.close().toString();
   }
@@ -90,40 +94,51 @@ public record CompactClass(CompactModel model, String columns, String generated)
 
   @Override
   public byte[] classFile() {
-    String name = (ModelClass.PACKAGE + "." + simpleName()).replace('.', '/');
     ClassWriter file = new ClassWriter(ClassWriter.COMPUTE_MAXS);
     file.visit(
         Opcodes.V17,
         Opcodes.ACC_PUBLIC | Opcodes.ACC_FINAL | Opcodes.ACC_SUPER,
-        name,
+        internal(simpleName()),
         null,
-        OBJECT,
-        new String[] {Type.getInternalName(ModelSource.class)});
+        Type.getInternalName(base()),
+        null);
     constructor(file);
-    model(file, name);
+    if (!generated.isEmpty()) {
+      bare(file);
+    }
+    texts(file);
     file.visitEnd();
     return file.toByteArray();
   }
 
-  private static void constructor(ClassWriter file) {
-    MethodVisitor code =
-        file.visitMethod(Opcodes.ACC_PUBLIC, "<init>", NOTHING_TO_VOID, null, null);
-    code.visitCode();
-    code.visitVarInsn(Opcodes.ALOAD, 0);
-    code.visitMethodInsn(Opcodes.INVOKESPECIAL, OBJECT, "<init>", NOTHING_TO_VOID, false);
-    code.visitInsn(Opcodes.RETURN);
-    code.visitMaxs(0, 0);
-    code.visitEnd();
+  private static String internal(String simpleName) {
+    return (ModelClass.PACKAGE + "." + simpleName).replace('.', '/');
   }
 
-  private void model(ClassWriter file, String name) {
-    String toModel = "()" + Type.getDescriptor(Model.class);
-    MethodVisitor code = file.visitMethod(Opcodes.ACC_PUBLIC, "model", toModel, null, null);
-    code.visitCode();
-    code.visitLdcInsn(Type.getObjectType(name));
+  private void constructor(ClassWriter file) {
+    MethodVisitor code = begin(file, Opcodes.ACC_PUBLIC, "<init>", NOTHING_TO_VOID);
+    code.visitVarInsn(Opcodes.ALOAD, 0);
+    String arguments = NOTHING_TO_VOID;
+    if (!columns.isEmpty()) {
+      code.visitLdcInsn(columns);
+      arguments = "(L" + TEXT + ";)V";
+    }
     code.visitMethodInsn(
-        Opcodes.INVOKEVIRTUAL, "java/lang/Class", "getClassLoader", "()" + LOADER, false);
-    code.visitVarInsn(Opcodes.ASTORE, 1);
+        Opcodes.INVOKESPECIAL, Type.getInternalName(base()), "<init>", arguments, false);
+    end(code, Opcodes.RETURN);
+  }
+
+  private void bare(ClassWriter file) {
+    MethodVisitor code = begin(file, Opcodes.ACC_PROTECTED, "bare", BARE);
+    code.visitTypeInsn(Opcodes.NEW, internal(generated));
+    code.visitInsn(Opcodes.DUP);
+    code.visitMethodInsn(
+        Opcodes.INVOKESPECIAL, internal(generated), "<init>", NOTHING_TO_VOID, false);
+    end(code, Opcodes.ARETURN);
+  }
+
+  private void texts(ClassWriter file) {
+    MethodVisitor code = begin(file, Opcodes.ACC_PROTECTED, "texts", "()" + TEXTS);
     List<String> texts = model.texts();
     code.visitLdcInsn(texts.size());
     code.visitTypeInsn(Opcodes.ANEWARRAY, TEXT);
@@ -133,40 +148,18 @@ public record CompactClass(CompactModel model, String columns, String generated)
       code.visitLdcInsn(texts.get(i));
       code.visitInsn(Opcodes.AASTORE);
     }
-    code.visitVarInsn(Opcodes.ASTORE, 2);
-    bare(code);
-    if (!columns.isEmpty()) {
-      code.visitVarInsn(Opcodes.ALOAD, 1);
-      code.visitLdcInsn(columns);
-      code.visitVarInsn(Opcodes.ALOAD, 2);
-      String arguments = "(L" + OBJECT + ";" + LOADER + "L" + TEXT + ";" + TEXTS + ")";
-      toModel(code, FurtherColumns.class, "extend", arguments);
-    }
-    code.visitInsn(Opcodes.ARETURN);
+    end(code, Opcodes.ARETURN);
+  }
+
+  private static MethodVisitor begin(ClassWriter file, int access, String name, String descriptor) {
+    MethodVisitor code = file.visitMethod(access, name, descriptor, null, null);
+    code.visitCode();
+    return code;
+  }
+
+  private static void end(MethodVisitor code, int returnInstruction) {
+    code.visitInsn(returnInstruction);
     code.visitMaxs(0, 0);
     code.visitEnd();
-  }
-
-  /** Pushes the model without further columns. */
-  private void bare(MethodVisitor code) {
-    if (generated.isEmpty()) {
-      code.visitVarInsn(Opcodes.ALOAD, 1);
-      code.visitVarInsn(Opcodes.ALOAD, 2);
-      toModel(code, CompactModel.class, "model", "(" + LOADER + TEXTS + ")");
-      return;
-    }
-    String own = (ModelClass.PACKAGE + "." + generated).replace('.', '/');
-    code.visitTypeInsn(Opcodes.NEW, own);
-    code.visitInsn(Opcodes.DUP);
-    code.visitMethodInsn(Opcodes.INVOKESPECIAL, own, "<init>", NOTHING_TO_VOID, false);
-  }
-
-  private static void toModel(MethodVisitor code, Class<?> owner, String name, String arguments) {
-    code.visitMethodInsn(
-        Opcodes.INVOKESTATIC,
-        Type.getInternalName(owner),
-        name,
-        arguments + Type.getDescriptor(Model.class),
-        false);
   }
 }

@@ -1,7 +1,6 @@
 package org.mechservice.sim.build.emit;
 
 import java.util.List;
-import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.integration.Integrator;
 import org.mechservice.solver.integration.IntegratorFactory;
@@ -26,7 +25,7 @@ import org.objectweb.asm.Type;
  *   public static void main(String[] args) {
  *     System.exit(
  *         Standalone.run(
- *             ModelSource.of(new Pendulum()),
+ *             ModelSource.from(new Pendulum()),
  *             new PendulumMain(),
  *             new ExplicitForm(),
  *             "joints,accelerations,energy",
@@ -121,8 +120,8 @@ public final class MainClass {
     code.visitMethodInsn(
         Opcodes.INVOKESTATIC,
         Type.getInternalName(ModelSource.class),
-        "of",
-        "(L" + OBJECT + ";)" + Type.getDescriptor(Model.class),
+        "from",
+        "(L" + OBJECT + ";)" + Type.getDescriptor(ModelSource.class),
         true);
     create(code, className);
     create(code, form);
@@ -133,7 +132,7 @@ public final class MainClass {
         Type.getInternalName(Standalone.class),
         "run",
         "("
-            + Type.getDescriptor(Model.class)
+            + Type.getDescriptor(ModelSource.class)
             + Type.getDescriptor(IntegratorFactory.class)
             + Type.getDescriptor(EquationForm.class)
             + "Ljava/lang/String;".repeat(columns.size())

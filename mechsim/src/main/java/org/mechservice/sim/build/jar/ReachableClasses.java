@@ -51,7 +51,7 @@ public final class ReachableClasses {
   }
 
   /** Returns internal names of classes, and of those in the descriptors of members called. */
-  static SortedSet<String> namesIn(byte[] classFile) {
+  public static SortedSet<String> namesIn(byte[] classFile) {
     ClassReader reader = new ClassReader(classFile);
     char[] buffer = new char[reader.getMaxStringLength()];
     SortedSet<String> names = new TreeSet<>();

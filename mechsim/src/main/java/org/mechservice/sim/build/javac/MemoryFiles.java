@@ -19,23 +19,22 @@ import javax.tools.SimpleJavaFileObject;
 import javax.tools.StandardLocation;
 
 /**
- * The files a compilation sees: the JDK's classes from where they are; on the class path the solver
- * classes that generated code may name, and whatever else is given; what it writes stays in memory.
+ * The files a compilation sees: the JDK's classes from where they are; on the class path some
+ * packages of the solver, and whatever else is given; what it writes stays in memory.
  */
 final class MemoryFiles extends ForwardingJavaFileManager<JavaFileManager> {
-  private static final Set<String> VISIBLE_PACKAGES =
-      Set.of(
-          "org.mechservice.solver.api",
-          "org.mechservice.solver.spatial",
-          "org.mechservice.solver.expression",
-          "org.mechservice.solver.integration",
-          "org.mechservice.solver.standalone");
-
+  private final Set<String> visiblePackages;
   private final SortedMap<String, byte[]> others;
   private final SortedMap<String, ClassFile> written = new TreeMap<>();
 
-  MemoryFiles(JavaFileManager standard, SortedMap<String, byte[]> others) {
+  /**
+   * @param visiblePackages packages of the solver that sources may name
+   * @param others class files that they may name, by binary name; not modified
+   */
+  MemoryFiles(
+      JavaFileManager standard, Set<String> visiblePackages, SortedMap<String, byte[]> others) {
     super(standard);
+    this.visiblePackages = visiblePackages;
     this.others = others;
   }
 
@@ -72,7 +71,7 @@ final class MemoryFiles extends ForwardingJavaFileManager<JavaFileManager> {
     }
     List<JavaFileObject> found = new ArrayList<>();
     if (kinds.contains(JavaFileObject.Kind.CLASS)) {
-      if (VISIBLE_PACKAGES.contains(packageName)) {
+      if (visiblePackages.contains(packageName)) {
         addSolverClasses(packageName, found);
       }
       others.forEach((name, bytes) -> add(packageName, name, bytes, found));

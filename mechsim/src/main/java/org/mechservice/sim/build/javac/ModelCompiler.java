@@ -1,20 +1,13 @@
 package org.mechservice.sim.build.javac;
 
-import java.io.IOException;
-import java.io.StringWriter;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import javax.tools.Diagnostic;
-import javax.tools.DiagnosticCollector;
-import javax.tools.JavaCompiler;
 import javax.tools.JavaFileObject;
-import javax.tools.StandardJavaFileManager;
-import javax.tools.ToolProvider;
 import org.mechservice.sim.build.emit.MethodSizes;
 import org.mechservice.sim.scene.ModelBuildException;
 
@@ -26,6 +19,15 @@ public final class ModelCompiler {
   private static final List<String> OPTIONS =
       List.of(
           "--release", "17", "-g:none", "-proc:none", "-implicit:none", "-nowarn", "-Xlint:none");
+
+  /** What generated code may name. */
+  private static final Set<String> VISIBLE_PACKAGES =
+      Set.of(
+          "org.mechservice.solver.api",
+          "org.mechservice.solver.spatial",
+          "org.mechservice.solver.expression",
+          "org.mechservice.solver.integration",
+          "org.mechservice.solver.standalone");
 
   private ModelCompiler() {}
 
@@ -41,30 +43,12 @@ public final class ModelCompiler {
    */
   public static SortedMap<String, byte[]> compile(
       String className, String source, SortedMap<String, byte[]> others) {
-    JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
-    if (compiler == null) {
-      throw new ModelBuildException(
-          "S-084",
-          "this Java ("
-              + System.getProperty("java.home")
-              + ") has no compiler; run with a JDK 17 or"
-              + " newer instead of a runtime");
+    JavaFileObject unit = MemoryFiles.source(className, source);
+    Compilation done = Compilation.of(List.of(unit), OPTIONS, VISIBLE_PACKAGES, others);
+    if (!done.succeeded()) {
+      throw failure(className, done.diagnostics(), done.messages());
     }
-    DiagnosticCollector<JavaFileObject> diagnostics = new DiagnosticCollector<>();
-    try (StandardJavaFileManager standard =
-            compiler.getStandardFileManager(diagnostics, Locale.ROOT, StandardCharsets.UTF_8);
-        MemoryFiles files = new MemoryFiles(standard, others)) {
-      JavaFileObject unit = MemoryFiles.source(className, source);
-      StringWriter messages = new StringWriter();
-      boolean compiled =
-          compiler.getTask(messages, files, diagnostics, OPTIONS, null, List.of(unit)).call();
-      if (!compiled) {
-        throw failure(className, diagnostics.getDiagnostics(), messages.toString());
-      }
-      return checked(files.written());
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return checked(done.classFiles());
   }
 
   private static SortedMap<String, byte[]> checked(SortedMap<String, byte[]> written) {

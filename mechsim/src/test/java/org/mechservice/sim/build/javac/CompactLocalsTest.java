@@ -19,7 +19,8 @@ class CompactLocalsTest {
         new ModelClassLoader(
             new TreeMap<>(
                 ModelCompiler.compile(
-                    "org.mechservice.model.A", source, Collections.emptySortedMap())));
+                    "org.mechservice.model.A", source, Collections.emptySortedMap())),
+            CompactLocalsTest.class.getClassLoader());
     Method method =
         loader.loadClass("org.mechservice.model.A").getMethod("a", double.class, double[].class);
     return (double) method.invoke(null, 3.0, new double[] {1, 2, 4});

@@ -1,0 +1,61 @@
+package org.mechservice.cli;
+
+import java.util.List;
+import org.mechservice.client.SimulationOptions;
+import picocli.CommandLine.Option;
+
+/** Which simulation of a file is meant, and what its parameters are set to. */
+final class ParameterOptions {
+  @Option(
+      names = "--simulation",
+      paramLabel = "NAME|N",
+      description = "Simulation of the file, by name or number; without it the first.")
+  private String simulation = "";
+
+  @Option(
+      names = "--set",
+      paramLabel = "PARAMETER=VALUE",
+      description =
+          "Value of a parameter, in its unit, instead of the file's; may be given several times.")
+  private List<String> assignments = List.of();
+
+  @Option(
+      names = "--tunable",
+      paramLabel = "PARAMETER",
+      description =
+          "Keep a parameter as an input that may be set before a run; may be given several times.")
+  private List<String> tunable = List.of();
+
+  /**
+   * Returns the options given with these added.
+   *
+   * @throws UsageException if an assignment is none, or a parameter is set twice
+   */
+  SimulationOptions addTo(SimulationOptions options) {
+    SimulationOptions all = simulation.isEmpty() ? options : options.simulation(simulation);
+    List<String> names = assignments.stream().map(ParameterOptions::nameIn).toList();
+    for (int i = 0; i < names.size(); i++) {
+      String name = names.get(i);
+      if (names.indexOf(name) < i) {
+        throw new UsageException("S-041 --set names parameter \"" + name + "\" twice");
+      }
+      String assignment = assignments.get(i);
+      all = all.parameter(name, assignment.substring(assignment.indexOf('=') + 1).strip());
+    }
+    for (String name : tunable) {
+      all = all.tunable(name.strip());
+    }
+    return all;
+  }
+
+  private static String nameIn(String assignment) {
+    int equals = assignment.indexOf('=');
+    if (equals < 1) {
+      throw new UsageException(
+          "S-041 --set takes PARAMETER=VALUE, such as --set length=0.5, not \""
+              + assignment
+              + "\"");
+    }
+    return assignment.substring(0, equals).strip();
+  }
+}

@@ -1,0 +1,38 @@
+package org.mechservice.solver.compact;
+
+import java.util.List;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.api.TunableParameter;
+import org.mechservice.solver.force.UserForceSource;
+
+/** What the class of a model in compact form is, but for its data. */
+public abstract class CompactSource implements ModelSource {
+  /** Returns what {@link CompactModel#texts} returned when the class was written. */
+  protected abstract String[] texts();
+
+  /** Returns the data. */
+  protected final CompactModel data() {
+    return CompactModel.of(List.of(texts()));
+  }
+
+  /** Returns what makes user forces of the classes beside this one. */
+  protected final UserForceSource userForces() {
+    return new LoadedUserForces(getClass().getClassLoader());
+  }
+
+  @Override
+  public Model model() {
+    return data().model(userForces());
+  }
+
+  @Override
+  public List<TunableParameter> parameters() {
+    return data().parameters();
+  }
+
+  @Override
+  public Model model(double[] values) {
+    return data().with(values).model(userForces());
+  }
+}
