@@ -160,12 +160,14 @@ public final class ServiceOrb implements AutoCloseable {
   }
 
   /**
-   * Connects to the administration of a server.
+   * Connects to the administration of a server. Its calls come back within seconds, with an answer
+   * or with {@link org.omg.CORBA.TIMEOUT}.
    *
    * @throws ServiceUnreachableException as {@link #connect}
    */
   public MechAdmin connectAdmin(String url) {
-    return MechAdminHelper.unchecked_narrow(located(url).object(ServiceKey.ADMIN));
+    org.omg.CORBA.Object admin = located(url).object(ServiceKey.ADMIN);
+    return MechAdminHelper.unchecked_narrow(Answers.inTime(orb, admin));
   }
 
   /**

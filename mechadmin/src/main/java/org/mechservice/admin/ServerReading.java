@@ -10,13 +10,16 @@ public sealed interface ServerReading {
   /** Returns the address that was asked. */
   String address();
 
+  /** Returns what people call the server: its name, or its address while it is silent. */
+  String name();
+
   /**
    * The server answered.
    *
    * @param address the address that was asked
    * @param status the server as a whole
    * @param hosts the hosts it knows
-   * @param simulations those that have not ended
+   * @param simulations what waits, runs, or ended lately, oldest first
    */
   record Answering(
       String address, ServerStatus status, List<HostStatus> hosts, List<SimSummary> simulations)
@@ -24,6 +27,11 @@ public sealed interface ServerReading {
     public Answering {
       hosts = List.copyOf(hosts);
       simulations = List.copyOf(simulations);
+    }
+
+    @Override
+    public String name() {
+      return status.info.serverName;
     }
   }
 
@@ -33,5 +41,10 @@ public sealed interface ServerReading {
    * @param address the address that was asked
    * @param why what happened instead, with its code
    */
-  record Silent(String address, String why) implements ServerReading {}
+  record Silent(String address, String why) implements ServerReading {
+    @Override
+    public String name() {
+      return address;
+    }
+  }
 }

@@ -38,7 +38,7 @@ class StatusTest {
 
   @Test
   void tablesShowServersHostsAndRunningSimulations() {
-    assertThat(new StatusText(NOW).format(readings))
+    assertThat(new StatusText(NOW).all(readings))
         .isEqualTo(
             """
             SERVER  ADDRESS          STATE      UP         HOSTS  SESSIONS  RUNNING  QUEUED  VERSION
@@ -48,8 +48,8 @@ class StatusTest {
             HOST  SERVER  ADDRESS     STATE  CORES  RUNNING  QUEUED  CPU   MEMORY
             big   lab     10.0.0.2:7  up     8      1 of 4   0       25 %  3 MiB
 
-            SIMULATION  HOST  MODEL     OWNER  STATE    TIME              STEPS  AGE
-            s1          big   pendulum  ann    running  1.500 of 3.000 s  42     10 s
+            SIMULATION  HOST  MODEL     OWNER  STATE    TIME              STEPS  STEP SIZE  X REAL TIME  AGE   LAST MESSAGE
+            s1          big   pendulum  ann    running  1.500 of 3.000 s  42     0.001000   1000         10 s  step by step
             """);
   }
 
@@ -63,28 +63,17 @@ class StatusTest {
                 ((ServerReading.Answering) readings.get(0)).status(),
                 List.of(),
                 List.of(simulation(hostile))));
-    assertThat(new StatusText(NOW).format(reading)).contains("?[2Jgone??").doesNotContain("\u001b");
+    assertThat(new StatusText(NOW).all(reading)).contains("?[2Jgone??").doesNotContain("\u001b");
   }
 
   @Test
   void jsonHasTheSameFacts() {
-    assertThat(StatusJson.write(readings))
+    assertThat(AdminJson.text(AdminJson.status(readings)))
         .contains("\"name\": \"lab\"")
         .contains("\"startedAt\": \"2026-01-02T00:59:05Z\"")
         .contains("\"model\": \"pendulum\"")
         .contains("\"cpuLoad\": 0.25")
         .contains("\"answers\": false,\n      \"problem\": \"S-032 no answer in time\"");
-  }
-
-  @Test
-  void serverThatDoesNotAnswerIsShownAndHoldsNobodyUp() throws InterruptedException {
-    try (ServerWatch watch = new ServerWatch()) {
-      assertThat(watch.read(List.of("127.0.0.1:1"), Duration.ofSeconds(20)))
-          .singleElement()
-          .isInstanceOfSatisfying(
-              ServerReading.Silent.class,
-              silent -> assertThat(silent.why()).contains("127.0.0.1:1"));
-    }
   }
 
   private static long at(Duration ago) {
@@ -102,6 +91,6 @@ class StatusTest {
         new Progress("s1", SimState.SIM_RUNNING, 0, 1.5, 0, 3, 42, 1e-3, 5, 1000, 150);
     long created = at(Duration.ofSeconds(10));
     return new SimSummary(
-        "s1", "x", "big", model, "ann", progress, created, created, 0, created, "");
+        "s1", "x", "big", model, "ann", progress, created, created, 0, created, "step by step");
   }
 }

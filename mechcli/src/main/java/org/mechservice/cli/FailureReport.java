@@ -5,6 +5,8 @@ import java.io.PrintWriter;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.util.regex.Pattern;
+import org.mechservice.admin.AdminFailure;
+import org.mechservice.admin.PlainText;
 import org.mechservice.client.InvalidModelException;
 import org.mechservice.client.InvalidOptionException;
 import org.mechservice.client.ServiceException;
@@ -35,6 +37,9 @@ final class FailureReport {
     if (failure instanceof ServiceException refusal) {
       err.println(text);
       return status(refusal);
+    } else if (failure instanceof AdminFailure vain) {
+      err.println(PlainText.of(text));
+      return AdminCommand.status(vain);
     } else if (failure instanceof UsageException) {
       err.println(text);
       return ExitStatus.BAD_INPUT;

@@ -42,7 +42,12 @@ final class ListenOptions {
     return usable(Integer.parseInt(withPort.group(2)));
   }
 
-  private static int usable(int port) {
+  /**
+   * Returns a port.
+   *
+   * @throws UsageException if it is none
+   */
+  static int usable(int port) {
     if (port < 0 || port > HIGHEST_PORT) {
       throw new UsageException(
           "S-041 "

@@ -17,6 +17,7 @@ import picocli.CommandLine.IVersionProvider;
       CheckCommand.class,
       BuildCommand.class,
       ReportCommand.class,
+      StabilityCommand.class,
       ServerCommand.class,
       SimhostCommand.class,
       AdminCommand.class,

@@ -4,10 +4,13 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.mechservice.client.MechSession;
 import org.mechservice.report.ModelReport;
 import org.mechservice.report.measure.Effort;
+import org.mechservice.report.paper.PaperReport;
+import org.mechservice.report.suite.SuiteReport;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -22,7 +25,7 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     versionProvider = Mech.Version.class)
 final class ReportCommand implements Callable<Integer> {
-  @Parameters(paramLabel = "MODEL.xml", arity = "1..*", description = "Models in MechML.")
+  @Parameters(paramLabel = "MODEL.xml", arity = "0..*", description = "Models in MechML.")
   private List<Path> models = List.of();
 
   @Option(
@@ -37,25 +40,63 @@ final class ReportCommand implements Callable<Integer> {
       description = "Fewer tolerances and shorter limits: under a minute per model.")
   private boolean quick;
 
+  @Option(
+      names = "--paper",
+      paramLabel = "EXAMPLES",
+      description = "Measure the paper's tables on the scenes of this folder.")
+  private Optional<Path> paper = Optional.empty();
+
+  @Option(
+      names = "--suite",
+      description = "Measure the integrators alone, on problems with verified solutions.")
+  private boolean suite;
+
   @Mixin private ServerOption server = new ServerOption();
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
   public Integer call() throws IOException, InterruptedException {
-    Effort effort = quick ? Effort.QUICK : Effort.FULL;
-    PrintWriter err = spec.commandLine().getErr();
+    if (models.isEmpty() && paper.isEmpty() && !suite) {
+      throw new UsageException(
+          "S-041 report: name a model, --paper with the scenes' folder, or --suite");
+    }
+    if (suite) {
+      try (ProgressLine line = new ProgressLine(spec.commandLine().getErr())) {
+        tell(new SuiteReport(quick, line).write(folder));
+      }
+    }
+    if (!models.isEmpty() || paper.isPresent()) {
+      reportModels();
+    }
+    return ExitStatus.DONE;
+  }
+
+  private void reportModels() throws IOException, InterruptedException {
     try (Service service = Service.open(server)) {
       for (Path model : models) {
-        try (MechSession session = service.connection().openSession();
-            ProgressLine line = new ProgressLine(err)) {
-          session.loadModel(model).forEach(err::println);
-          Path page = new ModelReport(session, folder, effort, line).write(model);
-          line.close();
-          spec.commandLine().getOut().println(page);
+        report(service, model);
+      }
+      if (paper.isPresent()) {
+        try (ProgressLine line = new ProgressLine(spec.commandLine().getErr())) {
+          tell(new PaperReport(service.connection()::openSession, paper.get(), line).write(folder));
         }
       }
     }
-    return ExitStatus.DONE;
+  }
+
+  private void report(Service service, Path model) throws IOException, InterruptedException {
+    PrintWriter err = spec.commandLine().getErr();
+    Effort effort = quick ? Effort.QUICK : Effort.FULL;
+    try (MechSession session = service.connection().openSession();
+        ProgressLine line = new ProgressLine(err)) {
+      session.loadModel(model).forEach(err::println);
+      tell(new ModelReport(session, folder, effort, line).write(model));
+    }
+  }
+
+  private void tell(Path page) {
+    spec.commandLine().getOut().println(page);
+    spec.commandLine().getOut().flush();
   }
 }

@@ -56,6 +56,19 @@ final class ServerCommand implements Callable<Integer> {
       description = "Bind the server as MechServer at this CORBA naming service.")
   private Optional<String> naming = Optional.empty();
 
+  @Option(
+      names = "--metrics-port",
+      paramLabel = "P",
+      description =
+          "Serve /metrics (Prometheus) and /health on this port of the loopback interface.")
+  private Optional<Integer> metricsPort = Optional.empty();
+
+  @Option(
+      names = "--audit",
+      paramLabel = "FILE",
+      description = "Append who did what to this file, one JSON object per line.")
+  private Optional<Path> audit = Optional.empty();
+
   @Mixin private TlsOption tls = new TlsOption();
 
   @Spec private CommandSpec spec = CommandSpec.create();
@@ -73,7 +86,9 @@ final class ServerCommand implements Callable<Integer> {
             policy(),
             iorFile,
             naming,
-            tls.identity());
+            tls.identity(),
+            metricsPort.map(ListenOptions::usable),
+            audit);
     try (MechServerProcess server = MechServerProcess.start(settings)) {
       spec.commandLine().getOut().println(server.url());
       Serving.untilEnded(server, server::awaitShutdown);

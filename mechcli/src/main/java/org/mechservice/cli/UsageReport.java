@@ -19,8 +19,12 @@ final class UsageReport {
   /** Handles a command line that cannot be understood. */
   static int badUsage(ParameterException wrong, String[] arguments) {
     CommandLine command = wrong.getCommandLine();
-    String about = command.getParent() == null ? "" : " " + command.getCommandName();
-    command.getErr().println(message(wrong) + " (mech help" + about + " lists what there is)");
+    CommandLine parent = command.getParent();
+    String help =
+        parent == null
+            ? command.getCommandName() + " help"
+            : parent.getCommandSpec().qualifiedName() + " help " + command.getCommandName();
+    command.getErr().println(message(wrong) + " (" + help + " lists what there is)");
     return ExitStatus.BAD_INPUT;
   }
 
@@ -39,7 +43,7 @@ final class UsageReport {
     // A suggestion carries the placeholder of its value.
     String hint =
         nearest.isEmpty() ? "" : "; did you mean " + nearest.get(0).split("[= ]", 2)[0] + "?";
-    boolean namesCommand = unmatched.getCommandLine().getParent() == null;
+    boolean namesCommand = !unmatched.getCommandLine().getSubcommands().isEmpty();
     String kind = namesCommand ? "command" : "word";
     return "S-040 unknown " + (word.startsWith("-") ? "option" : kind) + " " + word + hint;
   }

@@ -58,7 +58,7 @@ final class ServerChoice {
     if (addresses.size() == 1) {
       throw lost;
     }
-    if (chosen == gone) {
+    if (chosen.equals(gone)) {
       chosen = firstFrom(gone.index() + 1);
     }
     return chosen;

@@ -11,17 +11,18 @@ import java.util.stream.Stream;
 import org.mechservice.solver.simulation.SolverVersion;
 
 /** Where and with what was measured. */
-final class Machine {
+public final class Machine {
   private static final Path PROCESSORS = Path.of("/proc/cpuinfo");
 
   private Machine() {}
 
-  static String solverVersion() {
+  /** Returns the version that takes part in every result. */
+  public static String solverVersion() {
     return "solver " + SolverVersion.CURRENT;
   }
 
   /** Returns date, machine and versions, one per line. */
-  static List<String> facts() {
+  public static List<String> facts() {
     Runtime runtime = Runtime.getRuntime();
     return List.of(
         LocalDate.now(ZoneOffset.UTC).toString(),

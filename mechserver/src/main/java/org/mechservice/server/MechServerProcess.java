@@ -33,11 +33,14 @@ public final class MechServerProcess implements AutoCloseable {
   private final CountDownLatch closed = new CountDownLatch(1);
   private final AtomicBoolean closing = new AtomicBoolean();
   private final Findable findable;
+  private final Optional<AuditLog> audit;
+  private final Optional<MetricsEndpoint> metrics;
 
   private MechServerProcess(
       ServerSettings settings, ServiceOrb orb, ServerTuning tuning, OwnHost host) {
     this.orb = orb;
-    Journal journal = new Journal("server");
+    audit = settings.auditFile().map(AuditLog::open);
+    Journal journal = new Journal("server", event -> audit.ifPresent(log -> log.write(event)));
     directory = new HostDirectory(tuning, orb.outbound(), journal);
     LimitsInForce limits = new LimitsInForce(settings.host().limits());
     Placement placement = new Placement(directory, settings.placement());
@@ -58,6 +61,11 @@ public final class MechServerProcess implements AutoCloseable {
     publish(
         new MechAdminServant(server, directory, placement, farmLimits, journal, this::shutDown),
         new HostRegistryServant(orb, directory, farmLimits));
+    Metrics figures = new Metrics(directory, server);
+    metrics =
+        settings
+            .metricsPort()
+            .map(port -> MetricsEndpoint.open(port, figures::text, figures::health));
     findable = Findable.make(orb, settings.iorFile(), settings.naming());
     journal.tell(Happening.info("server-started", "server " + settings.name() + " has started"));
   }
@@ -111,6 +119,11 @@ public final class MechServerProcess implements AutoCloseable {
     return orb.url(ServiceKey.SERVER);
   }
 
+  /** Returns where figures are to be had, if anywhere. */
+  Optional<Integer> metricsPort() {
+    return metrics.map(MetricsEndpoint::port);
+  }
+
   private void shutDown(long graceSeconds) {
     server.setDraining(true);
     Thread thread =
@@ -134,6 +147,7 @@ public final class MechServerProcess implements AutoCloseable {
   public void close() {
     if (closing.compareAndSet(false, true)) {
       findable.close();
+      metrics.ifPresent(MetricsEndpoint::close);
       ownHost.ifPresent(SimHost::close);
       directory.close();
       orb.close();
@@ -142,6 +156,7 @@ public final class MechServerProcess implements AutoCloseable {
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
       }
+      audit.ifPresent(AuditLog::close);
       closed.countDown();
     }
   }

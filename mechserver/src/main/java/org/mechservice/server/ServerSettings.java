@@ -16,6 +16,8 @@ import org.mechservice.sim.host.HostOptions;
  * @param iorFile file to write the server's reference to; empty: none
  * @param naming naming service to bind the server's reference at; empty: none
  * @param tls who the server is on the network; empty: it serves this machine only, unencrypted
+ * @param metricsPort port of this machine where figures are to be had; 0: any free one; empty: none
+ * @param auditFile file to which who did what is appended; empty: none
  */
 public record ServerSettings(
     String listenAddress,
@@ -24,7 +26,9 @@ public record ServerSettings(
     PlacementPolicy placement,
     Optional<Path> iorFile,
     Optional<String> naming,
-    Optional<TlsIdentity> tls) {
+    Optional<TlsIdentity> tls,
+    Optional<Integer> metricsPort,
+    Optional<Path> auditFile) {
 
   /** A server nobody configured. */
   public ServerSettings(String name, String listenAddress, int port, int localCapacity) {
@@ -39,6 +43,27 @@ public record ServerSettings(
         host,
         PlacementPolicy.LEAST_LOADED,
         Optional.empty(),
+        Optional.empty(),
+        Optional.empty());
+  }
+
+  /** A server that nobody watches. */
+  public ServerSettings(
+      String listenAddress,
+      int port,
+      HostOptions host,
+      PlacementPolicy placement,
+      Optional<Path> iorFile,
+      Optional<String> naming,
+      Optional<TlsIdentity> tls) {
+    this(
+        listenAddress,
+        port,
+        host,
+        placement,
+        iorFile,
+        naming,
+        tls,
         Optional.empty(),
         Optional.empty());
   }

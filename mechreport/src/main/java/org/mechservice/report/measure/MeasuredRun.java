@@ -10,7 +10,7 @@ import java.util.Locale;
  * @param tolerance relative tolerance asked for; the absolute one is a hundredth of it, SI
  * @param round 0: the first, whose time is not counted; from 1: timed
  * @param cause why it did not reach the end; empty if it did
- * @param seconds wall-clock time, s
+ * @param seconds processor time of the run, s
  * @param bytes allocated
  * @param steps accepted steps
  * @param rejected rejected steps
@@ -61,6 +61,24 @@ public record MeasuredRun(
   /** Returns whether the run reached the end. */
   public boolean completed() {
     return cause.isEmpty();
+  }
+
+  /** Returns the same run where nobody knows its errors. */
+  public MeasuredRun withoutErrors() {
+    return new MeasuredRun(
+        method,
+        tolerance,
+        round,
+        cause,
+        seconds,
+        bytes,
+        steps,
+        rejected,
+        evaluations,
+        jacobians,
+        factorisations,
+        Errors.NONE,
+        energyDrift);
   }
 
   /** Returns the run as a line of a CSV file. */

@@ -215,15 +215,19 @@ final class LogLogChart {
       return;
     }
     for (double factor : new double[] {0.01, 1, 100}) {
-      double from = Math.pow(10, lowX);
-      double to = Math.pow(10, highX);
-      line(
-          under,
-          factor == 1 ? "asked" : "bound",
-          px(from),
-          py(from * factor),
-          px(to),
-          py(to * factor));
+      // Both ends lie within the diagram: y = factor x, in logarithms.
+      double shift = Math.log10(factor);
+      double from = Math.max(lowX, lowY - shift);
+      double to = Math.min(highX, highY - shift);
+      if (from < to) {
+        line(
+            under,
+            factor == 1 ? "asked" : "bound",
+            px(Math.pow(10, from)),
+            py(Math.pow(10, from + shift)),
+            px(Math.pow(10, to)),
+            py(Math.pow(10, to + shift)));
+      }
     }
   }
 

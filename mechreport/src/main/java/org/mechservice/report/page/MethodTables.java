@@ -12,6 +12,9 @@ import org.mechservice.report.method.Method;
 final class MethodTables {
   private static final int BAR_WIDTH = 220;
 
+  /** Methods reach 13; what is observed scatters about that. */
+  private static final double HIGHEST_ORDER = 20;
+
   private final SceneFindings found;
   private final CurveStyles styles;
 
@@ -25,7 +28,7 @@ final class MethodTables {
     double[] errors =
         java.util.stream.IntStream.rangeClosed(3, 9)
             .mapToDouble(k -> Math.pow(10, -k))
-            .filter(error -> error > found.floor())
+            .filter(error -> error > found.floor() && Double.isFinite(best(error)))
             .toArray();
     if (errors.length == 0) {
       return "";
@@ -91,11 +94,21 @@ final class MethodTables {
       OptionalDouble order = EqualError.order(found.pointsOf(method.name()), found.floor());
       Double fresh = found.freshStarts().get(method.name());
       html.append("<tr>").append(name(method));
-      html.append("<td>").append(order.isPresent() ? Html.digits(order.getAsDouble()) : "–");
+      html.append("<td>").append(order(order));
       html.append("<td>").append(fresh == null ? "–" : Html.seconds(fresh));
       html.append("<td>").append(bar(found.shares().get(method.name())));
     }
     return html.append("</table>").append(partLegend()).append("</section>").toString();
+  }
+
+  /** An error that falls without more steps tells nothing of the order. */
+  private static String order(OptionalDouble order) {
+    if (order.isEmpty()) {
+      return "–";
+    }
+    return order.getAsDouble() > HIGHEST_ORDER
+        ? "steps do not depend on the tolerance"
+        : Html.digits(order.getAsDouble());
   }
 
   private static String bar(@org.jspecify.annotations.Nullable TimeShares shares) {

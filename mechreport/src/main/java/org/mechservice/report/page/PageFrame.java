@@ -28,6 +28,11 @@ public final class PageFrame {
         + "</script></body></html>\n";
   }
 
+  /** Returns a text with what HTML would take for markup escaped. */
+  public static String escaped(String text) {
+    return Html.escape(text);
+  }
+
   private static String resource(String name) {
     try (InputStream in = PageFrame.class.getResourceAsStream("/org/mechservice/report/" + name)) {
       if (in == null) {

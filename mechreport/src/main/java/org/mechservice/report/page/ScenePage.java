@@ -92,7 +92,7 @@ public final class ScenePage {
   private void diagrams() {
     add("<section><h2>Error against run time</h2>");
     add(legend());
-    add(chart("run time, s (median)", Point::seconds));
+    add(chart("run time, s (processor, median)", Point::seconds));
     add("<h2>Error against evaluations</h2>");
     add(
         chart(
@@ -299,9 +299,10 @@ public final class ScenePage {
     add(
         String.format(
             Locale.ROOT,
-            "<li>Time: median of up to %d runs (never fewer than %d; the tables say how many) after"
-                + " %.2g s of warm-up per method; every round runs every point once. Spread:"
-                + " quartiles. Runs were stopped after %.3g s.",
+            "<li>Time: processor time of the run's thread, median of up to %d runs (never fewer"
+                + " than %d; the tables say how many) after %.2g s of warm-up per method; every"
+                + " round runs every point once. Spread: quartiles. Runs were stopped after %.3g"
+                + " s.",
             Effort.REPEATS,
             Effort.FEWEST_REPEATS,
             found.effort().warmSeconds(),

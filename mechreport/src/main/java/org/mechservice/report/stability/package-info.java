@@ -1,4 +1,4 @@
-/** The suite of stiff and extreme scenes. */
+/** The suite of stiff and extreme scenes: every case meets its bound or ends with a message. */
 @NullMarked
 package org.mechservice.report.stability;
 

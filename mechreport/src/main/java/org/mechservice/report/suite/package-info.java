@@ -1,4 +1,4 @@
-/** The integrators alone, on problems with verified solutions. */
+/** The integrators alone, on problems with verified solutions, with peers in the same run. */
 @NullMarked
 package org.mechservice.report.suite;
 

@@ -82,6 +82,11 @@ public final class CompiledModel {
     return Sha256.of(all.toByteArray());
   }
 
+  /** Returns the class files of its users, by binary class name; not to be modified. */
+  public SortedMap<String, byte[]> userClassFiles() {
+    return userClasses.classFiles();
+  }
+
   /** Returns whether running it runs classes of users. */
   public boolean hasUserClasses() {
     return !userClasses.isEmpty();
@@ -92,7 +97,12 @@ public final class CompiledModel {
    * for it.
    */
   Model withoutUserClasses() {
-    return hasUserClasses() ? generated.withoutUserClasses() : newInstance();
+    return describing().model();
+  }
+
+  /** Returns what makes instances like that of {@link #withoutUserClasses}, with parameters. */
+  public ModelSource describing() {
+    return hasUserClasses() ? generated.withoutUserClasses() : instances();
   }
 
   /**

@@ -11,7 +11,10 @@ import org.mechservice.solver.api.ForceDeclaration;
 import org.mechservice.solver.api.ForceLoads;
 import org.mechservice.solver.api.ForceState;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.UserForce;
+import org.mechservice.solver.compact.CompactModel;
 
 /**
  * A model specialised to its scene: what its class computes, planned, ready to be written as Java
@@ -83,11 +86,30 @@ public final class GeneratedModel {
   }
 
   /** Returns the model with forces of users that do nothing. */
-  Model withoutUserClasses() {
+  ModelSource withoutUserClasses() {
     if (written instanceof CompactClass compact) {
-      return compact.model().model(element -> new NoForce());
+      return new ForceFree(compact.model());
     }
     throw new IllegalStateException("no code is generated for classes of users");
+  }
+
+  /** Makes models that know everything but the forces of users. */
+  private record ForceFree(CompactModel data) implements ModelSource {
+    @Override
+    public Model model() {
+      return data.model(element -> new NoForce());
+    }
+
+    @Override
+    public List<TunableParameter> parameters() {
+      return data.parameters();
+    }
+
+    /** Values of parameters act on forces and motions alone, which nobody asks this model for. */
+    @Override
+    public Model model(double[] values) {
+      return model();
+    }
   }
 
   /** Stands for a force that is not to be loaded. */

@@ -10,10 +10,12 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.dynamics.ArticulatedBodyEquations;
+import org.mechservice.sim.build.dynamics.CompositeInertiaEquations;
 import org.mechservice.sim.build.dynamics.EnergyEquations;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.build.dynamics.PoseEquations;
 import org.mechservice.sim.build.dynamics.PowerEquations;
+import org.mechservice.sim.build.dynamics.ResidualEquations;
 import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.ModelPlan;
@@ -106,20 +108,28 @@ public final class ModelFactory {
     Mechanism mechanism = model.mechanism();
     SceneAnalysis scene = SceneAnalysis.of(mechanism);
     Links links = Links.of(mechanism);
-    Program derivative = ArticulatedBodyEquations.derive(links);
+    Program derivative =
+        choice.formulation().equals("DSR")
+            ? CompositeInertiaEquations.derive(links)
+            : ArticulatedBodyEquations.derive(links);
+    Optional<Program> residual =
+        choice.formulation().equals("RR")
+            ? Optional.of(ResidualEquations.derive(links))
+            : Optional.empty();
     List<Omission> leftOut = LeftOut.of(scene, links, options, derivative);
     ModelClass written =
         new ModelClass(
             mechanism,
             description(mechanism, choice, options),
             derivative,
+            residual,
             EnergyEquations.derive(links),
             options.columns().contains(ColumnGroup.BODIES)
                 ? Optional.of(PoseEquations.derive(links))
                 : Optional.empty(),
             PowerEquations.power(links),
             forceValues(links, options),
-            notes(choice, derivative, leftOut));
+            notes(choice, derivative, residual, leftOut));
     Set<ColumnGroup> further = DataColumns.of(model, options, true);
     return new GeneratedModel(
         ModelPlan.of(written),
@@ -151,12 +161,16 @@ public final class ModelFactory {
   }
 
   private static List<String> notes(
-      FormulationChoice choice, Program derivative, List<Omission> leftOut) {
+      FormulationChoice choice,
+      Program derivative,
+      Optional<Program> residual,
+      List<Omission> leftOut) {
     List<String> notes = new ArrayList<>();
     notes.add("Formulation " + choice.formulation() + " (" + choice.reason() + ").");
     notes.add(
         derivative.operationCount()
             + " additions, multiplications and divisions give the derivative of the state.");
+    residual.ifPresent(program -> notes.add(program.operationCount() + " give the residual."));
     StringBuilder list = new StringBuilder("Left out:");
     String separator = " ";
     for (Omission omission : leftOut) {

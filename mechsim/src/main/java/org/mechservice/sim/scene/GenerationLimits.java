@@ -58,7 +58,7 @@ public final class GenerationLimits {
   /** Returns what no code is generated for, such as {@code forces "f1", "f2"}. */
   public static List<String> notGenerated(Mechanism mechanism, FormulationChoice choice) {
     List<String> beyond = new ArrayList<>();
-    if (!choice.formulation().equals("DTR")) {
+    if (choice.formulation().equals("RR-JF")) {
       beyond.add("formulation " + choice.formulation());
     }
     add(beyond, "constraints", mechanism.closures().stream().map(LoopClosure::name));

@@ -65,7 +65,7 @@ record CheckpointCalls(SimulationRun run) {
             () ->
                 new NotAvailable(
                     "S-072",
-                    "the model does not tell the state of its loops, so a run of it cannot be"
-                        + " saved"));
+                    "a run of the model cannot be saved: its loops do not tell their state, or it"
+                        + " runs classes of users in a process of its own"));
   }
 }

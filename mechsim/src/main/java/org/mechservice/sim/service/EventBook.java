@@ -74,7 +74,7 @@ public final class EventBook {
   }
 
   /** Returns the word for a severity in logs. */
-  static String level(Severity severity) {
+  public static String level(Severity severity) {
     return switch (severity.value()) {
       case Severity._SEV_ERROR -> "ERROR";
       case Severity._SEV_WARNING -> "WARN";

@@ -3,6 +3,7 @@ package org.mechservice.sim.service;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import java.util.function.Consumer;
 import org.mechservice.idl.LogLine;
 import org.mechservice.idl.ServiceEvent;
 import org.mechservice.idl.Severity;
@@ -20,12 +21,22 @@ public final class Journal {
   private final String source;
   private final Deque<LogLine> lines = new ArrayDeque<>();
   private final EventBook events = new EventBook();
+  private final Consumer<ServiceEvent> listener;
 
   /**
    * @param source whose journal it is
    */
   public Journal(String source) {
+    this(source, event -> {});
+  }
+
+  /**
+   * @param source whose journal it is
+   * @param listener told every event at once; must not block for long
+   */
+  public Journal(String source, Consumer<ServiceEvent> listener) {
     this.source = source;
+    this.listener = listener;
     log = LoggerFactory.getLogger(Journal.class.getPackageName() + "." + source);
   }
 
@@ -45,12 +56,14 @@ public final class Journal {
     }
     add(EventBook.level(event.level), text);
     events.add(event);
+    listener.accept(event);
   }
 
   /** Writes an event of a host down again where a server keeps those of all its hosts. */
   public void retell(ServiceEvent event) {
     add(EventBook.level(event.level), event.hostName + ": " + EventBook.line(event));
     events.add(event);
+    listener.accept(event);
   }
 
   private synchronized void add(String level, String text) {

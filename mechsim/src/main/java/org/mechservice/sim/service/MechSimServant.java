@@ -220,9 +220,10 @@ final class MechSimServant implements MechSimOperations {
     RunOptions asked = RunOptions.parse(options, ofFile);
     CompiledModel compiled =
         Built.orRefused(() -> library.compiled(source, asked.forRun(ofFile), times));
-    requireUserCodeAllowed(compiled);
+    requireUserCodeAllowed(compiled, source);
     RunRequest request = new RunRequest(asked.settings(), asked.columns());
-    ModelRun task = Built.orRefused(() -> runs.task(compiled, request));
+    long memory = session.limits().of(HostLimit.MEMORY);
+    RunTask task = Built.orRefused(() -> runs.task(compiled, request, memory));
     RunColumns columns = Built.orRefused(() -> runs.columns(task.model(), request));
     RunFacts facts = RunFacts.of(session.host().hostName(), source, compiled.generated(), times);
     SimulationRun run = runs.create(task, columns, source, facts, session);
@@ -231,7 +232,8 @@ final class MechSimServant implements MechSimOperations {
     return new Created(run, reference, compiled.generated().formulationReason());
   }
 
-  private void requireUserCodeAllowed(CompiledModel compiled) throws NotAvailable {
+  private void requireUserCodeAllowed(CompiledModel compiled, LoadedModel source)
+      throws NotAvailable, InvalidModel {
     if (compiled.hasUserClasses() && !session.host().userCode()) {
       throw new NotAvailable(
           "S-120",
@@ -240,6 +242,11 @@ final class MechSimServant implements MechSimOperations {
               + " runs no classes of users, and forces of this model are such classes; run it with"
               + " --mode local or without --server, or ask the operator to start the server with"
               + " --allow-user-code");
+    }
+    try {
+      source.userClasses().requireHarmless();
+    } catch (MechmlException e) {
+      throw Refusal.model(e.diagnostics());
     }
   }
 

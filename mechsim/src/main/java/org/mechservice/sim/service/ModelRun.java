@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.mechservice.sim.worker.WorkerResult;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.ModelSource;
@@ -24,6 +25,7 @@ import org.mechservice.solver.api.TunableParameter;
  * @param parameters tunable parameters with the values the model has
  * @param request what is wanted
  * @param checkpoints of the run
+ * @param clock of the thread that computes
  */
 record ModelRun(
     Solver solver,
@@ -31,7 +33,8 @@ record ModelRun(
     Model model,
     List<TunableParameter> parameters,
     RunRequest request,
-    RunCheckpoints checkpoints)
+    RunCheckpoints checkpoints,
+    ThreadClock clock)
     implements RunTask {
   @Override
   public ModelDescription description() {
@@ -56,11 +59,16 @@ record ModelRun(
   @Override
   public RunTask with(Map<String, String> values) {
     Model changed = source.model(values);
-    List<TunableParameter> now =
-        source.parameters().stream()
-            .map(p -> values.containsKey(p.name()) ? changed(p, values.get(p.name())) : p)
-            .toList();
-    return new ModelRun(solver, source, changed, now, request, checkpoints);
+    return new ModelRun(
+        solver, source, changed, changed(source.parameters(), values), request, checkpoints, clock);
+  }
+
+  /** Returns parameters with other values of some, which are numbers. */
+  static List<TunableParameter> changed(
+      List<TunableParameter> parameters, Map<String, String> values) {
+    return parameters.stream()
+        .map(p -> values.containsKey(p.name()) ? changed(p, values.get(p.name())) : p)
+        .toList();
   }
 
   private static TunableParameter changed(TunableParameter parameter, String value) {
@@ -69,8 +77,15 @@ record ModelRun(
   }
 
   @Override
-  public RunReport run(ResultSink sink, RunControl control) throws IOException {
+  public long cpuNanos() {
+    return clock.nanos();
+  }
+
+  @Override
+  public WorkerResult run(ResultSink sink, RunControl control) throws IOException {
+    clock.start();
     checkpoints.ofParameters(parameters);
-    return solver.run(model, request, sink, control, checkpoints);
+    RunReport report = solver.run(model, request, sink, control, checkpoints);
+    return new WorkerResult(report.asMap(), report.outcome());
   }
 }

@@ -1,7 +1,5 @@
 package org.mechservice.sim.service;
 
-import java.lang.management.ManagementFactory;
-import java.lang.management.ThreadMXBean;
 import java.util.Locale;
 import java.util.Optional;
 
@@ -10,22 +8,15 @@ import java.util.Optional;
  * when it is more than allowed.
  */
 final class RunBudget {
-  private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
   private static final double SECOND = 1e-9;
 
-  private final long threadId;
-  private final long cpuAtStart;
+  private final RunTask task;
   private long askedAt = System.nanoTime();
   private long busyNanos;
 
-  /** Begins to count, in the thread of the run. */
-  RunBudget() {
-    threadId = Thread.currentThread().getId();
-    cpuAtStart = cpuNanos();
-  }
-
-  private long cpuNanos() {
-    return THREADS.isThreadCpuTimeSupported() ? THREADS.getThreadCpuTime(threadId) : -1;
+  /** Begins to count. */
+  RunBudget(RunTask task) {
+    this.task = task;
   }
 
   /**
@@ -39,7 +30,7 @@ final class RunBudget {
       busyNanos += now - askedAt;
     }
     askedAt = now;
-    double cpu = Math.max(0, cpuNanos() - cpuAtStart) * SECOND;
+    double cpu = Math.max(0, task.cpuNanos()) * SECOND;
     if (busyNanos * SECOND > limits.bound(HostLimit.WALL_TIME)) {
       return over(HostLimit.WALL_TIME, "time", limits);
     } else if (cpu > limits.bound(HostLimit.CPU_TIME)) {

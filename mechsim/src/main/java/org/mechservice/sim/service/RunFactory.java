@@ -35,12 +35,29 @@ final class RunFactory {
     return RunColumns.of(groups -> Simulation.columns(model, groups), request.columns());
   }
 
-  /** Makes the computing of a run of a model. */
-  ModelRun task(CompiledModel compiled, RunRequest request) {
+  /**
+   * Makes the computing of a run: here, or where the model has classes of users, in a process of
+   * its own.
+   *
+   * @param memoryBytes most memory of a process of its own; negative: what Java takes by itself
+   */
+  RunTask task(CompiledModel compiled, RunRequest request, long memoryBytes) {
+    return compiled.hasUserClasses()
+        ? new WorkerRun(compiled, request, memoryBytes)
+        : here(compiled, request);
+  }
+
+  private ModelRun here(CompiledModel compiled, RunRequest request) {
     ModelSource source = compiled.instances();
     Model model = source.model();
-    RunCheckpoints checkpoints = new RunCheckpoints(compiled::sha256, Simulation.canBeSaved(model));
-    return new ModelRun(solver, source, model, source.parameters(), request, checkpoints);
+    return new ModelRun(
+        solver,
+        source,
+        model,
+        source.parameters(),
+        request,
+        new RunCheckpoints(compiled::sha256, Simulation.canBeSaved(model)),
+        new ThreadClock());
   }
 
   /**
@@ -50,7 +67,7 @@ final class RunFactory {
    * @throws LimitExceeded if its rows would be more than the host or its disk takes
    */
   SimulationRun create(
-      ModelRun task, RunColumns columns, LoadedModel source, RunFacts facts, Session session)
+      RunTask task, RunColumns columns, LoadedModel source, RunFacts facts, Session session)
       throws LimitExceeded {
     requireRoomForRows(task.settings(), columns.count());
     RunIdentity identity =

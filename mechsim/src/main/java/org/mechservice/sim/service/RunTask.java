@@ -4,15 +4,20 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.mechservice.sim.worker.WorkerLostException;
+import org.mechservice.sim.worker.WorkerResult;
+import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.TunableParameter;
 
 /** The computing of one run: here, or in a process of its own. It is done once. */
 interface RunTask {
+  /** Returns a model that knows names and columns; it may lack what users have written. */
+  Model model();
+
   /** Returns what the model says of itself. */
   ModelDescription description();
 
@@ -43,6 +48,9 @@ interface RunTask {
     return Optional.empty();
   }
 
+  /** Returns the processor time used so far, ns; negative if it is not known. */
+  long cpuNanos();
+
   /**
    * Computes.
    *
@@ -51,6 +59,7 @@ interface RunTask {
    * @throws IllegalArgumentException if the settings do not fit the model
    * @throws RunLimitException if the run needs more than it is allowed
    * @throws IOException if a row cannot be kept
+   * @throws WorkerLostException if its process has ended
    */
-  RunReport run(ResultSink sink, RunControl control) throws IOException;
+  WorkerResult run(ResultSink sink, RunControl control) throws IOException;
 }

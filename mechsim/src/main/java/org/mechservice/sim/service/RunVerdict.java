@@ -1,27 +1,31 @@
 package org.mechservice.sim.service;
 
 import java.io.IOException;
+import java.util.Map;
 import java.util.Optional;
 import org.mechservice.idl.SimState;
 import org.mechservice.orb.GuardedServant;
+import org.mechservice.sim.worker.WorkerLostException;
+import org.mechservice.sim.worker.WorkerResult;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunReport;
 
 /**
  * How a run ended.
  *
- * @param report of the solver; empty if it broke off
+ * @param report entries of the solver's report; empty if it broke off
  * @param outcome as the service sees it: a run that was stopped at a limit has failed
  */
-record RunVerdict(Optional<RunReport> report, Outcome outcome) {
+record RunVerdict(Optional<Map<String, Object>> report, Outcome outcome) {
   /** Computes a run to its end, however that comes. */
   static RunVerdict of(RunTask task, String simId, ResultSink sink, RunControl control) {
     try {
-      RunReport report = task.run(sink, control);
-      return new RunVerdict(Optional.of(report), report.outcome());
+      WorkerResult result = task.run(sink, control);
+      return new RunVerdict(Optional.of(result.report()), result.outcome());
+    } catch (WorkerLostException e) {
+      return lost(e, control);
     } catch (RunLimitException e) {
       return failed(atLimit(e, control));
     } catch (IllegalArgumentException e) {
@@ -33,6 +37,20 @@ record RunVerdict(Optional<RunReport> report, Outcome outcome) {
       return failed(
           coded("S-001", "the server failed unexpectedly, incident " + incident, control));
     }
+  }
+
+  /** A worker that does not stop when it is asked to is made to. */
+  private static RunVerdict lost(WorkerLostException lost, RunControl control) {
+    if (control.stopRequested()) {
+      return new RunVerdict(Optional.empty(), new Outcome.Stopped());
+    }
+    return failed(
+        failure(
+            lost.outOfMemory() ? HostLimit.MEMORY.code() : "S-157",
+            String.valueOf(lost.getMessage()),
+            control,
+            "Look for what the classes of the model's users do there; the rows up to then are"
+                + " kept."));
   }
 
   private static RunVerdict failed(Failure failure) {

@@ -276,7 +276,7 @@ final class SimulationRun implements Runnable, ResultSink {
       }
       startedAt = System.currentTimeMillis();
       startedNanos = System.nanoTime();
-      budget = new RunBudget();
+      budget = new RunBudget(task);
       become(SimState.SIM_RUNNING, "running");
     }
     RunVerdict result = kept(compute());
@@ -365,8 +365,7 @@ final class SimulationRun implements Runnable, ResultSink {
   }
 
   private String report(RunVerdict result) {
-    return plan.facts()
-        .json(result.report().map(done -> done.asMap()).orElseGet(this::brokenOff), result);
+    return plan.facts().json(result.report().orElseGet(this::brokenOff), result);
   }
 
   private Map<String, Object> brokenOff() {

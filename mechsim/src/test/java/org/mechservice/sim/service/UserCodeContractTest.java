@@ -14,6 +14,7 @@ import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NotAvailable;
+import org.mechservice.idl.SimState;
 import org.mechservice.sim.build.user.PushedCart;
 import org.mechservice.sim.build.user.UserFile;
 import org.mechservice.sim.host.HostOptions;
@@ -48,7 +49,7 @@ class UserCodeContractTest {
   void hostThatMayRunsTheForceTheUserHasWritten() throws UserException {
     try (HostedClient there = host(true)) {
       MechSim session = there.emptySession();
-      session.loadModel(MODEL, source(PushedCart.source()));
+      session.loadModel(MODEL, source(PushedCart.harmlessSource()));
       IMechSimRemote run = session.createSimulation(AS_IN_FILE, null);
       run.start();
       List<double[]> rows = HostedClient.rows(run.openResults(HostedClient.ALL), 100);
@@ -101,15 +102,16 @@ class UserCodeContractTest {
   }
 
   @Test
-  void classThatAsksForWhatTheModelLacksIsRefusedBeforeTheRun() throws UserException {
+  void classThatAsksForWhatTheModelLacksEndsTheRunAtItsStart() throws Exception {
     try (HostedClient there = host(true)) {
       MechSim session = there.emptySession();
-      session.loadModel(MODEL, source(PushedCart.source().replace("\"slide\"", "\"slid\"")));
-      InvalidModel refusal =
-          catchThrowableOfType(
-              InvalidModel.class, () -> session.createSimulation(AS_IN_FILE, null));
-      assertThat(refusal.diagnostics[0].code).isEqualTo("S-068");
-      assertThat(refusal.diagnostics[0].text).contains("\"slid\"");
+      session.loadModel(
+          MODEL, source(PushedCart.harmlessSource().replace("\"slide\"", "\"slid\"")));
+      IMechSimRemote run = session.createSimulation(AS_IN_FILE, null);
+      run.start();
+      Eventually.holds(() -> run.getProgress().state == SimState.SIM_FAILED);
+      assertThat(run.failure().code).isEqualTo("S-068");
+      assertThat(run.failure().text).contains("\"slid\"");
     }
   }
 
@@ -119,7 +121,8 @@ class UserCodeContractTest {
       for (double force : new double[] {3, 6}) {
         MechSim session = there.emptySession();
         session.loadModel(
-            MODEL, source(PushedCart.source().replace("(slide, 3)", "(slide, " + force + ")")));
+            MODEL,
+            source(PushedCart.harmlessSource().replace("(slide, 3)", "(slide, " + force + ")")));
         IMechSimRemote run = session.createSimulation(AS_IN_FILE, null);
         run.start();
         List<double[]> rows = HostedClient.rows(run.openResults(HostedClient.ALL), 100);

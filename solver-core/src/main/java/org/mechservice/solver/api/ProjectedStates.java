@@ -11,4 +11,12 @@ public interface ProjectedStates {
    * @return false if the loops cannot be closed there
    */
   boolean project(double t, double[] y);
+
+  /**
+   * Takes note of an accepted step.
+   *
+   * @param t its end, s
+   * @param y projected state; not modified
+   */
+  default void accepted(double t, double[] y) {}
 }

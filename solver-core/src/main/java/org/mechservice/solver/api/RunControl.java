@@ -5,9 +5,10 @@ package org.mechservice.solver.api;
  * see how far it is.
  *
  * <p>The solver calls {@link #proceed} after every accepted step and {@link #stopRequested} at
- * every evaluation; all other methods are for the watchers.
+ * every evaluation; all other methods are for the watchers. A run that is watched from another
+ * process overrides {@link #proceed} to ask there.
  */
-public final class RunControl {
+public class RunControl {
   private volatile boolean stopRequested;
   private volatile double time = Double.NaN;
   private volatile double stepSize;
@@ -19,13 +20,13 @@ public final class RunControl {
   private long stepsAllowed = Long.MAX_VALUE;
 
   /** Asks the run to stop; it does so within one evaluation, also while it is paused. */
-  public synchronized void stop() {
+  public final synchronized void stop() {
     stopRequested = true;
     notifyAll();
   }
 
   /** Returns whether the run was asked to stop. */
-  public boolean stopRequested() {
+  public final boolean stopRequested() {
     return stopRequested;
   }
 

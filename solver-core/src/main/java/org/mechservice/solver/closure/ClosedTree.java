@@ -1,6 +1,8 @@
 package org.mechservice.solver.closure;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import org.mechservice.solver.dynamics.MassiveRods;
 import org.mechservice.solver.dynamics.OpenTree;
 import org.mechservice.solver.dynamics.SemiRecursive;
@@ -78,6 +80,27 @@ final class ClosedTree {
     if (applyForces(t)) {
       forces.accepted();
     }
+  }
+
+  /**
+   * Returns the links that forces, loops and rods couple, two by two, for the pattern of matrices.
+   */
+  int[] coupledLinks() {
+    List<Integer> links = new ArrayList<>();
+    forces.couplings(
+        (on, by) -> {
+          links.add(on);
+          links.add(by);
+        });
+    loops.couplings(
+        (on, by) -> {
+          links.add(on);
+          links.add(by);
+        });
+    for (int link : rods.pairs()) {
+      links.add(link);
+    }
+    return links.stream().mapToInt(Integer::intValue).toArray();
   }
 
   /** Returns the length of what {@link #save} writes. */

@@ -57,12 +57,6 @@ final class Completion {
   private final double[] acceptedOffset;
   private double acceptedSpeed;
 
-  /** Whether the last completion failed, and at which equation with which residual. */
-  private boolean failed;
-
-  private int failedRow;
-  private double failedResidual;
-
   /**
    * @param rank number of independent equations among those of the loops
    * @param notes is told of singular positions that were passed
@@ -150,12 +144,9 @@ final class Completion {
 
   /** Overwrites dependent positions and velocities; returns false if nothing fits. */
   boolean complete(double t, double[] y) {
-    failed = !completePositions(t, y) || !completeVelocities(t, y);
-    if (failed) {
-      failedRow = loops.worst(loops.value);
-      failedResidual = loops.value[failedRow];
-    }
-    return !failed;
+    boolean done = completePositions(t, y) && completeVelocities(t, y);
+    watch.tried(done);
+    return done;
   }
 
   /** Says that the dependent velocities cannot be found at the last state tried. */
@@ -168,12 +159,7 @@ final class Completion {
    * or that the last state tried could not be completed.
    */
   Optional<Defect> obstacle() {
-    if (watch.isNear()) {
-      return Optional.of(LoopDefect.singular(loops.name(watch.weakestRow()), watch.closeness()));
-    }
-    return failed
-        ? Optional.of(LoopDefect.open(loops.name(failedRow), failedResidual, loops.unit(failedRow)))
-        : Optional.empty();
+    return watch.obstacle();
   }
 
   private boolean completePositions(double t, double[] y) {

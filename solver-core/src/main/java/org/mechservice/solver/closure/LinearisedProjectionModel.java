@@ -1,8 +1,6 @@
 package org.mechservice.solver.closure;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
 import org.mechservice.solver.api.LinearisedModel;
 import org.mechservice.solver.dynamics.ResidualJacobian;
 import org.mechservice.solver.dynamics.TreeIteration;
@@ -58,7 +56,7 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
    */
   public LinearisedProjectionModel(ClosedMechanism closed, UserForceSource userForces) {
     super(closed, userForces);
-    TreePattern pattern = new TreePattern(work.tree, coupledLinks());
+    TreePattern pattern = new TreePattern(work.tree, work.coupledLinks());
     jacobian = new ResidualJacobian(work.motion, pattern);
     iteration = new TreeIteration(work.tree, pattern, jacobian);
     int rank = closed.rank();
@@ -83,24 +81,6 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     carried = new double[f];
     dependent = new double[positions.rank()];
     lu = new DenseLu(f);
-  }
-
-  private int[] coupledLinks() {
-    List<Integer> links = new ArrayList<>();
-    work.forces.couplings(
-        (on, by) -> {
-          links.add(on);
-          links.add(by);
-        });
-    work.loops.couplings(
-        (on, by) -> {
-          links.add(on);
-          links.add(by);
-        });
-    for (int link : work.rods.pairs()) {
-      links.add(link);
-    }
-    return links.stream().mapToInt(Integer::intValue).toArray();
   }
 
   @Override

@@ -177,6 +177,20 @@ public final class LoopEquations {
     }
   }
 
+  /**
+   * Writes the columns of J that belong to the state, rows over their sizes.
+   *
+   * @param rows {@link #count} times {@code columns} numbers; overwritten
+   */
+  void scaledRows(double[] rows, int columns) {
+    for (int row = 0; row < closureOfRow.length; row++) {
+      double perSize = 1 / size(row);
+      for (int j = 0; j < columns; j++) {
+        rows[row * columns + j] = perSize * jacobian[row * width() + j];
+      }
+    }
+  }
+
   /** Evaluates γ for the accelerations of the last sweep, after {@link #move}. */
   public void accelerate(TreeMotion motion, double t) {
     for (int i = 0; i < closures.size(); i++) {

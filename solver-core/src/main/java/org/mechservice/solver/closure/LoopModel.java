@@ -61,6 +61,11 @@ abstract class LoopModel
     }
   }
 
+  /** Keeps a note. */
+  final void note(Note note) {
+    notes.add(note);
+  }
+
   /** {@inheritDoc} What was left out of many is counted at the end. */
   @Override
   public final List<Note> notes() {

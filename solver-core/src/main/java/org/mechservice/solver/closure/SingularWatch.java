@@ -1,6 +1,8 @@
 package org.mechservice.solver.closure;
 
+import java.util.Optional;
 import java.util.function.Consumer;
+import org.mechservice.solver.api.Defects.Defect;
 
 /**
  * Watches how close the loops come to positions in which their equations lose rank, from one
@@ -32,6 +34,12 @@ final class SingularWatch {
   private double timeBefore;
   private double closenessBefore = 1;
   private double largest;
+
+  /** Whether the loops did not close at the state last tried, where, and by how much. */
+  private boolean failed;
+
+  private int failedRow;
+  private double failedResidual;
 
   /** The closest since a singular position came near; none if it is 1. */
   private double closest = 1;
@@ -89,14 +97,26 @@ final class SingularWatch {
     keep(t, 1);
   }
 
-  /** Returns how close the last accepted state is. */
-  double closeness() {
-    return closenessBefore;
+  /** Takes note of whether the loops could be closed at a state tried, where they are placed. */
+  void tried(boolean closed) {
+    failed = !closed;
+    if (failed) {
+      failedRow = loops.worst(loops.value);
+      failedResidual = loops.value[failedRow];
+    }
   }
 
-  /** Returns whether the last accepted state is close to a singular position. */
-  boolean isNear() {
-    return closenessBefore < CLEAR;
+  /**
+   * Returns what keeps the loops from going on from the last accepted state: a singular position,
+   * or that the last state tried could not be closed.
+   */
+  Optional<Defect> obstacle() {
+    if (closenessBefore < CLEAR) {
+      return Optional.of(LoopDefect.singular(loops.name(rowBefore), closenessBefore));
+    }
+    return failed
+        ? Optional.of(LoopDefect.open(loops.name(failedRow), failedResidual, loops.unit(failedRow)))
+        : Optional.empty();
   }
 
   /** Returns the equation whose pivot was smallest in the last accepted state. */

@@ -160,6 +160,11 @@ public final class TreeIteration {
     return rightSide;
   }
 
+  /** Returns (1 − hγ G)⁻¹ r_q along the tangent as {@link #reduce} formed it, nv numbers. */
+  public double[] tangent() {
+    return tangent;
+  }
+
   /**
    * Completes the solution.
    *

@@ -124,6 +124,7 @@ final class Manifold {
 
   /** Takes note of an accepted step; returns whether other components are independent now. */
   boolean accepted(double t, double[] y) {
+    projected.projectionAccepted(t, y);
     if (!completed.accepted(t, y)) {
       return false;
     }

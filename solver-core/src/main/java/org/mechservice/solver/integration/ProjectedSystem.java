@@ -15,4 +15,12 @@ public interface ProjectedSystem {
    * @return false if there is no way there; the step is then tried shorter
    */
   boolean project(double t, double[] y);
+
+  /**
+   * Takes note of an accepted step.
+   *
+   * @param t its end
+   * @param y projected state there; not modified
+   */
+  default void projectionAccepted(double t, double[] y) {}
 }

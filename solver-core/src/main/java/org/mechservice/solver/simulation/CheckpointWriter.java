@@ -31,7 +31,7 @@ final class CheckpointWriter {
           "S-072 model \""
               + model.description().name()
               + "\" does not tell the state of its loops, so a run of it cannot be saved; run it"
-              + " without checkpoints, or with penalty closure");
+              + " without checkpoints");
     }
   }
 

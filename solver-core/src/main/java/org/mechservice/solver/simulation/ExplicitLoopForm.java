@@ -33,11 +33,6 @@ public final class ExplicitLoopForm implements EquationForm {
     public DependentStates loops() {
       return loops;
     }
-
-    @Override
-    boolean closeLoops(double t, double[] y) {
-      return loops.complete(t, y);
-    }
   }
 
   /** Loops kept closed by projection. */
@@ -55,8 +50,8 @@ public final class ExplicitLoopForm implements EquationForm {
     }
 
     @Override
-    boolean closeLoops(double t, double[] y) {
-      return loops.project(t, y);
+    public void projectionAccepted(double t, double[] y) {
+      loops.accepted(t, y);
     }
   }
 }

@@ -198,6 +198,9 @@ final class FailureText {
   }
 
   private static String state(ModelDescription model, int component) {
+    if (component >= model.stateCount()) {
+      return "a multiplier of the loops";
+    }
     return component < 0 ? "" : "state \"" + model.states().get(component).name() + "\"";
   }
 }

@@ -5,10 +5,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.Defects;
+import org.mechservice.solver.api.DependentStates;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.ModelState;
+import org.mechservice.solver.api.ProjectedStates;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.integration.Integrator;
 import org.mechservice.solver.integration.PiecewiseSystem;
@@ -82,8 +84,11 @@ public abstract class ModelEquations implements UnitGroups, PiecewiseSystem, Sav
    * @param y unknowns; overwritten
    * @return false if the loops cannot be closed there
    */
-  boolean closeLoops(double t, double[] y) {
-    return true;
+  final boolean closeLoops(double t, double[] y) {
+    if (model instanceof DependentStates loops) {
+      return loops.complete(t, y);
+    }
+    return !(model instanceof ProjectedStates loops) || loops.project(t, y);
   }
 
   /** Takes the times at which the equations jump. */

@@ -3,8 +3,10 @@ package org.mechservice.solver.simulation;
 import org.mechservice.solver.api.DependentStates;
 import org.mechservice.solver.api.LinearisedModel;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ProjectedStates;
 import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.integration.LinearisedSystem;
+import org.mechservice.solver.integration.ProjectedSystem;
 
 /** F(t, y, y') = 0 of open chains and closed loops, for ode15sR. */
 public final class ResidualForm implements EquationForm {
@@ -17,6 +19,9 @@ public final class ResidualForm implements EquationForm {
               + "\" has no residual form F(t, y, y') = 0");
     }
     if (model instanceof LinearisedModel linearised) {
+      if (model instanceof ProjectedStates loops) {
+        return new OnManifold(linearised, loops);
+      }
       return model instanceof DependentStates loops
           ? new LinearisedInIndependentStates(linearised, loops)
           : new Linearised(linearised);
@@ -39,11 +44,6 @@ public final class ResidualForm implements EquationForm {
     @Override
     public DependentStates loops() {
       return loops;
-    }
-
-    @Override
-    boolean closeLoops(double t, double[] y) {
-      return loops.complete(t, y);
     }
   }
 
@@ -91,10 +91,28 @@ public final class ResidualForm implements EquationForm {
     public DependentStates loops() {
       return loops;
     }
+  }
+
+  /**
+   * With the model's own linear algebra, loops among the equations. What the iteration leaves of
+   * their residuals would not shrink with the next step, so it is projected away.
+   */
+  private static final class OnManifold extends Linearised implements ProjectedSystem {
+    private final ProjectedStates loops;
+
+    OnManifold(LinearisedModel model, ProjectedStates loops) {
+      super(model);
+      this.loops = loops;
+    }
 
     @Override
-    boolean closeLoops(double t, double[] y) {
-      return loops.complete(t, y);
+    public boolean project(double t, double[] y) {
+      return loops.project(t, y);
+    }
+
+    @Override
+    public void projectionAccepted(double t, double[] y) {
+      loops.accepted(t, y);
     }
   }
 }

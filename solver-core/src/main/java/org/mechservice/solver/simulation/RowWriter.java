@@ -57,7 +57,7 @@ final class RowWriter {
    * Puts out the row of one state.
    *
    * @param t time, s
-   * @param y state; not modified
+   * @param y state, which multipliers may follow; not modified
    * @param work of what has no potential energy, J
    * @return {@link #ALL_FINITE}, or the column of the first number that is not finite; the row is
    *     then not put out
@@ -65,7 +65,7 @@ final class RowWriter {
    */
   int write(double t, double[] y, double work) throws IOException {
     row[0] = t;
-    System.arraycopy(y, 0, row, 1, y.length);
+    System.arraycopy(y, 0, row, 1, yDot.length);
     unitOutput.normalize(t, row, 1);
     if (layout.accelerations() != RowLayout.ABSENT) {
       model.derivative(t, y, yDot);

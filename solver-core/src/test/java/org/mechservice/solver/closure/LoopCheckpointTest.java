@@ -72,7 +72,10 @@ class LoopCheckpointTest {
     "slider_crank_singular, DSR, ode15s",
     "slider_crank_singular, RR, ode15sR",
     "slider_crank_singular, RR-JF, ode15sR",
+    "slider_crank_singular, DSR penalty, ode113",
+    "slider_crank_singular, RR-JF penalty, ode15sR",
     "fps, DSR, ode113",
+    "fps, DSR penalty, DE",
     "fps, RR-JF, ode15sR",
   })
   void runTakenUpAnywhereHasTheSameRows(String name, String formulation, String integrator)

@@ -1,6 +1,7 @@
 package org.mechservice.solver.closure;
 
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.closure.ResidualPenaltyModel.Derivatives;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -11,7 +12,8 @@ final class LoopModels {
   /**
    * Returns the model of a mechanism.
    *
-   * @param formulation {@code DSR}, {@code RR} or {@code RR-JF}
+   * @param formulation {@code DSR}, {@code RR} or {@code RR-JF}; with closure by projection, or by
+   *     penalty if {@code " penalty"} follows
    */
   static LoopModel of(Mechanism mechanism, String formulation, RunSettings settings) {
     ClosedMechanism closed = new ClosedMechanism(mechanism, formulation, settings);
@@ -20,6 +22,11 @@ final class LoopModels {
       case "DSR" -> new ProjectionModel(closed, none);
       case "RR" -> new ResidualProjectionModel(closed, none);
       case "RR-JF" -> new LinearisedProjectionModel(closed, none);
+      case "RR penalty" ->
+          new ResidualPenaltyModel(closed, none, PenaltySettings.DEFAULT, Derivatives.DIFFERENCES);
+      case "RR-JF penalty" ->
+          new ResidualPenaltyModel(closed, none, PenaltySettings.DEFAULT, Derivatives.RECURSIVE);
+      case "DSR penalty" -> new PenaltyModel(closed, none, PenaltySettings.DEFAULT);
       default -> throw new IllegalArgumentException(formulation);
     };
   }

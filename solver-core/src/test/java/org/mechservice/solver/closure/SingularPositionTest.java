@@ -39,6 +39,10 @@ class SingularPositionTest {
     "2, DSR, ode113, 1e-8",
     "8, DSR, DE, 1e-6",
     "2, DSR, ode15s, 1e-6",
+    "1, DSR penalty, ode113, 1e-4",
+    "2, DSR penalty, ode113, 1e-8",
+    "8, DSR penalty, DE, 1e-6",
+    "2, DSR penalty, ode15s, 1e-6",
     "3, RR, ode15sR, 1e-6",
     "8, RR-JF, ode15sR, 1e-6"
   })

@@ -92,8 +92,7 @@ final class AccelerationSweep {
 
   /** Angular accelerations in link axes, put out in the axes of the file's body 1. */
   private void putOutBall(Link link, ScalarVector rates) {
-    ScalarVector out =
-        link.inverse() ? rates.map(Scalar::negated) : coordinates.ballRotation(link).times(rates);
+    ScalarVector out = coordinates.ballToState(link, rates);
     program.named("vd_" + link.jointLabel(), out);
     for (int k = 0; k < 3; k++) {
       program.output(link.velocity() + k, out.at(k));

@@ -12,14 +12,24 @@ import org.mechservice.sim.symbolic.ScalarVector;
 
 /** Coordinates of the links in one program, with their sines and cosines. */
 final class Coordinates {
+  private static final int NONE = -1;
+
   private final Program program;
   private final Expressions expressions;
   private final TimeFunctions functions;
   private final Differentiation byTime;
   private final Map<Link, ScalarMatrix> rotations = new HashMap<>();
+  private final int derivative;
 
+  /** No joint accelerates unless it is driven. */
   Coordinates(Program program, Links links) {
+    this(program, links, NONE);
+  }
+
+  /** Joints accelerate as inputs say, from {@code derivative} on those of y'. */
+  Coordinates(Program program, Links links, int derivative) {
     this.program = program;
+    this.derivative = derivative;
     this.expressions = program.expressions();
     this.functions = new TimeFunctions(expressions, links.mechanism().parameters());
     this.byTime =
@@ -39,9 +49,21 @@ final class Coordinates {
         : named("v_", link, expressions.input(link.velocity()));
   }
 
-  /** Returns what is known of the link's acceleration beforehand: 0 unless it is driven. */
-  Scalar drivenAcceleration(Link link) {
-    return link.isDriven() ? named("a_", link, byTime.of(velocity(link))) : expressions.zero();
+  /** Returns what is known of the link's acceleration beforehand: 0 unless driven or given. */
+  Scalar knownAcceleration(Link link) {
+    if (link.isDriven()) {
+      return named("a_", link, byTime.of(velocity(link)));
+    }
+    return derivative == NONE
+        ? expressions.zero()
+        : named("a_", link, expressions.input(derivative + link.velocity()));
+  }
+
+  /** The same of a ball, as {@link #ballVelocity}. */
+  ScalarVector knownBallAcceleration(Link link) {
+    return derivative == NONE
+        ? ScalarVector.zero(expressions)
+        : program.named("a_" + link.jointLabel(), inputs(derivative + link.velocity()));
   }
 
   private Scalar drivenOr(Link link, int input) {
@@ -76,12 +98,12 @@ final class Coordinates {
 
   /** Returns the angular velocity of the file's body 2 relative to body 1, in body 1's axes. */
   ScalarVector ballVelocity(Link link) {
-    ScalarVector velocity =
-        new ScalarVector(
-            expressions.input(link.velocity()),
-            expressions.input(link.velocity() + 1),
-            expressions.input(link.velocity() + 2));
-    return program.named("v_" + link.jointLabel(), velocity);
+    return program.named("v_" + link.jointLabel(), inputs(link.velocity()));
+  }
+
+  private ScalarVector inputs(int first) {
+    return new ScalarVector(
+        expressions.input(first), expressions.input(first + 1), expressions.input(first + 2));
   }
 
   /** Returns the Euler parameters as the state has them. */
@@ -104,5 +126,15 @@ final class Coordinates {
       rotations.put(link, known);
     }
     return known;
+  }
+
+  /**
+   * Returns rates or moments along the freedoms of a ball as the state tells them: in the axes of
+   * the file's body 1, of its body 2 relative to it.
+   *
+   * @param inLink in link axes, of the link relative to its parent
+   */
+  ScalarVector ballToState(Link link, ScalarVector inLink) {
+    return link.inverse() ? inLink.map(Scalar::negated) : ballRotation(link).times(inLink);
   }
 }

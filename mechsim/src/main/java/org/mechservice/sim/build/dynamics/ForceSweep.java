@@ -9,7 +9,7 @@ import org.mechservice.solver.spatial.InertiaTensor;
 
 /**
  * First sweep, outwards: how each body moves, and the wrench it needs for that, while no joint
- * accelerates (recursive Newton-Euler, Featherstone 2008, §5.3).
+ * accelerates, or as its acceleration is given (recursive Newton-Euler, Featherstone 2008, §5.3).
  *
  * <p>Accelerations are those of points of the bodies, so no linear velocity occurs; W is formed
  * once per body and serves its centre of mass and all joints on it.
@@ -106,7 +106,7 @@ final class ForceSweep {
     ScalarVector alpha = joint.alpha().turned(2, cosine, back).plus(acrossZ(omega).times(v));
     return new Motion(
         alongZ(omega, v),
-        alongZ(alpha, coordinates.drivenAcceleration(link)),
+        alongZ(alpha, coordinates.knownAcceleration(link)),
         joint.acceleration().turned(2, cosine, back));
   }
 
@@ -115,7 +115,7 @@ final class ForceSweep {
     ScalarVector relative = joint.spread().column(2).times(coordinates.way(link));
     ScalarVector coriolis = acrossZ(joint.omega()).times(twiceV);
     ScalarVector acceleration = joint.acceleration().plus(relative).plus(coriolis);
-    Scalar driven = coordinates.drivenAcceleration(link).times(link.way());
+    Scalar driven = coordinates.knownAcceleration(link).times(link.way());
     return new Motion(joint.omega(), joint.alpha(), alongZ(acceleration, driven));
   }
 
@@ -123,9 +123,10 @@ final class ForceSweep {
   private Motion turnedBall(Link link, Motion joint) {
     ScalarMatrix toChild = coordinates.ballRotation(link).transposed();
     ScalarVector v = coordinates.ballVelocity(link);
+    ScalarVector added = joint.omega().cross(v).plus(coordinates.knownBallAcceleration(link));
     return new Motion(
         toChild.times(joint.omega().plus(v)),
-        toChild.times(joint.alpha().plus(joint.omega().cross(v))),
+        toChild.times(joint.alpha().plus(added)),
         toChild.times(joint.acceleration()));
   }
 
@@ -136,7 +137,10 @@ final class ForceSweep {
     ScalarVector omega = toChild.times(joint.omega());
     return new Motion(
         omega.plus(back),
-        toChild.times(joint.alpha()).plus(omega.cross(back)),
+        toChild
+            .times(joint.alpha())
+            .plus(omega.cross(back))
+            .minus(coordinates.knownBallAcceleration(link)),
         toChild.times(joint.acceleration()));
   }
 

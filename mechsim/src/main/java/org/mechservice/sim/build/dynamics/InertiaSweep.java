@@ -5,7 +5,6 @@ import java.util.List;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarMatrix;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
@@ -17,25 +16,14 @@ import org.mechservice.sim.symbolic.ScalarVector;
  * U u / D.
  */
 final class InertiaSweep {
-  /** A pivot below this part of the inertia it is left of is rounding (NUMERICS §2, DTR). */
-  private static final double SINGULAR = 64 * 0x1p-52;
-
-  /** Own inertia above this part of all inertia beyond the joint is never rounding. */
-  private static final double CLEARLY_POSITIVE = 1e-12;
-
-  /** The same where a joint slides on the way, so that the inertia beyond grows with q. */
-  private static final double CLEARLY_POSITIVE_SLIDING = 1e-9;
-
   private final Program program;
   private final Expressions expressions;
   private final List<Link> links;
-  private final Coordinates coordinates;
   private final JointForces jointForces;
-  private final InertiaBound[] bounds;
-  private final InertiaBound[] boundsAtStart;
+  private final ToParent toParent;
+  private final Pivots pivots;
   private final ArticulatedInertia[] inertias;
   private final Wrench[] wrenches;
-  private final boolean checked;
   private final List<List<Wrench>> shares = new ArrayList<>();
   private final List<List<Scalar>> atRest = new ArrayList<>();
 
@@ -54,11 +42,9 @@ final class InertiaSweep {
     this.program = program;
     this.expressions = program.expressions();
     this.links = mechanism.links();
-    this.coordinates = coordinates;
     this.jointForces = jointForces;
-    this.checked = checked;
-    this.bounds = InertiaBound.of(expressions, links, this::slid);
-    this.boundsAtStart = InertiaBound.of(expressions, links, this::slidAtStart);
+    this.toParent = new ToParent(expressions, coordinates);
+    this.pivots = new Pivots(program, links, coordinates, checked);
     this.inertias = new ArticulatedInertia[links.size()];
     this.wrenches = wrenches;
     for (int i = 0; i < links.size(); i++) {
@@ -136,7 +122,7 @@ final class InertiaSweep {
     String label = link.jointLabel() + (link.isBall() ? "_" + "xyz".charAt(freedom.axis()) : "");
     Wrench column = inertias[i].along(freedom);
     Scalar pivot = program.named("D_" + label, freedom.along(column));
-    if (guarded(i, link, freedom, pivot)) {
+    if (pivots.guarded(i, freedom, pivot)) {
       return false;
     }
     Scalar reciprocal = program.named("one_over_D_" + label, expressions.one().over(pivot));
@@ -158,37 +144,6 @@ final class InertiaSweep {
     program.named("J_" + link.bodyLabel(), inertia.rotational());
     program.named("H_" + link.bodyLabel(), inertia.coupling());
     program.named("M_" + link.bodyLabel(), inertia.translational());
-  }
-
-  /**
-   * Lets the program check the pivot where it can vanish.
-   *
-   * @return whether it vanishes always
-   */
-  private boolean guarded(int i, Link link, Freedom freedom, Scalar pivot) {
-    Scalar all = bounds[i].along(link);
-    double clearly = all.isConstant() ? CLEARLY_POSITIVE : CLEARLY_POSITIVE_SLIDING;
-    if (freedom.ownInertia(link) > clearly * boundsAtStart[i].along(link).value()) {
-      return false;
-    }
-    Scalar bound = all.times(SINGULAR);
-    boolean known = pivot.isConstant() && bound.isConstant();
-    boolean always = pivot.isZero() || (known && pivot.value() <= bound.value());
-    if (checked && (always || !known)) {
-      String meaning = "no inertia beyond the joint";
-      program.guard(new Program.Guard(pivot, bound, link.stateJoint(), meaning));
-    }
-    return always;
-  }
-
-  /** The size of the way along a sliding link. */
-  private Scalar slid(Link link) {
-    return coordinates.way(link).squared().squareRoot();
-  }
-
-  /** The same at the start, with a metre to spare. */
-  private Scalar slidAtStart(Link link) {
-    return expressions.constant(1 + Math.abs(link.way() * link.initialPosition()));
   }
 
   private Wrench share(Freedom freedom, Wrench column, Scalar reciprocal, String label) {
@@ -216,28 +171,8 @@ final class InertiaSweep {
 
   /** Adds what the parent sees of a link to the parent. */
   private void pass(Link link, ArticulatedInertia inertia, Wrench wrench) {
-    ArticulatedInertia atJoint = inertia;
-    Wrench wrenchAtJoint = wrench;
-    if (link.isBall()) {
-      ScalarMatrix rotation = coordinates.ballRotation(link);
-      atJoint = inertia.in(rotation);
-      wrenchAtJoint = wrench.in(rotation);
-    }
-    if (link.turns()) {
-      Scalar cosine = coordinates.cosine(link);
-      Scalar sine = coordinates.sine(link);
-      atJoint = atJoint.turned(2, cosine, sine);
-      wrenchAtJoint = wrenchAtJoint.turned(2, cosine, sine);
-    }
-    if (link.slides()) {
-      Scalar zero = expressions.zero();
-      ScalarVector way = new ScalarVector(zero, zero, coordinates.way(link));
-      atJoint = atJoint.shifted(way);
-      wrenchAtJoint = wrenchAtJoint.shifted(way);
-    }
-    ScalarVector offset = ScalarVector.of(expressions, link.offset());
     int p = link.parent();
-    inertias[p] = inertias[p].plus(atJoint.toParent(link.axes()).shifted(offset));
-    wrenches[p] = wrenches[p].plus(wrenchAtJoint.toParent(link.axes()).shifted(offset));
+    inertias[p] = inertias[p].plus(toParent.inertia(link, inertia));
+    wrenches[p] = wrenches[p].plus(toParent.wrench(link, wrench));
   }
 }

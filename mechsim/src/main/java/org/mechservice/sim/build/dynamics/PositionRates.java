@@ -1,6 +1,7 @@
 package org.mechservice.sim.build.dynamics;
 
 import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
 
 /** How the positions change: q' = v, but e' = ½ (0, ω) ∘ e for Euler parameters (NUMERICS §1a). */
 final class PositionRates {
@@ -14,8 +15,18 @@ final class PositionRates {
     this.coordinates = coordinates;
   }
 
+  /** Takes the rate of a position of the state. */
+  interface Taker {
+    void take(int position, Scalar rate);
+  }
+
   /** Puts the rates out in a section of their own. */
   void putOut() {
+    each(program::output);
+  }
+
+  /** Derives the rates in a section of their own and hands them over. */
+  void each(Taker taker) {
     boolean balls = mechanism.links().stream().anyMatch(Link::isBall);
     program.section(balls ? "q' = v, e' = (0, v) e / 2" : "q' = v", "q");
     for (Link link : mechanism.links()) {
@@ -23,10 +34,10 @@ final class PositionRates {
         EulerParameters rate =
             coordinates.eulerParameters(link).rate(coordinates.ballVelocity(link));
         for (int i = 0; i < 4; i++) {
-          program.output(link.position() + i, rate.at(i));
+          taker.take(link.position() + i, rate.at(i));
         }
       } else if (!link.isDriven()) {
-        program.output(link.position(), coordinates.velocity(link));
+        taker.take(link.position(), coordinates.velocity(link));
       }
     }
   }

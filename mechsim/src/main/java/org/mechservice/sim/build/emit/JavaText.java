@@ -26,6 +26,7 @@ public final class JavaText {
           "Object",
           "Override",
           "PowerInput",
+          "ResidualModel",
           "ResultColumns",
           "RunSettings",
           "SinCos",

@@ -16,6 +16,7 @@ import org.mechservice.solver.mechanism.Mechanism;
  * @param mechanism the model
  * @param description what it says of itself
  * @param derivative program from [q; v] to [q'; v']
+ * @param residual program from [q; v] and [q'; v'] to the residual, if the formulation has one
  * @param energy program from [q; v] to kinetic and potential energy
  * @param poses program from [q; v] to the poses of the bodies, if they are asked for
  * @param power program from [q; v] to the power of what has no potential energy, if there is any
@@ -26,6 +27,7 @@ public record ModelClass(
     Mechanism mechanism,
     ModelDescription description,
     Program derivative,
+    Optional<Program> residual,
     Program energy,
     Optional<Program> poses,
     Optional<Program> power,

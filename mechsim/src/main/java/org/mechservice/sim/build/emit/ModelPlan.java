@@ -13,6 +13,7 @@ import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.PowerInput;
+import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
@@ -51,6 +52,9 @@ public final class ModelPlan implements WrittenClass {
     this.content = content;
     this.start = new Part(INITIAL_STATE, Planner.plan(startOf(content)));
     programs.add(new Part(DERIVATIVE, Planner.plan(content.derivative())));
+    content
+        .residual()
+        .ifPresent(program -> programs.add(new Part(residual(content), Planner.plan(program))));
     programs.add(new Part(ENERGY, Planner.plan(content.energy())));
     this.poses = content.poses().map(program -> new Part(POSES, Planner.plan(program)));
     this.power = content.power().map(program -> new Part(POWER, Planner.plan(program)));
@@ -61,6 +65,16 @@ public final class ModelPlan implements WrittenClass {
     List<Head.Argument> arguments =
         List.of(new Head.Argument("t", false, Program.TIME), new Head.Argument("y", true, 0));
     return new Head(name, arguments, output, returnsResult, isPublic);
+  }
+
+  private static Head residual(ModelClass content) {
+    int states = content.description().stateCount();
+    List<Head.Argument> arguments =
+        List.of(
+            new Head.Argument("t", false, Program.TIME),
+            new Head.Argument("y", true, 0),
+            new Head.Argument("yDot", true, states));
+    return new Head("residual", arguments, "residual", true, true);
   }
 
   /** Plans a model's class. */
@@ -108,7 +122,7 @@ public final class ModelPlan implements WrittenClass {
     return start;
   }
 
-  /** Returns the programs every model has. */
+  /** Returns the programs of the equations and of the energies. */
   List<Part> programs() {
     return programs;
   }
@@ -148,7 +162,7 @@ public final class ModelPlan implements WrittenClass {
   /** Returns the interfaces the class implements, in order. */
   List<Class<?>> interfaces() {
     List<Class<?>> interfaces = new ArrayList<>();
-    interfaces.add(ExplicitModel.class);
+    interfaces.add(content.residual().isPresent() ? ResidualModel.class : ExplicitModel.class);
     interfaces.add(Energies.class);
     poses.ifPresent(part -> interfaces.add(BodyPoses.class));
     power.ifPresent(part -> interfaces.add(PowerInput.class));

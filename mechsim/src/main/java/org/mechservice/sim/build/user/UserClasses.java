@@ -31,7 +31,7 @@ public final class UserClasses {
    * @param files what came; those that no force needs are left aside
    * @param compile whether sources may be compiled here
    * @throws MechmlException if a class is missing (S-121), a source may not (S-120) or cannot
-   *     (S-123) be compiled, a class file cannot be used (S-124), or a class is no force (S-068)
+   *     (S-123) be compiled, a class file cannot be used (S-124), a class is no force (S-068)
    */
   public static UserClasses admit(Mechanism mechanism, List<UserFile> files, boolean compile)
       throws MechmlException {
@@ -51,6 +51,17 @@ public final class UserClasses {
     return new UserClasses(needed);
   }
 
+  /**
+   * Makes sure that the classes may run on a machine of somebody else.
+   *
+   * @throws MechmlException S-156 if one uses what it may not; says in which method and line
+   */
+  public void requireHarmless() throws MechmlException {
+    Findings findings = new Findings();
+    HarmlessCode.check(classFiles, findings);
+    findings.throwIfAny();
+  }
+
   /** Returns whether there are none. */
   public boolean isEmpty() {
     return classFiles.isEmpty();
@@ -68,8 +79,15 @@ public final class UserClasses {
     return all.isEmpty() ? "" : Sha256.of(all.toString().getBytes(StandardCharsets.UTF_8));
   }
 
+  /**
+   * Returns a loader of class files, by binary name, that see Java and the force interface alone.
+   */
+  public static ClassLoader loaderOf(SortedMap<String, byte[]> classFiles) {
+    return new UserClassLoader(classFiles);
+  }
+
   /** Returns a loader of these classes, for which they see Java and the force interface alone. */
   public ClassLoader loader() {
-    return new UserClassLoader(classFiles);
+    return loaderOf(classFiles);
   }
 }

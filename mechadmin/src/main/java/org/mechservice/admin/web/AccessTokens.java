@@ -1,0 +1,105 @@
+package org.mechservice.admin.web;
+
+import java.io.IOException;
+import java.io.Reader;
+import java.io.StringWriter;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.security.MessageDigest;
+import java.security.SecureRandom;
+import java.util.Base64;
+import java.util.Properties;
+
+/**
+ * The secrets that open the page: one to look, one to act. They travel in a header that no other
+ * site can make a browser send, never in a cookie or in the address of a request.
+ *
+ * @param monitor lets its bearer see everything
+ * @param admin lets its bearer do everything
+ */
+public record AccessTokens(String monitor, String admin) {
+  private static final int BYTES = 24;
+  private static final int SHORTEST = 16;
+  private static final String MONITOR = "monitor";
+  private static final String ADMIN = "admin";
+
+  /**
+   * @throws IllegalArgumentException with code S-136 if they can be guessed or told apart by nobody
+   */
+  public AccessTokens {
+    if (monitor.length() < SHORTEST || admin.length() < SHORTEST || monitor.equals(admin)) {
+      throw new IllegalArgumentException(
+          "S-136 the tokens monitor and admin must differ and have "
+              + SHORTEST
+              + " characters or more each");
+    }
+  }
+
+  /** Makes tokens nobody can guess. */
+  public static AccessTokens random() {
+    return new AccessTokens(secret(), secret());
+  }
+
+  private static String secret() {
+    byte[] bytes = new byte[BYTES];
+    new SecureRandom().nextBytes(bytes);
+    return Base64.getUrlEncoder().withoutPadding().encodeToString(bytes);
+  }
+
+  /**
+   * Returns the tokens in a file; makes the file, readable by its owner alone, if there is none.
+   *
+   * @throws IOException if the file cannot be read or made
+   * @throws IllegalArgumentException with code S-136 if it holds no tokens
+   */
+  public static AccessTokens kept(Path file) throws IOException {
+    if (!Files.exists(file)) {
+      AccessTokens made = random();
+      made.write(file);
+      return made;
+    }
+    Properties properties = new Properties();
+    try (Reader in = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
+      properties.load(in);
+    }
+    return new AccessTokens(properties.getProperty(MONITOR, ""), properties.getProperty(ADMIN, ""));
+  }
+
+  private void write(Path file) throws IOException {
+    Properties properties = new Properties();
+    properties.setProperty(MONITOR, monitor);
+    properties.setProperty(ADMIN, admin);
+    StringWriter text = new StringWriter();
+    properties.store(text, "who has these may see, or steer, the servers of mech admin web");
+    if (file.getFileSystem().supportedFileAttributeViews().contains("posix")) {
+      Files.createFile(
+          file, PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------")));
+    }
+    try (Writer out = Files.newBufferedWriter(file, StandardCharsets.UTF_8)) {
+      out.write(text.toString());
+    }
+  }
+
+  /** Returns what a token lets its bearer do. */
+  Right rightOf(String token) {
+    if (same(token, admin)) {
+      return Right.ADMIN;
+    }
+    return same(token, monitor) ? Right.MONITOR : Right.NONE;
+  }
+
+  /** Takes as long whether the first or the last character differs. */
+  private static boolean same(String token, String secret) {
+    return MessageDigest.isEqual(
+        token.getBytes(StandardCharsets.UTF_8), secret.getBytes(StandardCharsets.UTF_8));
+  }
+
+  /** Returns no secrets. */
+  @Override
+  public String toString() {
+    return "AccessTokens";
+  }
+}

@@ -1,0 +1,76 @@
+package org.mechservice.admin.web;
+
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import java.math.BigDecimal;
+import java.util.Map;
+import java.util.TreeMap;
+import org.mechservice.admin.AdminAction;
+
+/**
+ * What a button asks for.
+ *
+ * @param server address of the server it is about
+ * @param action what that server is to do
+ */
+record ActionRequest(String server, AdminAction action) {
+  /**
+   * Reads a request.
+   *
+   * @throws Refused with code S-135 if it cannot be understood
+   */
+  static ActionRequest read(JsonObject json) {
+    try {
+      return new ActionRequest(text(json, "server"), action(json));
+    } catch (IllegalArgumentException e) {
+      throw new Refused(400, String.valueOf(e.getMessage()));
+    }
+  }
+
+  private static AdminAction action(JsonObject json) {
+    String name = text(json, "action");
+    return switch (name) {
+      case "stop" -> new AdminAction.StopSimulation(text(json, "id"), text(json, "reason"));
+      case "drain" -> new AdminAction.Drain(text(json, "host"));
+      case "undrain" -> new AdminAction.Undrain(text(json, "host"));
+      case "shutdown" -> new AdminAction.Shutdown(Math.toIntExact(number(json.get("grace"))));
+      case "limits" -> new AdminAction.SetLimits(text(json, "host"), limits(json.get("limits")));
+      case "placement" -> new AdminAction.SetPlacement(text(json, "policy"));
+      default -> throw Refused.notUnderstood("there is no action \"" + name + "\"");
+    };
+  }
+
+  private static String text(JsonObject json, String name) {
+    JsonElement member = json.get(name);
+    if (member == null || !member.isJsonPrimitive()) {
+      throw Refused.notUnderstood("it lacks \"" + name + "\"");
+    }
+    return member.getAsString();
+  }
+
+  private static long number(JsonElement element) {
+    try {
+      return new BigDecimal(element.getAsString()).longValueExact();
+    } catch (RuntimeException e) { // absent, no number, or not a whole one
+      throw Refused.notUnderstood("\"" + element + "\" is no whole number");
+    }
+  }
+
+  private static Map<String, Long> limits(JsonElement element) {
+    if (element == null || !element.isJsonObject() || element.getAsJsonObject().isEmpty()) {
+      throw Refused.notUnderstood("it lacks \"limits\"");
+    }
+    Map<String, Long> limits = new TreeMap<>();
+    element.getAsJsonObject().asMap().forEach((name, value) -> limits.put(name, number(value)));
+    return limits;
+  }
+
+  /** Returns what is about to be done, with the command line that does the same. */
+  JsonObject preview() {
+    JsonObject json = new JsonObject();
+    json.addProperty("server", server);
+    json.addProperty("summary", action.summary());
+    json.addProperty("command", action.commandLine(server));
+    return json;
+  }
+}

@@ -1,0 +1,174 @@
+package org.mechservice.admin.web;
+
+import com.google.gson.JsonObject;
+import com.sun.net.httpserver.HttpExchange;
+import com.sun.net.httpserver.HttpServer;
+import java.io.IOException;
+import java.net.BindException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import org.mechservice.admin.AdminConsole;
+import org.mechservice.admin.AdminFailure;
+import org.mechservice.admin.live.LiveView;
+import org.mechservice.orb.GuardedServant;
+import org.mechservice.orb.PortInUseException;
+
+/**
+ * Serves the page on the loopback interface. Whoever has a token sees or steers; a request that
+ * another site caused is refused whatever it carries.
+ */
+public final class AdminWeb implements AutoCloseable {
+  private static final int THREADS = 64;
+  private static final int WAITING = 200;
+
+  private final HttpServer http;
+  private final ExecutorService threads;
+  private final LiveView view;
+  private final AuditLog audit;
+  private final Api api;
+  private final PageFiles files = new PageFiles();
+  private final ErrorPages errors = new ErrorPages();
+  private final AccessTokens tokens;
+  private final Set<String> names;
+
+  /**
+   * Starts to serve.
+   *
+   * @param console sees and steers the servers; stays open
+   * @param port TCP port; 0: any free one
+   * @param tokens who may do what
+   * @param auditFile is added to; empty: refusals are only logged
+   * @throws PortInUseException if the port is taken
+   * @throws IOException if the audit file cannot be written
+   */
+  public AdminWeb(AdminConsole console, int port, AccessTokens tokens, Optional<Path> auditFile)
+      throws IOException {
+    this.tokens = tokens;
+    audit = new AuditLog(auditFile);
+    http = bound(port);
+    names = Set.of("127.0.0.1:" + port(), "localhost:" + port(), "[::1]:" + port());
+    view = new LiveView(console);
+    api = new Api(console, tokens, new Streams(console, view), audit);
+    ThreadPoolExecutor pool =
+        new ThreadPoolExecutor(
+            THREADS,
+            THREADS,
+            1,
+            TimeUnit.MINUTES,
+            new LinkedBlockingQueue<>(WAITING),
+            task -> {
+              Thread thread = new Thread(task, "mechservice-admin-web");
+              thread.setDaemon(true);
+              return thread;
+            });
+    pool.allowCoreThreadTimeOut(true);
+    threads = pool;
+    http.setExecutor(threads);
+    http.createContext("/", this::handle);
+    http.start();
+  }
+
+  private static HttpServer bound(int port) throws IOException {
+    InetSocketAddress address =
+        new InetSocketAddress(InetAddress.getByAddress(new byte[] {127, 0, 0, 1}), port);
+    try {
+      return HttpServer.create(address, 0);
+    } catch (BindException e) {
+      throw new PortInUseException("127.0.0.1:" + port, e);
+    }
+  }
+
+  /** Returns the port it listens on. */
+  public int port() {
+    return http.getAddress().getPort();
+  }
+
+  /**
+   * Returns the address that opens the page. The token stands behind the number sign, which a
+   * browser sends to nobody.
+   *
+   * @param token one of the tokens
+   */
+  public String url(String token) {
+    return "http://127.0.0.1:" + port() + "/#token=" + token;
+  }
+
+  private void handle(HttpExchange exchange) throws IOException {
+    try (exchange) {
+      Request request = new Request(exchange);
+      try {
+        requireOwnSite(request);
+        answer(request);
+      } catch (Refused refusal) {
+        tell(request, refusal);
+      } catch (AdminFailure failure) {
+        tell(request, Refused.of(failure));
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      } catch (RuntimeException e) {
+        String incident = GuardedServant.record(request.path(), e);
+        tell(request, new Refused(500, "S-001 the console failed, incident " + incident));
+      }
+    }
+  }
+
+  private static void tell(Request request, Refused refusal) throws IOException {
+    JsonObject json = new JsonObject();
+    json.addProperty("error", refusal.text());
+    request.answer(refusal.status(), json);
+  }
+
+  /**
+   * A browser says which name it asked and which site made it ask. Neither can be forged by a site:
+   * one that gives its own name our address, or sends forms here, is found out.
+   */
+  private void requireOwnSite(Request request) {
+    String origin = request.header("Origin");
+    String site = request.header("Sec-Fetch-Site");
+    boolean own =
+        names.contains(request.header("Host"))
+            && (origin.isEmpty() || origin.equals("http://" + request.header("Host")))
+            && (site.isEmpty() || site.equals("same-origin") || site.equals("none"));
+    if (!own) {
+      String why = "S-134 the request came from another site";
+      audit.refused(request, tokens.rightOf(request.token()), "", request.path(), why);
+      throw new Refused(403, why);
+    }
+  }
+
+  private void answer(Request request) throws IOException, InterruptedException {
+    String path = request.path();
+    if (path.startsWith("/api/")) {
+      api.answer(request);
+    } else if (path.startsWith("/docs/errors/")) {
+      String name = path.substring("/docs/errors/".length()).replaceFirst("\\.md$", "");
+      String page = errors.page(name).orElseThrow(() -> nothingAt(path));
+      request.answer(200, "text/html; charset=utf-8", page.getBytes(StandardCharsets.UTF_8));
+    } else {
+      String name = path.equals("/") ? "index.html" : path.replaceFirst("^/page/", "");
+      PageFiles.PageFile file = files.file(name).orElseThrow(() -> nothingAt(path));
+      request.answer(200, file.type(), file.content());
+    }
+  }
+
+  private static Refused nothingAt(String path) {
+    return new Refused(404, "S-135 the request cannot be used: there is nothing at " + path);
+  }
+
+  /** Ends all streams and closes the port. */
+  @Override
+  public void close() throws IOException {
+    view.close();
+    http.stop(0);
+    threads.shutdownNow();
+    audit.close();
+  }
+}

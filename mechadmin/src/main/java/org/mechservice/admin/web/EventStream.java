@@ -1,0 +1,41 @@
+package org.mechservice.admin.web;
+
+import com.google.gson.JsonElement;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+
+/** Server-sent events to one page. */
+final class EventStream implements AutoCloseable {
+  private final OutputStream out;
+
+  EventStream(OutputStream out) {
+    this.out = out;
+  }
+
+  /**
+   * Sends an event.
+   *
+   * @param name its name
+   * @param json its data; JSON has no line feeds
+   * @throws IOException if the page is gone
+   */
+  void send(String name, JsonElement json) throws IOException {
+    write("event: " + name + "\ndata: " + json + "\n\n");
+  }
+
+  /** Sends nothing, which finds out whether the page is still there. */
+  void ping() throws IOException {
+    write(": still here\n\n");
+  }
+
+  private void write(String text) throws IOException {
+    out.write(text.getBytes(StandardCharsets.UTF_8));
+    out.flush();
+  }
+
+  @Override
+  public void close() throws IOException {
+    out.close();
+  }
+}

@@ -1,0 +1,44 @@
+package org.mechservice.admin.web;
+
+import org.mechservice.admin.AdminFailure;
+
+/** A request that is not answered as it was meant. */
+final class Refused extends RuntimeException {
+  private static final long serialVersionUID = 1L;
+
+  private final int status;
+
+  /**
+   * @param status of the response, by HTTP
+   * @param message code and text
+   */
+  Refused(int status, String message) {
+    super(message);
+    this.status = status;
+  }
+
+  /** Returns the refusal that tells of a failure. */
+  static Refused of(AdminFailure failure) {
+    int status =
+        switch (failure.reason()) {
+          case NO_ANSWER -> 504;
+          case NOT_ALLOWED -> 403;
+          case NOT_FOUND -> 404;
+          case NOT_USABLE -> 400;
+        };
+    return new Refused(status, failure.text());
+  }
+
+  /** What was asked cannot be understood. */
+  static Refused notUnderstood(String what) {
+    return new Refused(400, "S-135 the request cannot be used: " + what);
+  }
+
+  int status() {
+    return status;
+  }
+
+  String text() {
+    return String.valueOf(getMessage());
+  }
+}

@@ -1,0 +1,224 @@
+package org.mechservice.report.paper;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Supplier;
+import org.mechservice.client.LocalModel;
+import org.mechservice.client.LocalRun;
+import org.mechservice.client.MechSession;
+import org.mechservice.client.RemoteRun;
+import org.mechservice.client.SimulationOptions;
+import org.mechservice.report.measure.Judge;
+import org.mechservice.report.measure.MeasuredRun;
+import org.mechservice.report.measure.MethodRunner;
+import org.mechservice.report.measure.Progress;
+import org.mechservice.report.measure.PublishedReference;
+import org.mechservice.report.measure.Reference;
+import org.mechservice.report.measure.RunGrid;
+import org.mechservice.report.measure.StateDistance;
+import org.mechservice.report.method.Candidate;
+import org.mechservice.report.method.Method;
+import org.mechservice.report.method.MethodList;
+import org.mechservice.solver.api.ExplicitModel;
+
+/** Measures the paper's tables again. */
+public final class PaperReport {
+  /** The paper's methods, as our services build them. */
+  private static final Method EXPLICIT = new Method("DTR", Method.OPEN, "DE");
+
+  private static final Method IMPLICIT = new Method("RR-JF", Method.OPEN, "ode15sR");
+
+  private static final double TOLERANCE = 1e-5;
+  private static final int REPEATS = 11;
+  private static final double LIMIT_SECONDS = 60;
+
+  private static final double[] DAMPING = {0, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2};
+
+  private final Supplier<MechSession> sessions;
+  private final Path examples;
+  private final Progress progress;
+
+  /**
+   * @param sessions opens one per model
+   * @param examples folder with the scenes that come with the product
+   */
+  public PaperReport(Supplier<MechSession> sessions, Path examples, Progress progress) {
+    this.sessions = sessions;
+    this.examples = examples;
+    this.progress = progress;
+  }
+
+  /**
+   * Measures, and writes the page.
+   *
+   * @throws IOException if a scene cannot be read or the page not written
+   */
+  public Path write(Path folder) throws IOException {
+    Files.createDirectories(folder);
+    Map<PaperFigures.Scene, Map<String, Double>> setUp = new LinkedHashMap<>();
+    Map<PaperFigures.Scene, RunPair> runs = new LinkedHashMap<>();
+    for (PaperFigures.Scene scene : PaperFigures.Scene.values()) {
+      progress.at(
+          "the paper's " + scene.label,
+          0.1 * scene.compareTo(PaperFigures.Scene.PENDULUM),
+          Double.NaN);
+      if (scene != PaperFigures.Scene.DAMPED_DRIVER) {
+        setUp.put(scene, setUp(scene));
+      }
+      if (scene != PaperFigures.Scene.SUSPENSION) {
+        runs.put(scene, runs(text(scene), scene.label));
+      }
+    }
+    List<DampingPoint> sweep = sweep();
+    Path page = folder.resolve("paper.html");
+    Files.writeString(page, PaperPage.of(setUp, runs, sweep), StandardCharsets.UTF_8);
+    return page;
+  }
+
+  private String text(PaperFigures.Scene scene) throws IOException {
+    return Files.readString(examples.resolve(scene.file), StandardCharsets.UTF_8);
+  }
+
+  /** Fifth of several: the service is warm, as the paper's was. */
+  private Map<String, Double> setUp(PaperFigures.Scene scene) throws IOException {
+    Map<String, Double> figures = Map.of();
+    for (int i = 0; i < 5; i++) {
+      try (MechSession session = sessions.get()) {
+        byte[] content = Files.readAllBytes(examples.resolve(scene.file));
+        session.loadModel("model.xml", content);
+        figures = new LinkedHashMap<>();
+        figures.put("mechmlBytes", (double) content.length);
+        try (RemoteRun remote = session.prepareRemoteRun(SimulationOptions.asInFile())) {
+          addNumbers(remote.toEnd(new NoRows()).report(), figures);
+        }
+        try (LocalRun local = session.prepareLocalRun(SimulationOptions.asInFile())) {
+          addNumbers(local.toEnd(new NoRows()).report(), figures);
+        }
+      }
+    }
+    return figures;
+  }
+
+  private static void addNumbers(Map<String, Object> report, Map<String, Double> to) {
+    report.forEach(
+        (key, value) -> {
+          if (value instanceof Number number) {
+            to.put(key, number.doubleValue());
+          }
+        });
+  }
+
+  /**
+   * The two methods on one scene.
+   *
+   * @param explicit DTR with DE
+   * @param implicit RR-JF with ode15sR
+   */
+  record RunPair(Timed explicit, Timed implicit) {}
+
+  /**
+   * A method's runs.
+   *
+   * @param seconds median, s
+   * @param run counts and errors
+   */
+  record Timed(double seconds, MeasuredRun run) {}
+
+  /**
+   * Both methods at a damping.
+   *
+   * @param ratio C/K, s
+   */
+  record DampingPoint(double ratio, RunPair runs) {}
+
+  private RunPair runs(String text, String label) {
+    try (MechSession session = sessions.get()) {
+      session.loadModel("model.xml", text.getBytes(StandardCharsets.UTF_8));
+      Candidate explicit = candidate(session, EXPLICIT);
+      Candidate implicit = candidate(session, IMPLICIT);
+      try (MethodRunner runner = runner(explicit)) {
+        progress.at("runs of the " + label, 0.4, Double.NaN);
+        return interleaved(runner, explicit, implicit);
+      }
+    }
+  }
+
+  private static Candidate candidate(MechSession session, Method method) {
+    LocalModel model = session.fetchModel(MethodList.options(method));
+    return new Candidate(method, model::newModel, model.solver());
+  }
+
+  private static MethodRunner runner(Candidate candidate) {
+    ExplicitModel model = (ExplicitModel) candidate.models().get();
+    StateDistance distance = new StateDistance(model.description());
+    double[] start = new double[model.description().stateCount()];
+    model.initialState(start);
+    double end = model.description().defaults().tEnd();
+    PublishedReference published =
+        PublishedReference.of(model.description().name(), start, end, distance).orElseThrow();
+    Judge judge = Judge.trusting(published);
+    return new MethodRunner(judge.reference().orElseThrow(), distance, judge.grid());
+  }
+
+  private static RunPair interleaved(MethodRunner runner, Candidate explicit, Candidate implicit) {
+    List<MeasuredRun> first = new ArrayList<>();
+    List<MeasuredRun> second = new ArrayList<>();
+    for (int round = 0; round <= REPEATS + 4; round++) {
+      first.add(runner.run(explicit, TOLERANCE, round, LIMIT_SECONDS));
+      second.add(runner.run(implicit, TOLERANCE, round, LIMIT_SECONDS));
+    }
+    return new RunPair(timed(first), timed(second));
+  }
+
+  /** The first runs warm up. */
+  private static Timed timed(List<MeasuredRun> runs) {
+    double[] seconds =
+        runs.subList(runs.size() - REPEATS, runs.size()).stream()
+            .mapToDouble(MeasuredRun::seconds)
+            .sorted()
+            .toArray();
+    return new Timed(seconds[REPEATS / 2], runs.get(runs.size() - 1));
+  }
+
+  /** The driver with other dampings: at which one the implicit method begins to win. */
+  private List<DampingPoint> sweep() throws IOException {
+    String driver =
+        Files.readString(examples.resolve("driver/driver-free-c0.xml"), StandardCharsets.UTF_8);
+    List<DampingPoint> points = new ArrayList<>();
+    for (double ratio : DAMPING) {
+      String damped =
+          driver.replaceFirst(
+              "(name=\"dampingRatio\" value=\")[^\"]*", "$1" + Double.toString(ratio));
+      points.add(new DampingPoint(ratio, sweepRuns(damped, ratio)));
+    }
+    return points;
+  }
+
+  private RunPair sweepRuns(String text, double ratio) {
+    try (MechSession session = sessions.get()) {
+      progress.at("damping C/K = " + ratio + " s", 0.5 + 0.5 * Math.min(1, ratio), Double.NaN);
+      session.loadModel("model.xml", text.getBytes(StandardCharsets.UTF_8));
+      Candidate explicit = candidate(session, EXPLICIT);
+      Candidate implicit = candidate(session, IMPLICIT);
+      ExplicitModel model = (ExplicitModel) explicit.models().get();
+      double end = model.description().defaults().tEnd();
+      double[] times = {0, end};
+      double[] start = new double[model.description().stateCount()];
+      double[][] unknown = {start, start};
+      double[] none = new double[2];
+      Reference reference =
+          new Reference(times, unknown, none, none, java.util.Optional.empty(), List.of());
+      StateDistance distance = new StateDistance(model.description());
+      try (MethodRunner runner =
+          new MethodRunner(reference, distance, RunGrid.uniform(0, end, 10))) {
+        return interleaved(runner, explicit, implicit);
+      }
+    }
+  }
+}

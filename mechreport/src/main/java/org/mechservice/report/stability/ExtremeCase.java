@@ -1,0 +1,99 @@
+package org.mechservice.report.stability;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+
+/**
+ * A scene that breaks simulators, with what to expect of it.
+ *
+ * @param file its name
+ * @param hard what is hard about it
+ * @param expectation what must happen
+ * @param part for {@link Expectation#REFUSAL}, what the message must name
+ * @param tolerance relative tolerance of the runs
+ * @param judge what a motion is judged by
+ * @param bound of that
+ */
+public record ExtremeCase(
+    String file,
+    String hard,
+    Expectation expectation,
+    String part,
+    double tolerance,
+    JudgedBy judge,
+    double bound) {
+  private static final String FOLDER = "/org/mechservice/report/extremes/";
+  private static final int FIELDS = 6;
+
+  /** What must happen. */
+  public enum Expectation {
+    /** At least one method moves it within the bound; none is silently wrong. */
+    MOTION,
+    /** Every method moves it within the bound or says why not. */
+    MOTION_OR_REFUSAL,
+    /** No method moves it; the message names the part. */
+    REFUSAL
+  }
+
+  /** What a motion is judged by. */
+  public enum JudgedBy {
+    /** Largest error against a reference. */
+    REFERENCE,
+    /** Largest change of energy, as a part of the energy's scale. */
+    ENERGY,
+    /** Nothing moves. */
+    MESSAGE
+  }
+
+  /** Returns the suite that comes with the product. */
+  public static List<ExtremeCase> suite() {
+    return text("cases.csv").lines().filter(l -> !l.startsWith("#")).map(ExtremeCase::of).toList();
+  }
+
+  private static ExtremeCase of(String line) {
+    String[] fields = line.split(",(?=(?:[^\"]*\"[^\"]*\")*[^\"]*$)", -1);
+    if (fields.length != FIELDS) {
+      throw new IllegalStateException("cases.csv: " + line);
+    }
+    String expected = fields[2];
+    String part = expected.startsWith("refused ") ? expected.substring("refused ".length()) : "";
+    Expectation expectation =
+        switch (expected) {
+          case "motion" -> Expectation.MOTION;
+          case "motion or refusal" -> Expectation.MOTION_OR_REFUSAL;
+          default -> Expectation.REFUSAL;
+        };
+    return new ExtremeCase(
+        fields[0],
+        fields[1].replace("\"", ""),
+        expectation,
+        part,
+        Double.parseDouble(fields[3]),
+        JudgedBy.valueOf(fields[4].toUpperCase(java.util.Locale.ROOT)),
+        Double.parseDouble(fields[5]));
+  }
+
+  /** Returns the scene's MechML. */
+  public byte[] content() {
+    return text(file).getBytes(StandardCharsets.UTF_8);
+  }
+
+  private static String text(String name) {
+    try (InputStream in = ExtremeCase.class.getResourceAsStream(FOLDER + name)) {
+      if (in == null) {
+        throw new IllegalStateException("resource " + name + " is missing");
+      }
+      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Returns the scene's name. */
+  public String name() {
+    return file.replaceFirst("\\.xml$", "");
+  }
+}

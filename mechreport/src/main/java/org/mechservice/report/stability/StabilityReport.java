@@ -1,0 +1,147 @@
+package org.mechservice.report.stability;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.mechservice.client.MechSession;
+import org.mechservice.client.ModelMessage;
+import org.mechservice.client.ServiceException;
+import org.mechservice.report.measure.Judge;
+import org.mechservice.report.measure.MeasuredRun;
+import org.mechservice.report.measure.MethodRunner;
+import org.mechservice.report.measure.Progress;
+import org.mechservice.report.measure.PublishedReference;
+import org.mechservice.report.measure.Reference;
+import org.mechservice.report.measure.ReferenceMaker;
+import org.mechservice.report.measure.RunGrid;
+import org.mechservice.report.measure.StateDistance;
+import org.mechservice.report.method.Candidate;
+import org.mechservice.report.method.MethodList;
+import org.mechservice.report.method.ModelProblem;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.RunSettings;
+
+/** Runs the suite of stiff and extreme scenes with every method that fits, and writes its page. */
+public final class StabilityReport {
+  private static final int INTERVALS = 4;
+
+  private final Supplier<MechSession> sessions;
+  private final double limitSeconds;
+  private final Progress progress;
+
+  /**
+   * @param sessions opens one per case
+   * @param limitSeconds after which a run is stopped, s
+   */
+  public StabilityReport(Supplier<MechSession> sessions, double limitSeconds, Progress progress) {
+    this.sessions = sessions;
+    this.limitSeconds = limitSeconds;
+    this.progress = progress;
+  }
+
+  /**
+   * Runs the suite and writes its page.
+   *
+   * @return outcomes, in the order of the suite
+   * @throws IOException if the page cannot be written
+   */
+  public List<CaseOutcome> write(Path page) throws IOException {
+    List<ExtremeCase> suite = ExtremeCase.suite();
+    List<CaseOutcome> outcomes = new ArrayList<>();
+    long started = System.nanoTime();
+    for (ExtremeCase wanted : suite) {
+      double done = (double) outcomes.size() / suite.size();
+      double elapsed = (System.nanoTime() - started) * 1e-9;
+      progress.at(wanted.name(), done, done == 0 ? Double.NaN : elapsed * (1 - done) / done);
+      outcomes.add(run(wanted));
+    }
+    Files.createDirectories(page.toAbsolutePath().getParent());
+    Files.writeString(page, StabilityPage.of(outcomes, limitSeconds), StandardCharsets.UTF_8);
+    return outcomes;
+  }
+
+  /** Runs one case. */
+  public CaseOutcome run(ExtremeCase wanted) {
+    try (MechSession session = sessions.get()) {
+      List<String> warnings =
+          session.loadModel(wanted.file(), wanted.content()).stream()
+              .map(ModelMessage::toString)
+              .toList();
+      return run(wanted, MethodList.of(session), warnings);
+    } catch (ServiceException e) {
+      String why = String.valueOf(e.getMessage());
+      return new CaseOutcome(wanted, List.of(), why, List.of(), "");
+    }
+  }
+
+  private CaseOutcome run(ExtremeCase wanted, MethodList methods, List<String> warnings) {
+    List<Candidate> candidates = methods.candidates();
+    ExplicitModel model = (ExplicitModel) candidates.get(0).models().get();
+    StateDistance distance = new StateDistance(model.description());
+    Judge judge = judge(wanted, candidates, model, distance);
+    Reference reference = judge.reference().orElseGet(() -> unknown(model));
+    RunGrid grid = judge.reference().isPresent() ? judge.grid() : wholeRun(model);
+    List<MethodOutcome> outcomes = new ArrayList<>();
+    try (MethodRunner runner = new MethodRunner(reference, distance, grid)) {
+      for (Candidate candidate : candidates) {
+        MeasuredRun run = runner.run(candidate, wanted.tolerance(), 0, limitSeconds);
+        if (run.completed() && judge.reference().isEmpty()) {
+          run = run.withoutErrors();
+        }
+        outcomes.add(MethodOutcome.of(candidate.method(), run, wanted));
+      }
+    }
+    String said = judge.reference().isPresent() ? judge.said().get(0) : "";
+    return new CaseOutcome(wanted, outcomes, "", warnings, said);
+  }
+
+  private static RunGrid wholeRun(ExplicitModel model) {
+    RunSettings settings = model.description().defaults();
+    double length = settings.tEnd() - settings.tStart();
+    return length > 0
+        ? RunGrid.uniform(settings.tStart(), settings.tEnd(), INTERVALS)
+        : new RunGrid(settings.tStart(), settings.tStep(), 1);
+  }
+
+  private Judge judge(
+      ExtremeCase wanted, List<Candidate> candidates, ExplicitModel model, StateDistance distance) {
+    RunGrid grid = wholeRun(model);
+    if (wanted.judge() != ExtremeCase.JudgedBy.REFERENCE) {
+      return new Judge(Optional.empty(), grid, List.of(), false);
+    }
+    Map<String, ReferenceMaker.Source> sources = new LinkedHashMap<>();
+    for (Candidate candidate : candidates) {
+      String name = candidate.method().formulation();
+      sources.putIfAbsent(
+          name,
+          new ReferenceMaker.Source(
+              name, () -> new ModelProblem((ExplicitModel) candidate.models().get())));
+    }
+    double end = model.description().defaults().tEnd();
+    double[] start = new ModelProblem(model).start();
+    Optional<PublishedReference> published =
+        PublishedReference.of(wanted.name(), start, end, distance);
+    if (published.isPresent() && RunGrid.meeting(published.get().times()).isPresent()) {
+      return Judge.trusting(published.get());
+    }
+    ReferenceMaker maker = new ReferenceMaker(distance, 2 * limitSeconds);
+    return Judge.of(Optional.empty(), List.copyOf(sources.values()), maker, distance, grid);
+  }
+
+  /** Stands for a reference where there is none: the start, at start and end. */
+  private static Reference unknown(ExplicitModel model) {
+    RunSettings settings = model.description().defaults();
+    double[] start = new ModelProblem(model).start();
+    double[] times = {settings.tStart(), settings.tEnd()};
+    double[] none = new double[2];
+    return new Reference(
+        times, new double[][] {start, start}, none, none, Optional.empty(), List.of());
+  }
+}

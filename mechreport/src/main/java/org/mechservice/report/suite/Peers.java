@@ -1,0 +1,111 @@
+package org.mechservice.report.suite;
+
+import com.google.gson.Gson;
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** SciPy's integrators on the same problems, where Python and SciPy are installed. */
+final class Peers {
+  private static final String SCRIPT = "/org/mechservice/report/suite/peers.py";
+
+  private final List<SuiteRun> runs = new ArrayList<>();
+  private String version = "";
+
+  /** Returns what was run; empty if SciPy is not there. */
+  List<SuiteRun> runs() {
+    return runs;
+  }
+
+  /** Returns name and version; empty if SciPy is not there. */
+  String version() {
+    return version;
+  }
+
+  /** Runs the peers; whatever they cannot solve in time is left out. */
+  static Peers of(List<SuiteProblem> problems, double[] tolerances, double limit)
+      throws IOException {
+    Peers peers = new Peers();
+    Path script = Files.createTempFile("mech-peers", ".py");
+    try (InputStream in = Peers.class.getResourceAsStream(SCRIPT)) {
+      if (in == null) {
+        throw new IllegalStateException("resource " + SCRIPT + " is missing");
+      }
+      Files.write(script, in.readAllBytes());
+      peers.run(script, problems, tolerances, limit);
+    } finally {
+      Files.delete(script);
+    }
+    return peers;
+  }
+
+  private void run(Path script, List<SuiteProblem> problems, double[] tolerances, double limit)
+      throws IOException {
+    Process python;
+    try {
+      python =
+          new ProcessBuilder(
+                  "python3",
+                  script.toString(),
+                  Arrays.stream(tolerances)
+                      .mapToObj(Double::toString)
+                      .collect(Collectors.joining(",")),
+                  Double.toString(limit))
+              .redirectError(ProcessBuilder.Redirect.DISCARD)
+              .start();
+    } catch (IOException e) {
+      return;
+    }
+    try (Writer out = python.outputWriter(StandardCharsets.UTF_8)) {
+      out.write(input(problems));
+    } catch (IOException e) {
+      // Without SciPy the script has ended before it read its input; its output then says nothing.
+      python.destroy();
+    }
+    try (BufferedReader in =
+        new BufferedReader(
+            new InputStreamReader(python.getInputStream(), StandardCharsets.UTF_8))) {
+      String first = in.readLine();
+      version = first == null ? "" : first;
+      in.lines().forEach(this::add);
+    }
+  }
+
+  private void add(String line) {
+    String[] fields = line.split(",", -1);
+    runs.add(
+        new SuiteRun(
+            fields[0],
+            fields[1],
+            Double.parseDouble(fields[2]),
+            Double.parseDouble(fields[3]),
+            Long.parseLong(fields[4]),
+            Long.parseLong(fields[5]),
+            ""));
+  }
+
+  private static String input(List<SuiteProblem> problems) {
+    Gson gson = new Gson();
+    JsonArray all = new JsonArray();
+    for (SuiteProblem problem : problems) {
+      if (problem.isExplicit()) {
+        JsonObject one = gson.toJsonTree(problem).getAsJsonObject();
+        one.addProperty("end", new SuiteEquations(problem).number(problem.t1));
+        one.add("scored", gson.toJsonTree(problem.scored()));
+        all.add(one);
+      }
+    }
+    return gson.toJson(all);
+  }
+}

@@ -1,0 +1,177 @@
+package org.mechservice.report.suite;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.mechservice.report.Machine;
+import org.mechservice.report.page.PageFrame;
+import org.mechservice.report.page.SolverChart;
+
+/** The page of the suite: what each integrator pays for its digits. */
+final class SuitePage {
+  private static final double[] LEVELS = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
+
+  private final List<SuiteProblem> problems;
+  private final List<SuiteRun> runs;
+  private final StringBuilder html = new StringBuilder();
+
+  private SuitePage(List<SuiteProblem> problems, List<SuiteRun> runs) {
+    this.problems = problems;
+    this.runs = runs;
+  }
+
+  static String of(List<SuiteProblem> problems, List<SuiteRun> runs, String peers) {
+    SuitePage page = new SuitePage(problems, runs);
+    page.write(peers);
+    return PageFrame.of("Integrators on verified problems", page.html.toString());
+  }
+
+  private void write(String peers) {
+    html.append("<h1>Integrators on verified problems</h1><p class=\"sub\">");
+    html.append(problems.size()).append(" problems");
+    html.append(peers.isEmpty() ? "" : " · " + PageFrame.escaped(peers) + " in the same run");
+    html.append("</p>");
+    comparison(false);
+    comparison(true);
+    problems.forEach(this::problem);
+    html.append("<p class=\"note\">Error: the largest |y − ref| / (|ref| + scale) at the end over");
+    html.append(" the components that count, against references verified to 13 digits and more.");
+    html.append(" Evaluations include those for Jacobians by differences. ");
+    html.append(String.join(" · ", Machine.facts())).append("</p>");
+  }
+
+  /** Evaluations at equal error against those of our own integrator for the kind. */
+  private void comparison(boolean stiff) {
+    String own = stiff ? "ode15s" : "ode113";
+    html.append("<section class=\"advice\"><h2>").append(stiff ? "Stiff" : "Nonstiff");
+    html.append(" problems: evaluations at equal error, ").append(own).append(" = 1</h2><table>");
+    html.append("<tr><th>integrator<th>geometric mean<th>").append(own).append(" wins");
+    for (String solver : solvers(stiff)) {
+      if (!solver.equals(own)) {
+        ratioLine(solver, own, stiff);
+      }
+    }
+    html.append("</table></section>");
+  }
+
+  private Set<String> solvers(boolean stiff) {
+    Set<String> names = new LinkedHashSet<>();
+    for (SuiteProblem problem : ofKind(stiff)) {
+      runs.stream()
+          .filter(run -> run.problem().equals(problem.id))
+          .forEach(r -> names.add(r.solver()));
+    }
+    return names;
+  }
+
+  private List<SuiteProblem> ofKind(boolean stiff) {
+    return problems.stream().filter(p -> p.isExplicit() && p.isStiff() == stiff).toList();
+  }
+
+  private void ratioLine(String solver, String own, boolean stiff) {
+    double logs = 0;
+    int count = 0;
+    int wins = 0;
+    for (SuiteProblem problem : ofKind(stiff)) {
+      OptionalDouble ratio = ratio(problem, solver, own);
+      if (ratio.isPresent()) {
+        logs += Math.log(ratio.getAsDouble());
+        wins += ratio.getAsDouble() > 1 ? 1 : 0;
+        count++;
+      }
+    }
+    if (count > 0) {
+      html.append(
+          format("<tr><td>%s<td>%.2f<td>%d of %d", solver, Math.exp(logs / count), wins, count));
+    }
+  }
+
+  /** Mean over the errors both reach. */
+  private OptionalDouble ratio(SuiteProblem problem, String solver, String own) {
+    double logs = 0;
+    int count = 0;
+    for (double level : LEVELS) {
+      OptionalDouble theirs = evaluations(problem, solver, level);
+      OptionalDouble ours = evaluations(problem, own, level);
+      if (theirs.isPresent() && ours.isPresent()) {
+        logs += Math.log(theirs.getAsDouble() / ours.getAsDouble());
+        count++;
+      }
+    }
+    return count == 0 ? OptionalDouble.empty() : OptionalDouble.of(Math.exp(logs / count));
+  }
+
+  /** Between two tolerances whose errors enclose the one wanted, in logarithms. */
+  private OptionalDouble evaluations(SuiteProblem problem, String solver, double level) {
+    List<SuiteRun> mine = ofSolver(problem, solver);
+    double least = Double.POSITIVE_INFINITY;
+    for (int i = 1; i < mine.size(); i++) {
+      SuiteRun worse = mine.get(i - 1);
+      SuiteRun better = mine.get(i);
+      if (worse.error() > level && better.error() <= level && better.error() > 0) {
+        double part = Math.log(worse.error() / level) / Math.log(worse.error() / better.error());
+        double from = Math.log((double) worse.evaluations());
+        double to = Math.log((double) better.evaluations());
+        least = Math.min(least, Math.exp(from + part * (to - from)));
+      }
+    }
+    return Double.isInfinite(least) ? OptionalDouble.empty() : OptionalDouble.of(least);
+  }
+
+  private List<SuiteRun> ofSolver(SuiteProblem problem, String solver) {
+    return runs.stream()
+        .filter(run -> run.problem().equals(problem.id) && run.solver().equals(solver))
+        .filter(run -> run.cause().isEmpty())
+        .toList();
+  }
+
+  private void problem(SuiteProblem problem) {
+    Set<String> names = new LinkedHashSet<>();
+    runs.stream().filter(r -> r.problem().equals(problem.id)).forEach(r -> names.add(r.solver()));
+    html.append("<details><summary>").append(problem.id).append(" – ");
+    html.append(PageFrame.escaped(problem.title)).append(" (").append(problem.klass);
+    html.append(")</summary>");
+    SolverChart chart = new SolverChart("evaluations", "error at the end");
+    for (String name : names) {
+      List<SolverChart.Value> values = new ArrayList<>();
+      for (SuiteRun run : ofSolver(problem, name)) {
+        values.add(
+            new SolverChart.Value(
+                (double) run.evaluations(),
+                Math.max(run.error(), 1e-17),
+                format(
+                    "%s, tolerance %.0e%nerror %.1e, %d evaluations, %d steps",
+                    name, run.tolerance(), run.error(), run.evaluations(), run.steps())));
+      }
+      chart.add(name, values);
+    }
+    html.append(chart.html());
+    failures(problem);
+    html.append("</details>\n");
+  }
+
+  private void failures(SuiteProblem problem) {
+    List<SuiteRun> failed =
+        runs.stream()
+            .filter(run -> run.problem().equals(problem.id) && !run.cause().isEmpty())
+            .toList();
+    if (failed.isEmpty()) {
+      return;
+    }
+    html.append("<table><tr><th>failed<th>tolerance<th>after evaluations<th>cause");
+    for (SuiteRun run : failed) {
+      html.append(
+          format(
+              "<tr><td>%s<td>%.0e<td>%d<td class=\"text\">%s",
+              run.solver(), run.tolerance(), run.evaluations(), PageFrame.escaped(run.cause())));
+    }
+    html.append("</table>");
+  }
+
+  private static String format(String pattern, Object... values) {
+    return String.format(Locale.ROOT, pattern, values);
+  }
+}

@@ -1,0 +1,50 @@
+package org.mechservice.report.suite;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.report.measure.Effort;
+import org.mechservice.report.measure.Progress;
+
+/** The integrators alone on the suite, peers beside them, as one page. */
+public final class SuiteReport {
+  private final double[] tolerances;
+  private final double limitSeconds;
+  private final Progress progress;
+
+  /**
+   * @param quick fewer tolerances and shorter limits
+   */
+  public SuiteReport(boolean quick, Progress progress) {
+    tolerances = quick ? new double[] {1e-3, 1e-6, 1e-9} : Effort.powers(3, 12);
+    limitSeconds = quick ? 1 : 10;
+    this.progress = progress;
+  }
+
+  /**
+   * Runs the suite and writes its page.
+   *
+   * @throws IOException if the page cannot be written
+   */
+  public Path write(Path folder) throws IOException {
+    Files.createDirectories(folder);
+    List<SuiteProblem> problems = SuiteProblem.all();
+    List<SuiteRun> runs = new ArrayList<>();
+    for (int i = 0; i < problems.size(); i++) {
+      SuiteProblem problem = problems.get(i);
+      progress.at(problem.id, 0.5 * i / problems.size(), Double.NaN);
+      for (String name : SuiteRunner.integrators(problem)) {
+        runs.addAll(SuiteRunner.runs(problem, name, tolerances, limitSeconds));
+      }
+    }
+    progress.at("peers", 0.5, Double.NaN);
+    Peers peers = Peers.of(problems, tolerances, limitSeconds);
+    runs.addAll(peers.runs());
+    Path page = folder.resolve("integrators.html");
+    Files.writeString(page, SuitePage.of(problems, runs, peers.version()), StandardCharsets.UTF_8);
+    return page;
+  }
+}

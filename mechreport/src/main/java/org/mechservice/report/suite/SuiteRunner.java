@@ -1,0 +1,102 @@
+package org.mechservice.report.suite;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.Function;
+import org.mechservice.solver.integration.De;
+import org.mechservice.solver.integration.Integrator;
+import org.mechservice.solver.integration.IntegratorSettings;
+import org.mechservice.solver.integration.Ode113;
+import org.mechservice.solver.integration.Ode15s;
+import org.mechservice.solver.integration.Ode15sR;
+import org.mechservice.solver.integration.ResidualIntegrator;
+import org.mechservice.solver.integration.StepResult;
+
+/** Runs the product's integrators on the suite. */
+final class SuiteRunner {
+  /** An explicit method on a stiff problem takes steps without end. */
+  private static final long MOST_STEPS = 100_000;
+
+  private SuiteRunner() {}
+
+  /** Returns the names of the integrators that take a problem. */
+  static List<String> integrators(SuiteProblem problem) {
+    return problem.isExplicit() ? List.of("ode113", "DE", "ode15s", "ode15sR") : List.of("ode15sR");
+  }
+
+  /** Runs a problem with an integrator at all tolerances. */
+  static List<SuiteRun> runs(SuiteProblem problem, String name, double[] tolerances, double limit) {
+    List<SuiteRun> runs = new ArrayList<>();
+    for (double tolerance : tolerances) {
+      runs.add(run(problem, name, tolerance, limit));
+    }
+    return runs;
+  }
+
+  private static SuiteRun run(SuiteProblem problem, String name, double tolerance, double limit) {
+    SuiteEquations equations = new SuiteEquations(problem);
+    long deadline = System.nanoTime() + (long) (limit * 1e9);
+    Integrator integrator =
+        create(name, settings(problem, tolerance, () -> System.nanoTime() > deadline));
+    double t0 = SuiteProblem.numbers(List.of(problem.t0))[0];
+    double t1 = equations.number(problem.t1);
+    double[] y = SuiteProblem.numbers(problem.y0);
+    StepResult result = start(integrator, equations, problem, t0, y, t1);
+    while (result == StepResult.ADVANCED) {
+      result = integrator.step();
+    }
+    long evaluations = integrator.statistics().evaluations();
+    long steps = integrator.statistics().steps();
+    if (result != StepResult.REACHED_END) {
+      String cause = result == StepResult.STOPPED ? "not finished in time" : cause(integrator);
+      return new SuiteRun(problem.id, name, tolerance, Double.NaN, evaluations, steps, cause);
+    }
+    integrator.interpolate(t1, y, new double[y.length]);
+    double error = problem.error(y);
+    return new SuiteRun(problem.id, name, tolerance, error, evaluations, steps, "");
+  }
+
+  private static String cause(Integrator integrator) {
+    return integrator.failure().cause().toString();
+  }
+
+  private static StepResult start(
+      Integrator integrator,
+      SuiteEquations equations,
+      SuiteProblem problem,
+      double t0,
+      double[] y0,
+      double t1) {
+    if (!(integrator instanceof ResidualIntegrator residual)) {
+      return integrator.start(equations, t0, y0, t1);
+    }
+    double[] slope = SuiteProblem.numbers(problem.yp0);
+    if (slope.length == 0) {
+      slope = new double[y0.length];
+      equations.derivative(t0, y0, slope);
+    }
+    return residual.start(equations, t0, y0, slope, t1);
+  }
+
+  private static IntegratorSettings settings(
+      SuiteProblem problem, double tolerance, BooleanSupplier stop) {
+    List<Double> absolute = new ArrayList<>();
+    for (double scale : SuiteProblem.numbers(problem.scale)) {
+      absolute.add(tolerance * scale);
+    }
+    return new IntegratorSettings(
+        tolerance, absolute, Double.POSITIVE_INFINITY, 0, 0, MOST_STEPS, stop);
+  }
+
+  private static Integrator create(String name, IntegratorSettings settings) {
+    Function<IntegratorSettings, Integrator> maker =
+        switch (name) {
+          case "ode113" -> Ode113::new;
+          case "DE" -> De::new;
+          case "ode15s" -> Ode15s::new;
+          default -> Ode15sR::new;
+        };
+    return maker.apply(settings);
+  }
+}

@@ -1,0 +1,123 @@
+package org.mechservice.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.SimState;
+import org.mechservice.orb.ServiceOrb;
+import org.mechservice.sim.host.HostOptions;
+
+/** What a monitoring system and an auditor learn of a server. */
+class ObservabilityTest {
+  @TempDir private Path folder;
+
+  private ServerSettings watched(Path audit) {
+    return new ServerSettings(
+        "127.0.0.1",
+        0,
+        new HostOptions("own", 1),
+        PlacementPolicy.LEAST_LOADED,
+        Optional.empty(),
+        Optional.empty(),
+        Optional.empty(),
+        Optional.of(0),
+        Optional.of(audit));
+  }
+
+  private static HttpResponse<String> get(MechServerProcess server, String path) throws Exception {
+    URI address = URI.create("http://127.0.0.1:" + server.metricsPort().orElseThrow() + path);
+    return HttpClient.newHttpClient()
+        .send(HttpRequest.newBuilder(address).build(), HttpResponse.BodyHandlers.ofString());
+  }
+
+  @Test
+  void figuresFollowWhatGoesOn() throws Exception {
+    try (MechServerProcess server =
+            MechServerProcess.start(
+                watched(folder.resolve("audit")), Farm.STEADY, EndlessSolver.HOST);
+        ServiceOrb orb = ServiceOrb.client()) {
+      IMechSimRemote run = Farm.running(orb.connect(server.url()).createSession("ann", "", null));
+      Eventually.holds(
+          () ->
+              get(server, "/metrics")
+                  .body()
+                  .contains("mechservice_runs_running{host=\"own\"} 1.0"));
+      run.cancel();
+      Eventually.holds(
+          () ->
+              get(server, "/metrics")
+                  .body()
+                  .contains("mechservice_runs_cancelled_total{host=\"own\"} 1.0"));
+      List<String> lines = get(server, "/metrics").body().lines().toList();
+      assertThat(lines)
+          .allMatch(
+              line ->
+                  line.matches("# (HELP|TYPE) mechservice_[a-z_]+ .+")
+                      || line.matches("mechservice_[a-z_]+(\\{host=\"own\"\\})? [-0-9.E]+"));
+      assertThat(lines)
+          .contains("mechservice_hosts_reachable 1.0", "# TYPE mechservice_hosts gauge");
+    }
+  }
+
+  @Test
+  void healthSaysWhetherSessionsCanBeOpened() throws Exception {
+    try (MechServerProcess server = MechServerProcess.start(watched(folder.resolve("audit")));
+        ServiceOrb orb = ServiceOrb.client()) {
+      assertThat(get(server, "/health").statusCode()).isEqualTo(200);
+      orb.connectAdmin(server.url()).drain("");
+      assertThat(get(server, "/health").statusCode()).isEqualTo(503);
+      assertThat(get(server, "/health").body()).isEqualTo("the server is being emptied\n");
+    }
+  }
+
+  @Test
+  void auditTellsWhoRanWhat() throws Exception {
+    Path file = folder.resolve("audit.jsonl");
+    Files.writeString(file, "{\"kind\":\"earlier\"}\n");
+    String simId;
+    try (MechServerProcess server =
+            MechServerProcess.start(watched(file), Farm.STEADY, OwnHost.INSTALLED);
+        ServiceOrb orb = ServiceOrb.client()) {
+      IMechSimRemote run = Farm.running(orb.connect(server.url()).createSession("ann", "", null));
+      simId = run.simId();
+      Eventually.holds(() -> run.getProgress().state == SimState.SIM_DONE);
+      Eventually.holds(() -> Files.readString(file).contains("sim-done"));
+    }
+    List<JsonObject> lines =
+        Files.readAllLines(file).stream()
+            .map(line -> JsonParser.parseString(line).getAsJsonObject())
+            .toList();
+    assertThat(lines)
+        .extracting(line -> line.get("kind").getAsString())
+        .startsWith("earlier", "server-started")
+        .containsSubsequence("session-opened", "sim-queued", "sim-running", "sim-done");
+    JsonObject done =
+        lines.stream()
+            .filter(line -> line.get("kind").getAsString().equals("sim-done"))
+            .findFirst()
+            .orElseThrow();
+    assertThat(done.get("owner").getAsString()).isEqualTo("ann");
+    assertThat(done.get("simulation").getAsString()).isEqualTo(simId);
+    assertThat(done.get("text").getAsString()).contains("FiveBarPendulum");
+  }
+
+  @Test
+  void auditThatCannotBeWrittenKeepsTheServerFromStarting() {
+    assertThatThrownBy(() -> MechServerProcess.start(watched(folder.resolve("no/such/audit"))))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageStartingWith("S-163");
+  }
+}

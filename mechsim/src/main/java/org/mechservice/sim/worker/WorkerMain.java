@@ -1,0 +1,136 @@
+package org.mechservice.sim.worker;
+
+import java.io.BufferedOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.util.List;
+import java.util.ServiceLoader;
+import java.util.concurrent.Semaphore;
+import org.mechservice.sim.build.javac.ModelClassLoader;
+import org.mechservice.sim.build.user.UserClasses;
+import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.api.Variable;
+
+/** A worker: computes the one run it is told to, and ends. */
+public final class WorkerMain implements ResultSink {
+  // From the worker
+  static final byte COLUMNS = 'C';
+  static final byte ROW = 'R';
+  static final byte STEP = 'P';
+  static final byte END = 'E';
+  static final byte REFUSED = 'X';
+  // To the worker
+  static final byte GO_ON = 'G';
+  static final byte STOP = 'S';
+
+  private final DataInputStream in;
+  private final DataOutputStream out;
+  private final RunControl control = new AskingControl();
+  private final Semaphore mayGoOn = new Semaphore(0);
+
+  private WorkerMain(InputStream in, OutputStream out) {
+    this.in = new DataInputStream(in);
+    this.out = new DataOutputStream(new BufferedOutputStream(out));
+  }
+
+  /** Computes what standard input says; rows and result go to standard output. */
+  public static void main(String[] arguments) throws IOException {
+    OutputStream out = System.out;
+    // Nothing a class prints may get between the messages.
+    System.setOut(new PrintStream(OutputStream.nullOutputStream(), false, "US-ASCII"));
+    new WorkerMain(System.in, out).work();
+    Runtime.getRuntime().halt(0);
+  }
+
+  private void work() throws IOException {
+    WorkerOrder order = WorkerOrder.read(in);
+    Thread listener = new Thread(this::listen, "orders");
+    listener.setDaemon(true);
+    listener.start();
+    try {
+      RunReport report = run(order);
+      out.writeByte(END);
+      new WorkerResult(report.asMap(), report.outcome()).write(out);
+    } catch (IllegalArgumentException e) {
+      out.writeByte(REFUSED);
+      out.writeUTF(String.valueOf(e.getMessage()));
+    }
+    out.flush();
+  }
+
+  private RunReport run(WorkerOrder order) throws IOException {
+    Solver solver =
+        ServiceLoader.load(Solver.class, WorkerMain.class.getClassLoader())
+            .findFirst()
+            .orElseThrow(() -> new IllegalStateException("no solver on the class path"));
+    ClassLoader classes =
+        new ModelClassLoader(order.classFiles(), UserClasses.loaderOf(order.userClassFiles()));
+    try {
+      ModelSource source =
+          ModelSource.from(classes.loadClass(order.className()).getConstructor().newInstance());
+      return solver.run(source.model(order.values()), order.request(), this, control);
+    } catch (ReflectiveOperationException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  /** Asks the host after every step whether to go on, and waits for the answer. */
+  private final class AskingControl extends RunControl {
+    @Override
+    public boolean proceed(double time, double stepSize, int order, long steps) {
+      try {
+        out.writeByte(STEP);
+        out.writeDouble(time);
+        out.writeDouble(stepSize);
+        out.writeInt(order);
+        out.writeLong(steps);
+        out.flush();
+      } catch (IOException e) {
+        return false; // nobody listens any more
+      }
+      mayGoOn.acquireUninterruptibly();
+      return !stopRequested();
+    }
+  }
+
+  /** Whoever gave the order may stop it at any time; when he is gone, nobody wants it any more. */
+  private void listen() {
+    try {
+      for (int order = in.read(); order >= 0; order = in.read()) {
+        if (order == STOP) {
+          control.stop();
+        }
+        mayGoOn.release();
+      }
+    } catch (IOException e) {
+      // The same as the end of the stream.
+    }
+    Runtime.getRuntime().halt(1);
+  }
+
+  @Override
+  public void begin(List<Variable> columns) throws IOException {
+    out.writeByte(COLUMNS);
+    out.writeInt(columns.size());
+    for (Variable column : columns) {
+      out.writeUTF(column.name());
+      out.writeUTF(column.unit());
+    }
+  }
+
+  @Override
+  public void row(double[] values) throws IOException {
+    out.writeByte(ROW);
+    for (double value : values) {
+      out.writeDouble(value);
+    }
+  }
+}

@@ -1,0 +1,112 @@
+package org.mechservice.sim.worker;
+
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.EnumSet;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
+
+/**
+ * What a worker is to compute.
+ *
+ * @param className the model's class
+ * @param classFiles the model's own class files, by binary name
+ * @param userClassFiles those of its users
+ * @param values numbers of tunable parameters, by name
+ * @param request what is wanted of the run
+ */
+public record WorkerOrder(
+    String className,
+    SortedMap<String, byte[]> classFiles,
+    SortedMap<String, byte[]> userClassFiles,
+    Map<String, String> values,
+    RunRequest request) {
+
+  void write(DataOutputStream out) throws IOException {
+    out.writeUTF(className);
+    writeFiles(out, classFiles);
+    writeFiles(out, userClassFiles);
+    out.writeInt(values.size());
+    for (Map.Entry<String, String> value : values.entrySet()) {
+      out.writeUTF(value.getKey());
+      out.writeUTF(value.getValue());
+    }
+    writeSettings(out, request.settings());
+    out.writeInt(request.columns().size());
+    for (ColumnGroup group : request.columns()) {
+      out.writeUTF(group.name());
+    }
+  }
+
+  private static void writeFiles(DataOutputStream out, Map<String, byte[]> files)
+      throws IOException {
+    out.writeInt(files.size());
+    for (Map.Entry<String, byte[]> file : files.entrySet()) {
+      byte[] name = file.getKey().getBytes(StandardCharsets.UTF_8);
+      out.writeInt(name.length);
+      out.write(name);
+      out.writeInt(file.getValue().length);
+      out.write(file.getValue());
+    }
+  }
+
+  private static void writeSettings(DataOutputStream out, RunSettings settings) throws IOException {
+    out.writeDouble(settings.tStart());
+    out.writeDouble(settings.tEnd());
+    out.writeDouble(settings.tStep());
+    out.writeUTF(settings.integrator());
+    out.writeDouble(settings.relativeTolerance());
+    out.writeDouble(settings.absoluteTolerance());
+    out.writeDouble(settings.maxStep());
+    out.writeDouble(settings.initialStep());
+    out.writeInt(settings.maxOrder());
+  }
+
+  static WorkerOrder read(DataInputStream in) throws IOException {
+    String className = in.readUTF();
+    SortedMap<String, byte[]> classFiles = readFiles(in);
+    SortedMap<String, byte[]> userClassFiles = readFiles(in);
+    Map<String, String> values = new LinkedHashMap<>();
+    for (int left = in.readInt(); left > 0; left--) {
+      String name = in.readUTF();
+      values.put(name, in.readUTF());
+    }
+    RunSettings settings = readSettings(in);
+    Set<ColumnGroup> columns = EnumSet.noneOf(ColumnGroup.class);
+    for (int left = in.readInt(); left > 0; left--) {
+      columns.add(ColumnGroup.valueOf(in.readUTF()));
+    }
+    return new WorkerOrder(
+        className, classFiles, userClassFiles, values, new RunRequest(settings, columns));
+  }
+
+  private static SortedMap<String, byte[]> readFiles(DataInputStream in) throws IOException {
+    SortedMap<String, byte[]> files = new TreeMap<>();
+    for (int left = in.readInt(); left > 0; left--) {
+      String name = new String(in.readNBytes(in.readInt()), StandardCharsets.UTF_8);
+      files.put(name, in.readNBytes(in.readInt()));
+    }
+    return files;
+  }
+
+  private static RunSettings readSettings(DataInputStream in) throws IOException {
+    return new RunSettings(
+        in.readDouble(),
+        in.readDouble(),
+        in.readDouble(),
+        in.readUTF(),
+        in.readDouble(),
+        in.readDouble(),
+        in.readDouble(),
+        in.readDouble(),
+        in.readInt());
+  }
+}

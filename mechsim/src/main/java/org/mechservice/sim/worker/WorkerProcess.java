@@ -1,0 +1,248 @@
+package org.mechservice.sim.worker;
+
+import java.io.BufferedInputStream;
+import java.io.BufferedOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.Variable;
+
+/** A worker as its host sees it. Runs once. */
+public final class WorkerProcess {
+  /** Java ends with it when there is no memory left, if told to. */
+  private static final int EXIT_OUT_OF_MEMORY = 3;
+
+  private static final long WATCH_MILLIS = 20;
+
+  /** A worker that has not stopped by then computes in a class that does not come back. */
+  private static final long PATIENCE_MILLIS = 1000;
+
+  private static final int MOST_COLUMNS = 1_000_000;
+  private static final double MEGABYTE = 1e6;
+
+  private final long memoryBytes;
+  private volatile Optional<Process> process = Optional.empty();
+
+  /**
+   * @param memoryBytes most memory; negative: what Java takes by itself
+   */
+  public WorkerProcess(long memoryBytes) {
+    this.memoryBytes = memoryBytes;
+  }
+
+  /** Returns the processor time the process has taken, ns; 0 before its start. */
+  public long cpuNanos() {
+    return process
+        .flatMap(running -> running.info().totalCpuDuration())
+        .map(Duration::toNanos)
+        .orElse(0L);
+  }
+
+  /**
+   * Computes a run in a new process.
+   *
+   * @param sink takes the rows
+   * @param control steers and watches
+   * @throws IllegalArgumentException if the order makes no sense; the message says why
+   * @throws WorkerLostException if the process has ended without a result
+   * @throws IOException if a row cannot be kept, or no process can be started
+   */
+  public WorkerResult run(WorkerOrder order, ResultSink sink, RunControl control)
+      throws IOException {
+    Process started = start();
+    process = Optional.of(started);
+    Thread watch = new Thread(() -> watch(started, control), "mechservice-worker-watch");
+    watch.setDaemon(true);
+    watch.start();
+    try (DataOutputStream out =
+            new DataOutputStream(new BufferedOutputStream(started.getOutputStream()));
+        DataInputStream in =
+            new DataInputStream(new BufferedInputStream(started.getInputStream()))) {
+      return new Dialogue(in, out, sink, control).hold(order);
+    } catch (PeerGoneException e) {
+      throw lost(started);
+    } finally {
+      started.destroyForcibly();
+    }
+  }
+
+  private Process start() throws IOException {
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    if (memoryBytes > 0) {
+      command.add("-Xmx" + Math.max(memoryBytes, 1 << 24));
+    }
+    command.addAll(
+        List.of(
+            "-XX:+UseSerialGC",
+            "-XX:+ExitOnOutOfMemoryError",
+            "-XX:TieredStopAtLevel=4",
+            "-Xshare:auto",
+            "-cp",
+            System.getProperty("java.class.path"),
+            WorkerMain.class.getName()));
+    ProcessBuilder builder =
+        new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD);
+    builder.environment().clear();
+    return builder.start();
+  }
+
+  /** Stops the worker when that is asked for, by force if it does not by itself. */
+  private static void watch(Process started, RunControl control) {
+    try {
+      while (!started.waitFor(WATCH_MILLIS, TimeUnit.MILLISECONDS)) {
+        if (control.stopRequested()) {
+          started.getOutputStream().write(WorkerMain.STOP);
+          started.getOutputStream().flush();
+          if (!started.waitFor(PATIENCE_MILLIS, TimeUnit.MILLISECONDS)) {
+            started.destroyForcibly();
+          }
+          return;
+        }
+      }
+    } catch (IOException e) {
+      started.destroyForcibly(); // it does not even listen
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      started.destroyForcibly();
+    }
+  }
+
+  private WorkerLostException lost(Process ended) {
+    int status = -1;
+    try {
+      if (ended.waitFor(PATIENCE_MILLIS, TimeUnit.MILLISECONDS)) {
+        status = ended.exitValue();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    if (status == EXIT_OUT_OF_MEMORY) {
+      return new WorkerLostException(
+          memoryBytes > 0
+              ? String.format(
+                  java.util.Locale.ROOT,
+                  "the run needed more than the %.0f MB of memory that this host allows one"
+                      + " process.",
+                  memoryBytes / MEGABYTE)
+              : "the run needed more memory than its process could get.",
+          true);
+    }
+    return new WorkerLostException(
+        "the process of the run ended unexpectedly, with status " + status + ".", false);
+  }
+
+  /** The worker has closed its end. */
+  private static final class PeerGoneException extends IOException {
+    private static final long serialVersionUID = 1L;
+
+    PeerGoneException(IOException cause) {
+      super(cause);
+    }
+  }
+
+  /** What host and worker say to each other. */
+  private static final class Dialogue {
+    private final DataInputStream in;
+    private final DataOutputStream out;
+    private final ResultSink sink;
+    private final RunControl control;
+    private double[] row = new double[0];
+
+    Dialogue(DataInputStream in, DataOutputStream out, ResultSink sink, RunControl control) {
+      this.in = in;
+      this.out = out;
+      this.sink = sink;
+      this.control = control;
+    }
+
+    WorkerResult hold(WorkerOrder order) throws IOException {
+      say(() -> order.write(out));
+      while (true) {
+        byte kind = hear(in::readByte);
+        switch (kind) {
+          case WorkerMain.COLUMNS -> sink.begin(columns());
+          case WorkerMain.ROW -> sink.row(hear(this::nextRow));
+          case WorkerMain.STEP -> step();
+          case WorkerMain.END -> {
+            return hear(() -> WorkerResult.read(in));
+          }
+          case WorkerMain.REFUSED -> throw refused();
+          default -> throw new PeerGoneException(new IOException("message " + kind));
+        }
+      }
+    }
+
+    private IllegalArgumentException refused() throws PeerGoneException {
+      String why = hear(in::readUTF);
+      return new IllegalArgumentException(why);
+    }
+
+    private List<Variable> columns() throws IOException {
+      int count = hear(in::readInt);
+      if (count < 0 || count > MOST_COLUMNS) {
+        throw new PeerGoneException(new IOException(count + " columns"));
+      }
+      List<Variable> columns = new ArrayList<>();
+      for (int i = 0; i < count; i++) {
+        String name = hear(in::readUTF);
+        columns.add(new Variable(name, hear(in::readUTF)));
+      }
+      row = new double[count];
+      return columns;
+    }
+
+    private double[] nextRow() throws IOException {
+      for (int i = 0; i < row.length; i++) {
+        row[i] = in.readDouble();
+      }
+      return row;
+    }
+
+    private void step() throws IOException {
+      double time = hear(in::readDouble);
+      double stepSize = hear(in::readDouble);
+      int order = hear(in::readInt);
+      long steps = hear(in::readLong);
+      byte answer =
+          control.proceed(time, stepSize, order, steps) ? WorkerMain.GO_ON : WorkerMain.STOP;
+      say(() -> out.writeByte(answer));
+    }
+
+    private interface Reading<T> {
+      T read() throws IOException;
+    }
+
+    private interface Writing {
+      void write() throws IOException;
+    }
+
+    /**
+     * A row that cannot be kept is the host's trouble; a message that does not come, the worker's.
+     */
+    private static <T> T hear(Reading<T> message) throws PeerGoneException {
+      try {
+        return message.read();
+      } catch (IOException e) {
+        throw new PeerGoneException(e);
+      }
+    }
+
+    private void say(Writing message) throws PeerGoneException {
+      try {
+        message.write();
+        out.flush();
+      } catch (IOException e) {
+        throw new PeerGoneException(e);
+      }
+    }
+  }
+}

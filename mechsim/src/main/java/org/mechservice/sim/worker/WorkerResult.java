@@ -1,0 +1,91 @@
+package org.mechservice.sim.worker;
+
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.Outcome;
+
+/**
+ * How a run ended.
+ *
+ * @param report the run report's entries: {@link String}, {@link Long}, {@link Double}
+ * @param outcome how it ended
+ */
+public record WorkerResult(Map<String, Object> report, Outcome outcome) {
+  private static final int MOST_ENTRIES = 1000;
+
+  void write(DataOutputStream out) throws IOException {
+    out.writeInt(report.size());
+    for (Map.Entry<String, Object> entry : report.entrySet()) {
+      out.writeUTF(entry.getKey());
+      if (entry.getValue() instanceof Double number) {
+        out.writeByte('d');
+        out.writeDouble(number);
+      } else if (entry.getValue() instanceof Long number) {
+        out.writeByte('l');
+        out.writeLong(number);
+      } else {
+        out.writeByte('s');
+        out.writeUTF(entry.getValue().toString());
+      }
+    }
+    writeOutcome(out);
+  }
+
+  private void writeOutcome(DataOutputStream out) throws IOException {
+    if (outcome instanceof Outcome.Failed failed) {
+      Failure why = failed.failure();
+      out.writeByte('f');
+      out.writeUTF(why.code());
+      out.writeUTF(why.cause());
+      out.writeDouble(why.time());
+      out.writeDouble(why.stepSize());
+      out.writeInt(why.order());
+      out.writeUTF(why.part());
+      out.writeUTF(why.advice());
+    } else {
+      out.writeByte(outcome instanceof Outcome.Stopped ? 's' : 'c');
+    }
+  }
+
+  static WorkerResult read(DataInputStream in) throws IOException {
+    int entries = in.readInt();
+    if (entries < 0 || entries > MOST_ENTRIES) {
+      throw new IOException("a report of " + entries + " entries");
+    }
+    Map<String, Object> report = new LinkedHashMap<>();
+    for (int left = entries; left > 0; left--) {
+      String name = in.readUTF();
+      report.put(name, readValue(in));
+    }
+    return new WorkerResult(report, readOutcome(in));
+  }
+
+  private static Object readValue(DataInputStream in) throws IOException {
+    return switch (in.readByte()) {
+      case 'd' -> in.readDouble();
+      case 'l' -> in.readLong();
+      default -> in.readUTF();
+    };
+  }
+
+  private static Outcome readOutcome(DataInputStream in) throws IOException {
+    return switch (in.readByte()) {
+      case 'f' ->
+          new Outcome.Failed(
+              new Failure(
+                  in.readUTF(),
+                  in.readUTF(),
+                  in.readDouble(),
+                  in.readDouble(),
+                  in.readInt(),
+                  in.readUTF(),
+                  in.readUTF()));
+      case 's' -> new Outcome.Stopped();
+      default -> new Outcome.Completed();
+    };
+  }
+}

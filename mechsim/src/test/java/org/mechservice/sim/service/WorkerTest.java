@@ -1,0 +1,185 @@
+package org.mechservice.sim.service;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.mechservice.idl.Diagnostic;
+import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.InvalidModel;
+import org.mechservice.idl.MechSim;
+import org.mechservice.idl.ModelFile;
+import org.mechservice.idl.NameValue;
+import org.mechservice.idl.SimState;
+import org.mechservice.sim.build.user.PushedCart;
+import org.mechservice.sim.host.HostOptions;
+import org.mechservice.sim.host.SimHost;
+import org.mechservice.sim.worker.WorkerMain;
+import org.omg.CORBA.UserException;
+
+/** Forces that users have written run in processes of their own, and can do no harm there. */
+class WorkerTest {
+  private static final ModelFile MODEL = new ModelFile("pushed.xml", PushedCart.file());
+
+  /** Where the class of the force pushes. */
+  private static final String PUSH = "loads.addJointForce(slide, 3);";
+
+  private static HostedClient host(HostLimits limits) {
+    return new HostedClient(
+        SimHost.installedSolver(), new HostOptions("here", 2, limits, Optional.empty(), true));
+  }
+
+  private static IMechSimRemote simulation(HostedClient there, String body) throws UserException {
+    MechSim session = there.emptySession();
+    String text = PushedCart.harmlessSource().replace(PUSH, body);
+    ModelFile force = new ModelFile("car/Push.java", text.getBytes(StandardCharsets.UTF_8));
+    session.loadModel(MODEL, new ModelFile[] {force});
+    return session.createSimulation(new NameValue[0], null);
+  }
+
+  private static Stream<ProcessHandle> workers() {
+    return ProcessHandle.current()
+        .children()
+        .filter(
+            child ->
+                child
+                    .info()
+                    .commandLine()
+                    .map(line -> line.contains(WorkerMain.class.getName()))
+                    .orElse(false));
+  }
+
+  private static void assertFailsWith(IMechSimRemote run, String code) throws Exception {
+    Eventually.holds(() -> run.getProgress().state == SimState.SIM_FAILED);
+    assertThat(run.failure().code).isEqualTo(code);
+    Eventually.holds(() -> workers().findAny().isEmpty());
+  }
+
+  @Test
+  void endlessLoopIsStoppedByTheLimitOfProcessorTime() throws Exception {
+    try (HostedClient there = host(HostLimits.DEFAULT.with(HostLimit.CPU_TIME, 2))) {
+      IMechSimRemote run = simulation(there, "while (slide < 10) { slide = slide % 3; }");
+      run.start();
+      assertFailsWith(run, "S-109");
+    }
+  }
+
+  @Test
+  void allocationBombIsStoppedByTheLimitOfMemory() throws Exception {
+    try (HostedClient there = host(HostLimits.DEFAULT.with(HostLimit.MEMORY, 256_000_000))) {
+      String bomb =
+          """
+          java.util.List<double[]> kept = new java.util.ArrayList<>();
+          while (slide < 10) {
+            try {
+              kept.add(new double[1000000]);
+            } catch (RuntimeException e) {
+              slide = 0;
+            }
+          }
+          """;
+      IMechSimRemote run = simulation(there, bomb);
+      run.start();
+      assertFailsWith(run, "S-110");
+    }
+  }
+
+  @Test
+  void killedWorkerHarmsNoOtherRun() throws Exception {
+    try (HostedClient there = host(HostLimits.DEFAULT)) {
+      IMechSimRemote endless = simulation(there, "while (slide < 10) { slide = slide % 3; }");
+      endless.start();
+      Eventually.holds(() -> workers().findAny().isPresent());
+      ProcessHandle first = workers().findAny().orElseThrow();
+      IMechSimRemote good = simulation(there, PUSH);
+      first.destroyForcibly();
+      good.start();
+      assertFailsWith(endless, "S-157");
+      Eventually.holds(() -> good.getProgress().state == SimState.SIM_DONE);
+    }
+  }
+
+  @Test
+  void endlessLoopIsCancelled() throws Exception {
+    try (HostedClient there = host(HostLimits.DEFAULT)) {
+      IMechSimRemote run = simulation(there, "while (slide < 10) { slide = slide % 3; }");
+      run.start();
+      Eventually.holds(() -> workers().findAny().isPresent());
+      run.cancel();
+      Eventually.holds(() -> run.getProgress().state == SimState.SIM_CANCELLED);
+      Eventually.holds(() -> workers().findAny().isEmpty());
+    }
+  }
+
+  @Test
+  void workerIsSteeredLikeARunOfTheHost() throws Exception {
+    try (HostedClient there = host(HostLimits.DEFAULT)) {
+      IMechSimRemote run = simulation(there, PUSH);
+      for (int step = 1; step <= 3; step++) {
+        long steps = step;
+        run.stepOnce();
+        Eventually.holds(
+            () ->
+                run.getProgress().state == SimState.SIM_PAUSED
+                    && run.getProgress().stepsDone == steps);
+      }
+      run.resume();
+      Eventually.holds(() -> run.getProgress().state == SimState.SIM_DONE);
+      assertThat(run.report()).contains("\"outcome\":\"completed\"").contains("\"solverVersion\"");
+    }
+  }
+
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "System.exit(0);|java.lang.System.exit",
+        "new java.io.File(\"x\").delete();|java.io.File",
+        "try { new java.net.Socket(\"h\", 1); } catch (Exception e) { slide = 0; }|java.net.Socket",
+        "new Thread(() -> {}).start();|java.lang.Thread",
+        "try { Runtime.getRuntime().exec(\"x\"); } catch (Exception e) { slide = 0; }|Runtime",
+        "try { Class.forName(\"x\"); } catch (Exception e) { slide = 0; }|java.lang.Class.forName",
+        "getClass().getClassLoader();|Class.getClassLoader",
+        "java.util.List.of(1).parallelStream().count();|parallelStream",
+        "Runnable r = System::gc; r.run();|java.lang.System.gc"
+      })
+  @ParameterizedTest
+  void whatReachesBeyondNumbersIsRefusedWithItsLine(String body, String named) throws Exception {
+    try (HostedClient there = host(HostLimits.DEFAULT)) {
+      InvalidModel refusal =
+          catchThrowableOfType(InvalidModel.class, () -> simulation(there, body));
+      assertThat(refusal.diagnostics).isNotEmpty();
+      Diagnostic first = refusal.diagnostics[0];
+      assertThat(first.code).isEqualTo("S-156");
+      assertThat(Stream.of(refusal.diagnostics).map(said -> said.text))
+          .anySatisfy(
+              text ->
+                  assertThat(text).contains("class car.Push, method apply, line ").contains(named));
+    }
+  }
+
+  @Test
+  void mathematicsTextsAndCollectionsAreAllowed() throws Exception {
+    try (HostedClient there = host(HostLimits.DEFAULT)) {
+      String body =
+          """
+          double[] a = {1, 2};
+          double[] b = new double[2];
+          System.arraycopy(a, 0, b, 0, 2);
+          java.util.function.DoubleUnaryOperator f = x -> Math.sin(x) * b[0];
+          java.util.Map<String, Double> m = new java.util.HashMap<>();
+          m.put("x" + slide, f.applyAsDouble(0));
+          switch ("a" + slide) { case "b": throw new IllegalStateException("b"); default: break; }
+          record P(double x) {}
+          loads.addJointForce(slide, 3 + m.get("x" + slide) + 0 * new P(1).hashCode());
+          """;
+      IMechSimRemote run = simulation(there, body);
+      run.start();
+      Eventually.holds(() -> run.getProgress().state == SimState.SIM_DONE);
+    }
+  }
+}

@@ -1,0 +1,196 @@
+package org.mechservice.solver.closure;
+
+import java.util.Arrays;
+import org.mechservice.solver.linear.Cholesky;
+import org.mechservice.solver.linear.DenseLu;
+
+/**
+ * Solves A x + Jᵀ λ = r, J x + c = 0 for matrices A that J need not complete to full rank, by
+ * repetition with (A + α JᵀJ): the augmented Lagrangian. Equations that follow from others do no
+ * harm; their multipliers are of least norm.
+ *
+ * <p>Rows of J are over the sizes of what they measure. Every repetition starts from the residuals
+ * of both equations, so what the penalty costs in digits is regained. Workspace of one thread.
+ */
+final class AugmentedEquations {
+  private static final int REPETITIONS = 10;
+
+  /** Residual over its size that is as good as none. */
+  private static final double ACCURATE = 1e-11;
+
+  /** A repetition that gains less than this is the last. */
+  private static final double GAIN = 0.1;
+
+  /** How the matrix A + α JᵀJ is factored and solved with. */
+  interface Factors {
+    /** Returns a negative number, or the row without a pivot. */
+    int factor(double[] matrix);
+
+    void solve(double[] b);
+
+    /** For a matrix that is symmetric and positive definite. */
+    static Factors of(Cholesky factors) {
+      return new Factors() {
+        @Override
+        public int factor(double[] matrix) {
+          return factors.factor(matrix);
+        }
+
+        @Override
+        public void solve(double[] b) {
+          factors.solve(b, 0);
+        }
+      };
+    }
+
+    /** For a matrix without symmetry. */
+    static Factors of(DenseLu factors) {
+      return new Factors() {
+        @Override
+        public int factor(double[] matrix) {
+          return factors.factor(matrix);
+        }
+
+        @Override
+        public void solve(double[] b) {
+          factors.solve(b);
+        }
+      };
+    }
+  }
+
+  private final Factors factors;
+  private final int n;
+  private final int m;
+
+  /** J with its rows over their sizes, m × n; A, and A + α JᵀJ, n × n. */
+  private final double[] rows;
+
+  private final double[] matrix;
+  private final double[] augmented;
+  private double penalty;
+
+  private final double[] force;
+  private final double[] gap;
+
+  /** λ of the last solution, one per row over its size. */
+  final double[] multipliers;
+
+  AugmentedEquations(int equations, int unknowns, Factors factors) {
+    this.factors = factors;
+    n = unknowns;
+    m = equations;
+    rows = new double[m * n];
+    matrix = new double[n * n];
+    augmented = new double[n * n];
+    force = new double[n];
+    gap = new double[m];
+    multipliers = new double[m];
+  }
+
+  /**
+   * Factors A + α JᵀJ.
+   *
+   * @param a A, n × n; not modified
+   * @param scaledRows J, rows over their sizes, m × n; not modified
+   * @param penalty α
+   * @return a negative number, or the unknown without a pivot
+   */
+  int factor(double[] a, double[] scaledRows, double penalty) {
+    this.penalty = penalty;
+    System.arraycopy(a, 0, matrix, 0, n * n);
+    System.arraycopy(a, 0, augmented, 0, n * n);
+    System.arraycopy(scaledRows, 0, rows, 0, m * n);
+    for (int row = 0; row < m; row++) {
+      addSquare(row);
+    }
+    return factors.factor(augmented);
+  }
+
+  private void addSquare(int row) {
+    for (int i = 0; i < n; i++) {
+      double weighted = penalty * rows[row * n + i];
+      for (int j = 0; weighted != 0 && j < n; j++) {
+        augmented[i * n + j] += weighted * rows[row * n + j];
+      }
+    }
+  }
+
+  /**
+   * Solves with the last factors.
+   *
+   * @param right r; not modified
+   * @param offset c, rows over their sizes; not modified
+   * @param x from {@code at}; overwritten
+   */
+  void solve(double[] right, double[] offset, double[] x, int at) {
+    Arrays.fill(x, at, at + n, 0);
+    Arrays.fill(multipliers, 0);
+    System.arraycopy(right, 0, force, 0, n);
+    System.arraycopy(offset, 0, gap, 0, m);
+    double open = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < REPETITIONS; i++) {
+      correct(x, at);
+      double scale = residuals(right, offset, x, at);
+      double left = largest(gap);
+      if (i > 0 && (!(left > ACCURATE * scale) || !(left < GAIN * open))) {
+        return;
+      }
+      open = left;
+    }
+  }
+
+  /** x += (A + α JᵀJ)⁻¹ (f − α Jᵀ g), λ += α (g + J Δx). */
+  private void correct(double[] x, int at) {
+    for (int row = 0; row < m; row++) {
+      double push = penalty * gap[row];
+      for (int j = 0; push != 0 && j < n; j++) {
+        force[j] -= push * rows[row * n + j];
+      }
+    }
+    factors.solve(force);
+    for (int row = 0; row < m; row++) {
+      multipliers[row] += penalty * (gap[row] + product(row, force, 0));
+    }
+    for (int j = 0; j < n; j++) {
+      x[at + j] += force[j];
+    }
+  }
+
+  /** f = r − A x − Jᵀ λ, g = c + J x; returns the size of what g is the difference of. */
+  private double residuals(double[] right, double[] offset, double[] x, int at) {
+    for (int i = 0; i < n; i++) {
+      double sum = right[i];
+      for (int j = 0; j < n; j++) {
+        sum -= matrix[i * n + j] * x[at + j];
+      }
+      force[i] = sum;
+    }
+    double scale = 0;
+    for (int row = 0; row < m; row++) {
+      double moved = product(row, x, at);
+      gap[row] = offset[row] + moved;
+      scale = Math.max(scale, Math.max(Math.abs(offset[row]), Math.abs(moved)));
+      for (int j = 0; j < n; j++) {
+        force[j] -= multipliers[row] * rows[row * n + j];
+      }
+    }
+    return scale;
+  }
+
+  private double product(int row, double[] x, int at) {
+    double sum = 0;
+    for (int j = 0; j < n; j++) {
+      sum += rows[row * n + j] * x[at + j];
+    }
+    return sum;
+  }
+
+  private static double largest(double[] x) {
+    double largest = 0;
+    for (double element : x) {
+      largest = Math.max(largest, Math.abs(element));
+    }
+    return largest;
+  }
+}

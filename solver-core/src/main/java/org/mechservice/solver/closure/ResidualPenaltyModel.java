@@ -1,0 +1,309 @@
+package org.mechservice.solver.closure;
+
+import java.util.Arrays;
+import org.mechservice.solver.api.LinearisedModel;
+import org.mechservice.solver.dynamics.ResidualDifferences;
+import org.mechservice.solver.dynamics.ResidualJacobian;
+import org.mechservice.solver.dynamics.TreeIteration;
+import org.mechservice.solver.dynamics.TreePattern;
+import org.mechservice.solver.force.ForceSet;
+import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.linear.Cholesky;
+import org.mechservice.solver.linear.DenseLu;
+
+/**
+ * RR and RR-JF with closed loops by penalty: the stabilised equations of index 2 (Gear, Gupta and
+ * Leimkuhler 1985) in y = [q; v; λ; μ],
+ *
+ * <pre>F = [q' − N (v − Jᵀ μ); M v' + b − τ + Jᵀ λ; J v + Φ_t; Φ],</pre>
+ *
+ * <p>rows of J over their sizes, columns in the coordinates' units where they act on velocities. λ
+ * and μ are in no test. The equations of an implicit step are solved with a penalty in place of the
+ * zero block and repeated, which is the augmented Lagrangian: redundant rows do no harm (NUMERICS
+ * §3). How J v and Jᵀ μ change with q is left to the iteration: with a matrix kept from a step that
+ * moved otherwise it would converge worse.
+ */
+public final class ResidualPenaltyModel extends PenaltyModel implements LinearisedModel {
+  /** Where the derivatives of the equations of motion come from. */
+  public enum Derivatives {
+    /** By recursion: RR-JF. */
+    RECURSIVE,
+    /** By differences: RR. */
+    DIFFERENCES
+  }
+
+  /** Part of the largest element added to the diagonal of J Jᵀ, which may be singular. */
+  private static final double REGULAR_PART = 1e-10;
+
+  private static final int REPETITIONS = 3;
+
+  /** Residuals that assembly leaves, over their sizes. */
+  private static final double ROUNDING = 2e-13;
+
+  private final Derivatives derivatives;
+  private final ResidualJacobian jacobian;
+  private final ResidualDifferences differences;
+  private final TreeIteration iteration;
+  private final int n;
+  private final int m;
+
+  /** J over its sizes where F is evaluated, and where it was linearised, m × n. */
+  private final double[] rows;
+
+  private final double[] linearisedRows;
+  private final double[] force;
+  private final double[] velocity;
+  private final double[] wrench;
+  private final double[] tau;
+  private final double[] lambda;
+  private final double[] full;
+  private final AugmentedEquations equations;
+  private final double[] normal;
+  private final Cholesky gram;
+  private final double[] right;
+  private final double[] ofVelocity;
+  private final double[] ofPosition;
+  private final double[] mu;
+  private double hGamma;
+  private int singular;
+
+  /**
+   * Makes a model of a mechanism whose loops are closed.
+   *
+   * @param userForces makes the forces that users have written
+   * @throws IllegalArgumentException if the loops are not closed at the start
+   */
+  public ResidualPenaltyModel(
+      ClosedMechanism closed,
+      UserForceSource userForces,
+      PenaltySettings settings,
+      Derivatives derivatives) {
+    super(closed, userForces, settings);
+    this.derivatives = derivatives;
+    n = work.nv;
+    m = work.loops.count();
+    TreePattern pattern = new TreePattern(work.tree, work.coupledLinks());
+    jacobian = new ResidualJacobian(work.motion, pattern);
+    iteration = new TreeIteration(work.tree, pattern, jacobian);
+    differences =
+        new ResidualDifferences(jacobian, work.coordinates, pattern, work.tree.velocityCount);
+    rows = new double[m * n];
+    linearisedRows = new double[m * n];
+    force = new double[work.tree.velocityCount];
+    velocity = new double[n];
+    wrench = new double[work.wrench.length];
+    tau = new double[work.tau.length];
+    lambda = new double[m];
+    full = new double[n * n];
+    DenseLu lu = new DenseLu(n);
+    equations = new AugmentedEquations(m, n, AugmentedEquations.Factors.of(lu));
+    normal = new double[m * m];
+    gram = new Cholesky(m);
+    right = new double[n];
+    ofVelocity = new double[m];
+    ofPosition = new double[m];
+    mu = new double[m];
+  }
+
+  @Override
+  public int unknownCount() {
+    return work.nq + n + 2 * m;
+  }
+
+  @Override
+  public boolean isDifferential(int unknown) {
+    return unknown < work.nq + n;
+  }
+
+  @Override
+  public int consistent(double t, double[] y, double[] yDot) {
+    int done = derivative(t, y, yDot);
+    int at = work.nq + n;
+    Arrays.fill(y, at, at + 2 * m, 0);
+    Arrays.fill(yDot, at, at + 2 * m, 0);
+    System.arraycopy(projection.equations().multipliers, 0, y, at, m);
+    return done;
+  }
+
+  @Override
+  public int residual(double t, double[] y, double[] yDot, double[] residual) {
+    if (!formForce(t, y, yDot)) {
+      return fail(work.forces.defect());
+    }
+    int atLambda = work.nq + n;
+    int atMu = atLambda + m;
+    work.loops.scaledRows(rows, n);
+    System.arraycopy(y, work.nq, velocity, 0, n);
+    addTransposed(rows, y, atMu, -1, true, velocity);
+    work.coordinates.rates(y, 0, velocity, 0, residual, 0);
+    for (int i = 0; i < work.nq; i++) {
+      residual[i] = yDot[i] - residual[i];
+    }
+    addTransposed(rows, y, atLambda, 1, false, force);
+    System.arraycopy(force, 0, residual, work.nq, n);
+    double speed = work.units.speed(y, work.nq);
+    for (int row = 0; row < m; row++) {
+      double size = work.loops.size(row);
+      residual[atLambda + row] = beyondRounding(work.loops.rate[row] / size, speed);
+      residual[atMu + row] = beyondRounding(work.loops.value[row] / size, 1);
+    }
+    return REGULAR;
+  }
+
+  /** Returns zero for what is rounding, which a short step would blow up to multipliers. */
+  private static double beyondRounding(double residual, double scale) {
+    double beyond = Math.abs(residual) - ROUNDING * scale;
+    return beyond <= 0 ? 0 : Math.copySign(beyond, residual);
+  }
+
+  /** M v' + b − τ without the loops; returns false if a force has no value. */
+  private boolean formForce(double t, double[] y, double[] yDot) {
+    work.place(t, y);
+    if (!work.applyForces(t)) {
+      return false;
+    }
+    work.formResidual(yDot, work.nq, force);
+    return true;
+  }
+
+  /** x += factor Jᵀ λ, or factor U² Jᵀ λ. */
+  private void addTransposed(
+      double[] j, double[] multipliers, int at, double factor, boolean inUnits, double[] x) {
+    double[] unit = work.units.velocities;
+    for (int row = 0; row < m; row++) {
+      double push = factor * multipliers[at + row];
+      for (int k = 0; push != 0 && k < n; k++) {
+        x[k] += push * j[row * n + k] * (inUnits ? unit[k] * unit[k] : 1);
+      }
+    }
+  }
+
+  @Override
+  public boolean linearise(double t, double[] y, double[] yDot) {
+    int atLambda = work.nq + n;
+    if (derivatives == Derivatives.DIFFERENCES) {
+      work.motion.sweep(t, y);
+      if (!differences.evaluate(y, work.units.velocities, (at, f) -> pushed(t, at, y, yDot, f))) {
+        return false;
+      }
+      work.place(t, y);
+    } else {
+      if (!formForce(t, y, yDot)) {
+        fail(work.forces.defect());
+        return false;
+      }
+      for (int row = 0; row < m; row++) {
+        lambda[row] = y[atLambda + row] / work.loops.size(row);
+      }
+      System.arraycopy(work.wrench, 0, wrench, 0, wrench.length);
+      work.loops.addForces(lambda, -1, wrench, tau);
+      jacobian.evaluate(wrench);
+      if (work.forces.linearise(t, jacobian.forces()) != ForceSet.REGULAR) {
+        fail(work.forces.defect());
+        return false;
+      }
+      work.loops.linearise(lambda, -1, jacobian.forces());
+      jacobian.finish();
+    }
+    work.loops.scaledRows(linearisedRows, n);
+    iteration.setState(y);
+    return jacobian.isFinite();
+  }
+
+  /** M v' + b − τ + Jᵀ λ at another state, for the same v' and λ. */
+  private boolean pushed(double t, double[] at, double[] y, double[] yDot, double[] pushed) {
+    if (!formForce(t, at, yDot)) {
+      fail(work.forces.defect());
+      return false;
+    }
+    work.loops.scaledRows(rows, n);
+    System.arraycopy(force, 0, pushed, 0, force.length);
+    addTransposed(rows, y, work.nq + n, 1, false, pushed);
+    return true;
+  }
+
+  @Override
+  public boolean factor(double hGamma) {
+    this.hGamma = hGamma;
+    iteration.form(hGamma);
+    iteration.matrix().toDense(full);
+    double largest = 0;
+    for (int j = 0; j < n; j++) {
+      double unit = work.units.velocities[j];
+      largest = Math.max(largest, Math.abs(full[j * n + j]) * unit * unit);
+    }
+    singular = equations.factor(full, linearisedRows, settings.stiffness() * largest);
+    return singular < 0 && factorGram();
+  }
+
+  /** J U² Jᵀ with a small diagonal. */
+  private boolean factorGram() {
+    double[] unit = work.units.velocities;
+    double largest = 0;
+    for (int i = 0; i < m; i++) {
+      for (int j = 0; j <= i; j++) {
+        double sum = 0;
+        for (int k = 0; k < n; k++) {
+          sum += linearisedRows[i * n + k] * unit[k] * unit[k] * linearisedRows[j * n + k];
+        }
+        normal[i * m + j] = sum;
+      }
+      largest = Math.max(largest, normal[i * m + i]);
+    }
+    for (int i = 0; i < m; i++) {
+      normal[i * m + i] += REGULAR_PART * largest;
+    }
+    singular = 0;
+    return m == 0 || gram.factor(normal) < 0;
+  }
+
+  @Override
+  public void solve(double[] r) {
+    int atLambda = work.nq + n;
+    int atMu = atLambda + m;
+    double[] change = iteration.reduce(r);
+    for (int row = 0; row < m; row++) {
+      ofVelocity[row] = -r[atLambda + row] / hGamma;
+      ofPosition[row] =
+          product(row, iteration.tangent()) / hGamma - r[atMu + row] / (hGamma * hGamma);
+    }
+    System.arraycopy(change, 0, right, 0, n);
+    equations.solve(right, ofVelocity, velocity, 0);
+    System.arraycopy(velocity, 0, change, 0, n);
+    correctPositions(change);
+    iteration.expand(r);
+    System.arraycopy(velocity, 0, r, work.nq, n);
+    for (int row = 0; row < m; row++) {
+      r[atLambda + row] = equations.multipliers[row] / hGamma;
+      r[atMu + row] = mu[row];
+    }
+  }
+
+  /** Δw = Δv − U² Jᵀ Δμ, so that J Δw meets the positions. */
+  private void correctPositions(double[] change) {
+    Arrays.fill(mu, 0);
+    for (int i = 0; i < REPETITIONS; i++) {
+      for (int row = 0; row < m; row++) {
+        lambda[row] = product(row, change) + ofPosition[row];
+      }
+      gram.solve(lambda, 0);
+      addTransposed(linearisedRows, lambda, 0, -1, true, change);
+      for (int row = 0; row < m; row++) {
+        mu[row] += lambda[row];
+      }
+    }
+  }
+
+  private double product(int row, double[] x) {
+    double sum = 0;
+    for (int k = 0; k < n; k++) {
+      sum += linearisedRows[row * n + k] * x[k];
+    }
+    return sum;
+  }
+
+  @Override
+  public int singularUnknown() {
+    return work.nq + Math.max(0, singular);
+  }
+}
