@@ -95,7 +95,7 @@ public final class Simulation implements Solver {
   public RunReport run(
       Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException {
-    requireUsable(request.settings());
+    OutputTimes.requireUsable(request.settings());
     Model watched = ExtendedModel.bare(model);
     ModelEquations equations = form.of(watched);
     RunEvents events = form.events(watched, equations, request.settings());
@@ -385,27 +385,6 @@ public final class Simulation implements Solver {
           limits(done),
           notes(),
           SolverVersion.CURRENT);
-    }
-  }
-
-  private static void requireUsable(RunSettings settings) {
-    require(Double.isFinite(settings.tStart()), "start time", settings.tStart(), "finite");
-    require(
-        Double.isFinite(settings.tEnd()) && settings.tEnd() >= settings.tStart(),
-        "end time",
-        settings.tEnd(),
-        "finite and not before the start at " + settings.tStart() + " s");
-    require(
-        settings.tStep() > 0 && Double.isFinite(settings.tStep()),
-        "output step",
-        settings.tStep(),
-        "positive and finite");
-  }
-
-  private static void require(boolean met, String what, double value, String expected) {
-    if (!met) {
-      throw new IllegalArgumentException(
-          "S-062 the " + what + " is " + value + " s; it must be " + expected);
     }
   }
 }
