@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.mechservice.client.CheckpointStore;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.ModelMessage;
 import org.mechservice.client.PreparedRun;
@@ -80,6 +81,8 @@ final class SimulateCommand implements Callable<Integer> {
       description = "Write the rows here, and their units beside it; may be given several times.")
   private List<Path> out = List.of();
 
+  @Mixin private CheckpointOptions checkpoints = new CheckpointOptions();
+
   @Option(names = "--quiet", description = "Print nothing but errors.")
   private boolean quiet;
 
@@ -91,6 +94,8 @@ final class SimulateCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     ResultFiles.requireUsableNames(out);
+    checkpoints.requireUsable(out);
+    CheckpointStore store = checkpoints.open();
     SimulationOptions options = options();
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
         Service service = Service.open(server);
@@ -103,7 +108,7 @@ final class SimulateCommand implements Callable<Integer> {
       try (PreparedRun run = prepare(session, options, news);
           ResultFiles files = ResultFiles.open(out)) {
         interrupt.cancels(run);
-        return simulate(run, news, files);
+        return simulate(run, news, files, store);
       }
     }
   }
@@ -123,11 +128,12 @@ final class SimulateCommand implements Callable<Integer> {
     return outputStep.map(options::outputStep).orElse(options);
   }
 
-  private int simulate(PreparedRun run, RunNews news, ResultFiles files) throws IOException {
+  private int simulate(PreparedRun run, RunNews news, ResultFiles files, CheckpointStore store)
+      throws IOException {
     RunResult result;
     ProgressDisplay display = ProgressDisplay.of(news, !quiet && !json);
     try {
-      result = run.toEnd(files);
+      result = run.toEnd(files, store);
     } catch (ServiceException e) {
       int status = FailureReport.status(e);
       // Rows that came before a server was lost are good; what bad input left is not.

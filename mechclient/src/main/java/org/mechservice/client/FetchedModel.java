@@ -17,12 +17,14 @@ import org.mechservice.solver.api.Solver;
  *
  * @param modelClass a {@link Model} or a {@link ModelSource}
  * @param solver the server's solver
+ * @param sha256 of the model's JAR
  * @param formulationReason why the model was generated in its formulation; empty if not said
  * @param shown column groups its file selects
  */
 record FetchedModel(
     Class<?> modelClass,
     Solver solver,
+    String sha256,
     Optional<String> formulationReason,
     Set<ColumnGroup> shown) {
   private static final String SHOWN_ATTRIBUTE = "Mech-Columns-Shown";
@@ -43,6 +45,7 @@ record FetchedModel(
       return new FetchedModel(
           modelClass(classes, modelJar.mainClass()),
           solver(classes),
+          Sha256.of(modelJar.bytes()),
           model.attribute(REASON_ATTRIBUTE),
           ColumnGroup.of(model.attribute(SHOWN_ATTRIBUTE).orElse(ColumnGroup.JOINTS.label())));
     } catch (ReflectiveOperationException | LinkageError | ServiceConfigurationError e) {
@@ -97,6 +100,6 @@ record FetchedModel(
     ModelSource source = newSource();
     Model model = source.model();
     RunRequest request = new RunRequest(model.description().defaults(), columns.orElse(shown));
-    return new LocalRun(source, model, solver, request, facts);
+    return new LocalRun(source, model, solver, sha256, request, facts);
   }
 }

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.ModelSource;
@@ -23,20 +25,26 @@ public final class LocalRun implements PreparedRun {
   private final ModelSource source;
   private final Map<String, String> parameters = new LinkedHashMap<>();
   private final Solver solver;
+  private final String modelSha256;
   private final RunRequest request;
   private final Map<String, Object> facts;
   private final RunControl control = new RunControl();
   private Model model;
   private volatile RunState state = RunState.CREATED;
 
+  /**
+   * @param modelSha256 of the JAR the model came in
+   */
   LocalRun(
       ModelSource source,
       Model model,
       Solver solver,
+      String modelSha256,
       RunRequest request,
       Map<String, Object> facts) {
     this.source = source;
     this.model = model;
+    this.modelSha256 = modelSha256;
     this.solver = solver;
     this.request = request;
     this.facts = facts;
@@ -77,10 +85,10 @@ public final class LocalRun implements PreparedRun {
   }
 
   @Override
-  public RunResult toEnd(ResultSink sink) throws IOException {
+  public RunResult toEnd(ResultSink sink, CheckpointStore store) throws IOException {
     state = RunState.RUNNING;
     try {
-      RunReport done = solver.run(model, request, sink, control);
+      RunReport done = solver.run(model, request, sink, control, checkpoints(store));
       Map<String, Object> report = new LinkedHashMap<>(done.asMap());
       facts.forEach(report::putIfAbsent);
       return new RunResult(done.outcome(), report);
@@ -93,6 +101,30 @@ public final class LocalRun implements PreparedRun {
     } finally {
       state = RunState.DONE;
     }
+  }
+
+  private Checkpoints checkpoints(CheckpointStore store) {
+    return new Checkpoints() {
+      @Override
+      public String modelHash() {
+        return parameters.isEmpty() ? modelSha256 : modelSha256 + " with " + parameters;
+      }
+
+      @Override
+      public double secondsBetween() {
+        return store.secondsBetween();
+      }
+
+      @Override
+      public Optional<byte[]> saved() {
+        return store.saved();
+      }
+
+      @Override
+      public void keep(byte[] checkpoint) throws IOException {
+        store.keep(checkpoint);
+      }
+    };
   }
 
   @Override

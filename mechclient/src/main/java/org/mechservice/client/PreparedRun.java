@@ -34,7 +34,21 @@ public sealed interface PreparedRun extends AutoCloseable permits RemoteRun, Loc
    * @throws ServiceException if the server is lost or refuses the run; the sink has the rows up to
    *     then
    */
-  RunResult toEnd(ResultSink sink) throws IOException;
+  default RunResult toEnd(ResultSink sink) throws IOException {
+    return toEnd(sink, CheckpointStore.NONE);
+  }
+
+  /**
+   * Runs to the end as {@link #toEnd(ResultSink)} does, leaving checkpoints on its way and when it
+   * is stopped, or going on from one: then only the rows after it are put out.
+   *
+   * @param store keeps the checkpoints
+   * @throws InvalidOptionException also if the checkpoint is damaged, or of another model, solver
+   *     version or request
+   * @throws NotAvailableException if checkpoints are wanted and the model cannot be saved
+   * @throws IOException also if a checkpoint cannot be kept
+   */
+  RunResult toEnd(ResultSink sink, CheckpointStore store) throws IOException;
 
   /**
    * Asks the run to stop, from any thread; {@link #toEnd} then returns with the rows so far.

@@ -98,22 +98,61 @@ public final class RemoteRun implements PreparedRun {
     return rows.ended();
   }
 
-  /** Starts the run if need be and puts out all rows that were not taken yet. */
+  /** {@inheritDoc} Starts the run if need be and puts out all rows that were not taken yet. */
   @Override
-  public RunResult toEnd(ResultSink sink) throws IOException {
+  public RunResult toEnd(ResultSink sink, CheckpointStore store) throws IOException {
     sink.begin(columns());
+    CheckpointClock clock = new CheckpointClock(store);
     if (!started) {
+      prepare(clock, store);
       start();
     }
     try {
-      while (!rows.ended()) {
-        rows.drainTo(sink, BLOCK_WAIT);
-      }
+      drain(sink, clock);
     } catch (IOException e) {
       cancel();
       throw e;
     }
     return result();
+  }
+
+  /** Refuses what cannot be saved before anything is computed. */
+  private void prepare(CheckpointClock clock, CheckpointStore store) {
+    try {
+      if (clock.isWanted()) {
+        checkpoint();
+      }
+      store.saved().ifPresent(saved -> calls.run(() -> simulation.restore(saved)));
+    } catch (NotAvailableException e) {
+      throw new InvalidOptionException(e.code(), String.valueOf(e.getMessage()), "checkpoint");
+    }
+  }
+
+  /** Takes the rows; before a checkpoint is kept, those that came before it. */
+  private void drain(ResultSink sink, CheckpointClock clock) throws IOException {
+    while (!rows.ended()) {
+      rows.drainTo(sink, BLOCK_WAIT);
+      if (clock.isDue() && !rows.ended()) {
+        Optional<byte[]> made = checkpoint();
+        long before = progress().rows();
+        while (rows.taken() < before && !rows.ended()) {
+          rows.drainTo(sink, BLOCK_WAIT);
+        }
+        clock.keep(made);
+      }
+    }
+    if (clock.isWanted() && progress().state() == RunState.CANCELLED) {
+      clock.keep(checkpoint());
+    }
+  }
+
+  /** Returns a checkpoint of the run as it is now; empty if it takes no step just now. */
+  private Optional<byte[]> checkpoint() {
+    try {
+      return Optional.of(calls.get(simulation::checkpoint));
+    } catch (InvalidStateException e) {
+      return Optional.empty();
+    }
   }
 
   /**

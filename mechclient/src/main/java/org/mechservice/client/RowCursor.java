@@ -55,6 +55,11 @@ final class RowCursor implements AutoCloseable {
     return ended;
   }
 
+  /** Returns how many rows were taken. */
+  long taken() {
+    return taken;
+  }
+
   /** Returns the next row; empty if there is none within the wait. */
   Optional<double[]> next(Duration wait) {
     long deadline = System.nanoTime() + wait.toNanos();

@@ -32,6 +32,11 @@ public record MechmlModel(
     warnings = List.copyOf(warnings);
   }
 
+  /** Returns the mechanism with what happens along the simulation wanted. */
+  public Mechanism watchedMechanism() {
+    return mechanism.withEvents(settings.events());
+  }
+
   /** A model with one simulation, and neither parameters nor outputs of its own. */
   public MechmlModel(Mechanism mechanism, SimulationSettings settings, List<Diagnostic> warnings) {
     this(mechanism, settings, List.of(settings), List.of(), List.of(), List.of(), warnings);

@@ -11,6 +11,7 @@ import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.unit.Unit;
+import org.mechservice.solver.api.ModelEvents;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.StateChange;
@@ -64,8 +65,8 @@ final class EventsReader {
         new Event(
             element.required("name"),
             trigger.get(),
-            Event.Direction.valueOf(direction.toUpperCase(Locale.ROOT)),
-            Event.Action.valueOf(action.toUpperCase(Locale.ROOT)),
+            ModelEvents.Direction.valueOf(direction.toUpperCase(Locale.ROOT)),
+            ModelEvents.Action.valueOf(action.toUpperCase(Locale.ROOT)),
             changes,
             names.origin(element)));
   }

@@ -66,7 +66,6 @@ public record CheckReport(
     }
     findings.addAll(loops.findings());
     try {
-      GenerationLimits.require(model);
       return new CheckReport(
           model, scene, loops, findings, Optional.of(generation(model, scene)), "");
     } catch (ModelBuildException e) {
@@ -82,7 +81,7 @@ public record CheckReport(
             model.settings().closure(),
             model.settings().run(),
             model.mechanism());
-    List<String> notGenerated = GenerationLimits.notGenerated(model.mechanism(), choice);
+    List<String> notGenerated = GenerationLimits.notGenerated(model.watchedMechanism(), choice);
     if (!notGenerated.isEmpty()) {
       String why = "none is generated yet for " + String.join(", ", notGenerated);
       return new Generation(choice, 0, List.of(new Omission("code of its own", why)));

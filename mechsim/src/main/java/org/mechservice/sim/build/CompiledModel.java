@@ -1,10 +1,12 @@
 package org.mechservice.sim.build;
 
+import java.io.ByteArrayOutputStream;
 import java.lang.reflect.Constructor;
 import java.util.Collections;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.build.jar.Sha256;
 import org.mechservice.sim.build.javac.ModelClassLoader;
 import org.mechservice.sim.build.user.UserClasses;
 import org.mechservice.solver.api.Model;
@@ -71,6 +73,13 @@ public final class CompiledModel {
   /** Returns class file bytes by binary class name, those of users too; not to be modified. */
   public SortedMap<String, byte[]> classFiles() {
     return classFiles;
+  }
+
+  /** Returns the SHA-256 of its class files, which identifies it to the bit. */
+  public String sha256() {
+    ByteArrayOutputStream all = new ByteArrayOutputStream();
+    classFiles.values().forEach(all::writeBytes);
+    return Sha256.of(all.toByteArray());
   }
 
   /** Returns the class files of its users, by binary class name; not to be modified. */

@@ -39,7 +39,7 @@ final class DataColumns {
   static CompactModel data(
       MechmlModel model, BuildOptions options, FormulationChoice choice, Set<ColumnGroup> groups) {
     return new CompactModel(
-        model.mechanism(),
+        model.watchedMechanism(),
         choice.formulation(),
         choice.closure(),
         options.settings(),

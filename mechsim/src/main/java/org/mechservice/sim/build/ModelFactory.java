@@ -46,13 +46,11 @@ public final class ModelFactory {
    *
    * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
    *     the formulation (S-081) or the integrator (S-082) does not fit or exist, a name cannot be
-   *     kept (S-083), or the model has what this version does not simulate (S-088); the message
-   *     says why and what does
+   *     kept (S-083); the message says why and what does
    */
   public static GeneratedModel generate(MechmlModel model, BuildOptions options) {
-    Mechanism mechanism = model.mechanism();
+    Mechanism mechanism = model.watchedMechanism();
     ModelNames.requireUsable(mechanism);
-    GenerationLimits.require(model);
     Optional<AnalysisTask> task = AnalysisTask.of(model.settings().task());
     if (task.isPresent()) {
       return analysis(model, options, task);

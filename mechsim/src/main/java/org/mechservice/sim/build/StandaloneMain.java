@@ -53,7 +53,7 @@ final class StandaloneMain {
         name,
         model.generated().className(),
         INTEGRATION + INTEGRATORS.getOrDefault(integrator, ""),
-        RuntimeSolver.formOf(model.withoutUserClasses(), integrator).getClass().getName(),
+        RuntimeSolver.formOf(model.withoutUserClasses(), integrator),
         built,
         shown);
   }

@@ -139,7 +139,7 @@ final class EndedRunServant implements HostedServant {
 
   @Override
   public byte[] checkpoint() throws NotAvailable {
-    throw Refusal.notAvailable("checkpoints are not in this version");
+    throw Refusal.notAvailable("of a run that was left no checkpoint is kept");
   }
 
   @Override

@@ -3,6 +3,7 @@ package org.mechservice.sim.service;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.mechservice.sim.worker.WorkerResult;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
@@ -23,6 +24,7 @@ import org.mechservice.solver.api.TunableParameter;
  * @param model used by this run alone
  * @param parameters tunable parameters with the values the model has
  * @param request what is wanted
+ * @param checkpoints of the run
  * @param clock of the thread that computes
  */
 record ModelRun(
@@ -31,6 +33,7 @@ record ModelRun(
     Model model,
     List<TunableParameter> parameters,
     RunRequest request,
+    RunCheckpoints checkpoints,
     ThreadClock clock)
     implements RunTask {
   @Override
@@ -49,10 +52,15 @@ record ModelRun(
   }
 
   @Override
+  public Optional<RunCheckpoints> checkpointsOfRun() {
+    return Optional.of(checkpoints);
+  }
+
+  @Override
   public RunTask with(Map<String, String> values) {
     Model changed = source.model(values);
     return new ModelRun(
-        solver, source, changed, changed(source.parameters(), values), request, clock);
+        solver, source, changed, changed(source.parameters(), values), request, checkpoints, clock);
   }
 
   /** Returns parameters with other values of some, which are numbers. */
@@ -76,7 +84,8 @@ record ModelRun(
   @Override
   public WorkerResult run(ResultSink sink, RunControl control) throws IOException {
     clock.start();
-    RunReport report = solver.run(model, request, sink, control);
+    checkpoints.ofParameters(parameters);
+    RunReport report = solver.run(model, request, sink, control, checkpoints);
     return new WorkerResult(report.asMap(), report.outcome());
   }
 }

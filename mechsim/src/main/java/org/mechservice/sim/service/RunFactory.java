@@ -44,12 +44,20 @@ final class RunFactory {
   RunTask task(CompiledModel compiled, RunRequest request, long memoryBytes) {
     return compiled.hasUserClasses()
         ? new WorkerRun(compiled, request, memoryBytes)
-        : here(compiled.instances(), request);
+        : here(compiled, request);
   }
 
-  private ModelRun here(ModelSource source, RunRequest request) {
+  private ModelRun here(CompiledModel compiled, RunRequest request) {
+    ModelSource source = compiled.instances();
+    Model model = source.model();
     return new ModelRun(
-        solver, source, source.model(), source.parameters(), request, new ThreadClock());
+        solver,
+        source,
+        model,
+        source.parameters(),
+        request,
+        new RunCheckpoints(compiled::sha256, Simulation.canBeSaved(model)),
+        new ThreadClock());
   }
 
   /**

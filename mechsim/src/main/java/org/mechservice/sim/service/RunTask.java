@@ -3,6 +3,7 @@ package org.mechservice.sim.service;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.mechservice.sim.worker.WorkerLostException;
 import org.mechservice.sim.worker.WorkerResult;
 import org.mechservice.solver.api.Model;
@@ -41,6 +42,11 @@ interface RunTask {
    * @param y overwritten
    */
   void initialState(double[] y);
+
+  /** Returns the checkpoints of the run; empty if it leaves none and can be taken up from none. */
+  default Optional<RunCheckpoints> checkpointsOfRun() {
+    return Optional.empty();
+  }
 
   /** Returns the processor time used so far, ns; negative if it is not known. */
   long cpuNanos();

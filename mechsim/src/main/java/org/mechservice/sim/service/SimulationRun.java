@@ -93,6 +93,11 @@ final class SimulationRun implements Runnable, ResultSink {
     return plan.task().description().states();
   }
 
+  /** Returns its checkpoints; empty if it can have none. */
+  Optional<RunCheckpoints> checkpoints() {
+    return task().checkpointsOfRun().filter(RunCheckpoints::possible);
+  }
+
   private synchronized RunTask task() {
     return task;
   }

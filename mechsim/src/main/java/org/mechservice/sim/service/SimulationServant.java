@@ -159,13 +159,17 @@ final class SimulationServant implements HostedServant {
   }
 
   @Override
-  public byte[] checkpoint() throws NotAvailable {
-    throw Refusal.notAvailable("checkpoints are not in this version");
+  public byte[] checkpoint() throws InvalidState, NotAvailable {
+    try {
+      return new CheckpointCalls(run).make();
+    } catch (InterruptedException e) {
+      throw closing();
+    }
   }
 
   @Override
-  public void restore(byte[] checkpointFile) throws NotAvailable {
-    throw Refusal.notAvailable("checkpoints are not in this version");
+  public void restore(byte[] checkpointFile) throws InvalidState, NotAvailable {
+    new CheckpointCalls(run).restore(checkpointFile);
   }
 
   @Override

@@ -6,6 +6,7 @@ import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.api.WatchedModel;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.compact.CompactSource;
 import org.mechservice.solver.force.UserForceSource;
@@ -48,7 +49,8 @@ public abstract class ExtendedSource extends CompactSource {
   private Model extended(CompactModel asBuilt) {
     CompactModel data = prepared(asBuilt);
     UserForceSource userForces = userForces();
-    ExplicitModel model = (ExplicitModel) ModelSource.of(bare(data, userForces));
-    return new ExtendedModel(model, new FurtherColumns(model, data, groups, userForces));
+    Model built = ModelSource.of(bare(data, userForces));
+    ExplicitModel model = (ExplicitModel) WatchedModel.bare(built);
+    return new ExtendedModel(built, new FurtherColumns(model, data, groups, userForces));
   }
 }

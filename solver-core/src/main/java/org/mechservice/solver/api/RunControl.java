@@ -131,8 +131,18 @@ public class RunControl {
     return !stopRequested;
   }
 
-  private synchronized boolean mustHold() {
+  /**
+   * For the solver: returns whether {@link #proceed} would hold the run.
+   *
+   * @param time time reached, s
+   * @param steps accepted steps so far
+   */
+  public synchronized boolean holdsAt(double time, long steps) {
     return !stopRequested && (steps >= stepsAllowed || time >= holdAt);
+  }
+
+  private synchronized boolean mustHold() {
+    return holdsAt(time, steps);
   }
 
   private synchronized void hold() {

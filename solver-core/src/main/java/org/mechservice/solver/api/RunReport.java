@@ -26,6 +26,7 @@ import java.util.OptionalDouble;
  *     stability, not its accuracy, kept small
  * @param jacobians Jacobians formed; 0, like the next, for integrators that solve no equations
  * @param factorisations matrices factored
+ * @param limits states that made steps be rejected, most often first
  * @param notes what the model had to say about the run
  * @param solverVersion version of the solver that ran
  */
@@ -45,11 +46,31 @@ public record RunReport(
     boolean stiffnessSuspected,
     long jacobians,
     long factorisations,
+    List<Limit> limits,
     List<RunNotes.Note> notes,
     String solverVersion) {
 
+  /** States named in the report; the others limit it less. */
+  private static final int MOST_LIMITS = 5;
+
   public RunReport {
+    limits = List.copyOf(limits);
     notes = List.copyOf(notes);
+  }
+
+  /**
+   * How often a state made a step be rejected.
+   *
+   * @param state its name
+   * @param inaccurate how often its error was the largest
+   * @param unsolved how often the equations of an implicit step failed by it, or it was not finite
+   */
+  public record Limit(String state, long inaccurate, long unsolved) {
+    @Override
+    public String toString() {
+      String error = inaccurate == 0 ? "" : " error " + inaccurate;
+      return state + error + (unsolved == 0 ? "" : " equations " + unsolved);
+    }
   }
 
   /** A run that solved no equations and of which nothing is noted. */
@@ -84,6 +105,7 @@ public record RunReport(
         stiffnessSuspected,
         0,
         0,
+        List.of(),
         List.of(),
         solverVersion);
   }
@@ -128,6 +150,11 @@ public record RunReport(
     energyScale.ifPresent(scale -> map.put("energyScale", scale));
     if (stiffnessSuspected) {
       map.put("stiffness", "suspected");
+    }
+    if (!limits.isEmpty()) {
+      map.put(
+          "rejectedBy",
+          String.join(", ", limits.stream().limit(MOST_LIMITS).map(Limit::toString).toList()));
     }
     if (!notes.isEmpty()) {
       map.put("notes", String.join("\n", notes.stream().map(RunNotes.Note::message).toList()));

@@ -32,11 +32,15 @@ public interface Solver {
    * @throws IllegalArgumentException also if the checkpoint is damaged, or of another model, solver
    *     version or request; or if the model has a state of its own that it does not tell
    * @throws IOException also if a checkpoint could not be kept
-   * @throws UnsupportedOperationException if this solver leaves no checkpoints
+   * @throws UnsupportedOperationException if there is a checkpoint to go on from and this solver
+   *     knows none; such a solver leaves none either
    */
   default RunReport run(
       Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException {
-    throw new UnsupportedOperationException("this solver leaves no checkpoints");
+    if (checkpoints.saved().isPresent()) {
+      throw new UnsupportedOperationException("this solver knows no checkpoints");
+    }
+    return run(model, request, sink, control);
   }
 }

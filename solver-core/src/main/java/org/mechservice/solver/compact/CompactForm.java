@@ -2,6 +2,7 @@ package org.mechservice.solver.compact;
 
 import java.util.List;
 import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Parameter;
@@ -29,6 +30,7 @@ public final class CompactForm {
         .write(mechanism.closures())
         .write(mechanism.forces())
         .write(mechanism.parameters())
+        .write(mechanism.events())
         .bytes();
   }
 
@@ -40,17 +42,19 @@ public final class CompactForm {
    */
   public static Mechanism read(byte[] bytes) {
     RecordReader reader = new RecordReader(bytes);
-    return new Mechanism(
-        (String) reader.read(),
-        (Root) reader.read(),
-        (Vector3) reader.read(),
-        list(reader, Body.class),
-        list(reader, Joint.class),
-        list(reader, PrescribedMotion.class),
-        list(reader, StartRole.class),
-        list(reader, LoopClosure.class),
-        list(reader, ForceElement.class),
-        list(reader, Parameter.class));
+    Mechanism mechanism =
+        new Mechanism(
+            (String) reader.read(),
+            (Root) reader.read(),
+            (Vector3) reader.read(),
+            list(reader, Body.class),
+            list(reader, Joint.class),
+            list(reader, PrescribedMotion.class),
+            list(reader, StartRole.class),
+            list(reader, LoopClosure.class),
+            list(reader, ForceElement.class),
+            list(reader, Parameter.class));
+    return mechanism.withEvents(list(reader, Event.class));
   }
 
   private static <T> List<T> list(RecordReader reader, Class<T> type) {

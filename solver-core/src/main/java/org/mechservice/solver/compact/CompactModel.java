@@ -6,6 +6,8 @@ import java.util.List;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.TunableParameter;
+import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.dynamics.StateEvents;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
@@ -111,6 +113,12 @@ public record CompactModel(
    * @throws IllegalArgumentException if the formulation or the closure does not suit the mechanism
    */
   public Model model(UserForceSource userForces) {
-    return DataDriven.model(this, userForces);
+    Model model = DataDriven.model(this, userForces);
+    return somethingHappens() ? new WatchedModel(model, new StateEvents(mechanism)) : model;
+  }
+
+  private boolean somethingHappens() {
+    return !mechanism.events().isEmpty()
+        || !mechanism.timeJumps(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY).isEmpty();
   }
 }

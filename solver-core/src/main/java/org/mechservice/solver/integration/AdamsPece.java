@@ -91,7 +91,7 @@ abstract class AdamsPece implements Integrator {
   private void begin(double t0, double tEnd) {
     equations.breakpoints().begin(equations.system(), t0, tEnd);
     bounds.begin(t0, tEnd, settings.maxStep());
-    progress.begin(t0, settings.relativeTolerance());
+    progress.begin(t0, equations.system().dimension(), settings.relativeTolerance());
     this.tEnd = tEnd;
   }
 
@@ -306,7 +306,8 @@ abstract class AdamsPece implements Integrator {
   /** Reduces the step; returns a cause if that is not possible. */
   private Optional<Cause> reject(Attempt attempt) {
     boolean inaccurate = attempt == Attempt.TOO_INACCURATE;
-    progress.rejected(h, control.order(), inaccurate ? control.error() : Double.NaN, attempt);
+    double error = inaccurate ? control.error() : Double.NaN;
+    progress.rejected(h, control.order(), error, attempt, limitingComponent(attempt));
     double smallest = bounds.smallest(progress.time());
     if (progress.notFiniteTooOften() || Math.abs(h) <= smallest) {
       return Optional.of(cause(attempt));
@@ -442,7 +443,8 @@ abstract class AdamsPece implements Integrator {
         0,
         0,
         stiffness.suspectsStiffness(),
-        toleranceFactor);
+        toleranceFactor,
+        progress.limits());
   }
 
   @Override

@@ -118,7 +118,7 @@ abstract class BackwardMethod implements Integrator {
     }
     norm.begin(relativeTolerance, absoluteTolerances, equations.manifold());
     bounds.begin(t0, tEnd, settings.maxStep());
-    progress.begin(t0, settings.relativeTolerance());
+    progress.begin(t0, n, settings.relativeTolerance());
   }
 
   @Override
@@ -380,7 +380,8 @@ abstract class BackwardMethod implements Integrator {
    */
   private Optional<Cause> repair(Attempt attempt) {
     boolean inaccurate = attempt == Attempt.TOO_INACCURATE;
-    progress.rejected(h, control.order(), inaccurate ? control.error() : Double.NaN, attempt);
+    double error = inaccurate ? control.error() : Double.NaN;
+    progress.rejected(h, control.order(), error, attempt, limitingComponent(attempt));
     if (progress.notFiniteTooOften()) {
       return Optional.of(Cause.NOT_FINITE);
     }

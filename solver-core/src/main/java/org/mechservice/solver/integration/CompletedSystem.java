@@ -11,6 +11,25 @@ package org.mechservice.solver.integration;
  * own places of the residual; the places of passive ones are not read.
  */
 public interface CompletedSystem {
+  /** A system whose components are all independent. */
+  CompletedSystem NOTHING_PASSIVE =
+      new CompletedSystem() {
+        @Override
+        public boolean independent(int component) {
+          return true;
+        }
+
+        @Override
+        public boolean complete(double t, double[] y) {
+          return true;
+        }
+
+        @Override
+        public boolean accepted(double t, double[] y) {
+          return false;
+        }
+      };
+
   /** Returns whether a component is independent at present; changes only in {@link #accepted}. */
   boolean independent(int component);
 

@@ -2,6 +2,7 @@ package org.mechservice.solver.integration;
 
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.mechservice.solver.integration.EventFunctions.Reaction;
 import org.mechservice.solver.integration.IntegrationFailure.Cause;
 
@@ -22,7 +23,7 @@ import org.mechservice.solver.integration.IntegrationFailure.Cause;
  * <p>Shampine and Thompson, <i>Event location for ordinary differential equations</i>, Comput.
  * Math. Appl. 39 (2000) 43.
  */
-public final class EventIntegration implements Integrator {
+public final class EventIntegration implements ResidualIntegrator {
   /** Parts of a step at which functions are evaluated. */
   private static final double[] PARTS = {0.25, 0.5, 0.75, 1};
 
@@ -40,24 +41,6 @@ public final class EventIntegration implements Integrator {
    */
   private static final double FIRST_STEP = 0.05;
 
-  private static final CompletedSystem NOTHING_PASSIVE =
-      new CompletedSystem() {
-        @Override
-        public boolean independent(int component) {
-          return true;
-        }
-
-        @Override
-        public boolean complete(double t, double[] y) {
-          return true;
-        }
-
-        @Override
-        public boolean accepted(double t, double[] y) {
-          return false;
-        }
-      };
-
   private final Integrator integrator;
   private final EventFunctions functions;
   private final EventSigns signs;
@@ -67,7 +50,7 @@ public final class EventIntegration implements Integrator {
   private final RecentSteps recentSteps = new RecentSteps();
   private final boolean[] occurred;
 
-  private CompletedSystem completed = NOTHING_PASSIVE;
+  private CompletedSystem completed = CompletedSystem.NOTHING_PASSIVE;
   private Optional<IntegrationFailure> failure = Optional.empty();
 
   /** Values at the points searched last and next. */
@@ -115,6 +98,26 @@ public final class EventIntegration implements Integrator {
     return begin(result, system, t0, y0.length, tEnd);
   }
 
+  /**
+   * {@inheritDoc}
+   *
+   * @throws IllegalArgumentException also if the integrator that takes the steps is none for
+   *     problems in residual form
+   */
+  @Override
+  public StepResult start(
+      ResidualSystem system, double t0, double[] y0, double[] yDot0, double tEnd) {
+    StepResult result = residual().start(system, t0, y0, yDot0, tEnd);
+    return begin(result, system, t0, y0.length, tEnd);
+  }
+
+  private ResidualIntegrator residual() {
+    if (integrator instanceof ResidualIntegrator implicit) {
+      return implicit;
+    }
+    throw new IllegalArgumentException("the integrator takes no problem in residual form");
+  }
+
   private StepResult begin(
       StepResult result, Object system, double t0, int dimension, double tEnd) {
     prepare(system, dimension, tEnd);
@@ -127,7 +130,7 @@ public final class EventIntegration implements Integrator {
   }
 
   private void prepare(Object system, int dimension, double tEnd) {
-    completed = system instanceof CompletedSystem some ? some : NOTHING_PASSIVE;
+    completed = system instanceof CompletedSystem some ? some : CompletedSystem.NOTHING_PASSIVE;
     y = new double[dimension];
     yDot = new double[dimension];
     restarted = new double[dimension];
@@ -365,12 +368,21 @@ public final class EventIntegration implements Integrator {
 
   @Override
   public StepResult resume(OdeSystem system, byte[] saved) {
+    return resume(saved, system, system.dimension(), inner -> integrator.resume(system, inner));
+  }
+
+  @Override
+  public StepResult resume(ResidualSystem system, byte[] saved) {
+    return resume(saved, system, system.dimension(), inner -> residual().resume(system, inner));
+  }
+
+  private StepResult resume(byte[] saved, Object system, int dimension, Consumer<byte[]> steps) {
     StateTransfer.restore(
         saved,
         state -> {
           byte[] inner = state.bytes(new byte[0]);
-          prepare(system, system.dimension(), state.number(0));
-          running = integrator.resume(system, inner) == StepResult.ADVANCED;
+          prepare(system, dimension, state.number(0));
+          steps.accept(inner);
           transfer(state);
         });
     return running ? StepResult.ADVANCED : StepResult.REACHED_END;

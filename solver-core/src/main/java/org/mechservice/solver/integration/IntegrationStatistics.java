@@ -1,5 +1,7 @@
 package org.mechservice.solver.integration;
 
+import java.util.List;
+
 /**
  * What an integration cost so far.
  *
@@ -14,6 +16,7 @@ package org.mechservice.solver.integration;
  * @param stiffnessSuspected whether the steps look as if stability, not accuracy, limited them: an
  *     implicit method might take far fewer
  * @param toleranceFactor what the tolerances asked for were multiplied by in every error test
+ * @param limits components that made steps be rejected, most often first
  */
 public record IntegrationStatistics(
     long steps,
@@ -23,4 +26,20 @@ public record IntegrationStatistics(
     long factorisations,
     long solutions,
     boolean stiffnessSuspected,
-    double toleranceFactor) {}
+    double toleranceFactor,
+    List<Limit> limits) {
+
+  public IntegrationStatistics {
+    limits = List.copyOf(limits);
+  }
+
+  /**
+   * How often one component made a step be rejected.
+   *
+   * @param component its index
+   * @param inaccurate how often its error was the largest, relative to what is allowed
+   * @param unsolved how often it was the worst when the equations of a step could not be solved, or
+   *     was not finite
+   */
+  public record Limit(int component, long inaccurate, long unsolved) {}
+}

@@ -1,5 +1,6 @@
 package org.mechservice.solver.integration;
 
+import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.integration.IntegrationFailure.Cause;
 
@@ -9,6 +10,7 @@ final class Progress {
   private static final int NOT_FINITE_TRIES = 10;
 
   private final RecentSteps recentSteps = new RecentSteps();
+  private final StepLimits limits = new StepLimits();
   private Optional<IntegrationFailure> failure = Optional.empty();
   private boolean running;
 
@@ -29,17 +31,14 @@ final class Progress {
   private long steps;
   private long rejectedSteps;
 
-  /** Begins a problem that is not yet ready to be advanced. */
-  void begin(double t0) {
-    begin(t0, 0);
-  }
-
   /**
    * Begins a problem that is not yet ready to be advanced.
    *
+   * @param dimension of the problem
    * @param relativeTolerance to which a place on the t axis is known, relative to the time elapsed
    */
-  void begin(double t0, double relativeTolerance) {
+  void begin(double t0, int dimension, double relativeTolerance) {
+    limits.begin(dimension);
     start = t0;
     resolution = relativeTolerance;
     resolvedTime = t0;
@@ -87,8 +86,13 @@ final class Progress {
     steps++;
   }
 
-  /** Takes note of a rejected step. */
-  void rejected(double h, int order, double error, Attempt attempt) {
+  /**
+   * Takes note of a rejected step.
+   *
+   * @param component that it failed by; −1 if none can be named
+   */
+  void rejected(double h, int order, double error, Attempt attempt, int component) {
+    limits.rejected(attempt, component);
     recentSteps.record(time, h, order, error, attempt);
     notFiniteInARow = attempt == Attempt.NOT_FINITE ? notFiniteInARow + 1 : 0;
     rejectedSteps++;
@@ -172,6 +176,11 @@ final class Progress {
     return rejectedSteps;
   }
 
+  /** Returns which components made steps be rejected. */
+  List<IntegrationStatistics.Limit> limits() {
+    return limits.list();
+  }
+
   /** Returns the number of steps tried. */
   long tries() {
     return steps + rejectedSteps;
@@ -184,6 +193,7 @@ final class Progress {
   /** Carries the state between two steps over. */
   void transfer(StateTransfer state) {
     recentSteps.transfer(state);
+    limits.transfer(state);
     running = state.flag(running);
     start = state.number(start);
     time = state.number(time);

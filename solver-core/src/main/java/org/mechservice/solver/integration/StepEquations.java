@@ -303,7 +303,8 @@ abstract class StepEquations {
         factorisations,
         solutions,
         false,
-        toleranceFactor);
+        toleranceFactor,
+        progress.limits());
   }
 
   /** Stands in until a problem is given. */

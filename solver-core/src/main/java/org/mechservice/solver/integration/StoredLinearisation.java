@@ -133,8 +133,11 @@ final class StoredLinearisation implements ResidualLinearisation {
     fyDot.addMagnitudes(yDot, magnitude);
     inState.knowMagnitude(magnitude);
     inDerivative.knowMagnitude(magnitude);
+    Manifold manifold = residual.manifold();
     for (int l = 0; l < algebraic.length && !formed; l++) {
-      algebraic[l] = residual.manifold().algebraic(l) || fyDot.isZero(l);
+      // The column of a passive component is zero, too, but only while it is passive.
+      boolean absent = manifold.independent(l) && fyDot.isZero(l);
+      algebraic[l] = manifold.algebraic(l) || absent;
     }
     formed = true;
   }

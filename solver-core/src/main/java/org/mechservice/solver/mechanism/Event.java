@@ -1,6 +1,7 @@
 package org.mechservice.solver.mechanism;
 
 import java.util.List;
+import org.mechservice.solver.api.ModelEvents;
 import org.mechservice.solver.expression.Expression;
 
 /**
@@ -16,30 +17,10 @@ import org.mechservice.solver.expression.Expression;
 public record Event(
     String name,
     Expression trigger,
-    Direction direction,
-    Action action,
+    ModelEvents.Direction direction,
+    ModelEvents.Action action,
     List<StateChange> changes,
     Origin origin) {
-
-  /** Which passages through zero count. */
-  public enum Direction {
-    /** From below to above. */
-    RISING,
-    /** From above to below. */
-    FALLING,
-    /** Both. */
-    BOTH
-  }
-
-  /** What happens at a passage. */
-  public enum Action {
-    /** The run ends there. */
-    STOP,
-    /** The instant becomes a row of the results. */
-    RECORD,
-    /** Coordinates take new values; the run goes on from there. */
-    SET
-  }
 
   public Event {
     changes = List.copyOf(changes);

@@ -32,6 +32,7 @@ public final class Mechanism {
   private final List<LoopClosure> closures;
   private final List<ForceElement> forces;
   private final List<Parameter> parameters;
+  private final List<Event> events;
   private final int[] outward;
   private final int[] jointOfBody;
   private final int[] motionOfJoint;
@@ -92,6 +93,32 @@ public final class Mechanism {
       List<LoopClosure> closures,
       List<ForceElement> forces,
       List<Parameter> parameters) {
+    this(
+        name,
+        root,
+        gravity,
+        bodies,
+        joints,
+        motions,
+        startRoles,
+        closures,
+        forces,
+        parameters,
+        List.of());
+  }
+
+  private Mechanism(
+      String name,
+      Root root,
+      Vector3 gravity,
+      List<Body> bodies,
+      List<Joint> joints,
+      List<PrescribedMotion> motions,
+      List<StartRole> startRoles,
+      List<LoopClosure> closures,
+      List<ForceElement> forces,
+      List<Parameter> parameters,
+      List<Event> events) {
     this.name = name;
     this.root = root;
     this.gravity = gravity;
@@ -102,6 +129,7 @@ public final class Mechanism {
     this.closures = List.copyOf(closures);
     this.forces = List.copyOf(forces);
     this.parameters = List.copyOf(parameters);
+    this.events = List.copyOf(events);
     this.jointOfBody = jointOfBody(this.bodies, this.joints);
     this.outward = outward(this.bodies, this.joints, jointOfBody);
     this.motionOfJoint = motionOfJoint(this.joints, this.motions);
@@ -262,6 +290,38 @@ public final class Mechanism {
     return parameters;
   }
 
+  /** Returns what happens along a simulation, in file order. */
+  public List<Event> events() {
+    return events;
+  }
+
+  /**
+   * Returns the times at which the equations jump because an expression of time in them does, such
+   * as {@code step(t-1)}.
+   *
+   * @param from first time of interest, s
+   * @param to last one, s
+   */
+  public List<Double> timeJumps(double from, double to) {
+    return TimeJumps.of(this, from, to);
+  }
+
+  /** Returns the same mechanism with other events along its simulation. */
+  public Mechanism withEvents(List<Event> other) {
+    return new Mechanism(
+        name,
+        root,
+        gravity,
+        bodies,
+        joints,
+        motions,
+        startRoles,
+        closures,
+        forces,
+        parameters,
+        other);
+  }
+
   /**
    * Returns the same mechanism with other values of its parameters.
    *
@@ -273,7 +333,17 @@ public final class Mechanism {
       changed.add(parameter.with(values[changed.size()]));
     }
     return new Mechanism(
-        name, root, gravity, bodies, joints, motions, startRoles, closures, forces, changed);
+        name,
+        root,
+        gravity,
+        bodies,
+        joints,
+        motions,
+        startRoles,
+        closures,
+        forces,
+        changed,
+        events);
   }
 
   /** Returns whether a joint's coordinates follow a prescribed motion and are no states. */

@@ -31,7 +31,7 @@ public final class AnalysisSolver implements Solver {
   @Override
   public RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
       throws IOException {
-    Simulation.requireUsable(request.settings());
+    OutputTimes.requireUsable(request.settings());
     Model bare = ExtendedModel.bare(model);
     return bare instanceof ResultTable table
         ? tabulate(table, request.settings(), sink)

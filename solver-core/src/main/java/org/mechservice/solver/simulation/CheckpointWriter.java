@@ -26,13 +26,18 @@ final class CheckpointWriter {
     this.request = request;
     this.store = store;
     boolean asked = store.saved().isPresent() || Double.isFinite(store.secondsBetween());
-    if (asked && model instanceof DependentStates && !(model instanceof ModelState)) {
+    if (asked && !canBeSaved(model)) {
       throw new IllegalArgumentException(
           "S-072 model \""
               + model.description().name()
               + "\" does not tell the state of its loops, so a run of it cannot be saved; run it"
               + " without checkpoints");
     }
+  }
+
+  /** Returns whether a run of a model can be taken up again with the same bits. */
+  static boolean canBeSaved(Model model) {
+    return !(model instanceof DependentStates) || model instanceof ModelState;
   }
 
   Optional<byte[]> saved() {
@@ -55,19 +60,23 @@ final class CheckpointWriter {
   /**
    * Keeps a checkpoint if the time has come.
    *
-   * @param last whether the run ends here, to be taken up later
+   * @param stands whether the run ends or is held here, perhaps to be taken up later
+   * @return whether it was due
    */
-  void keepIfDue(boolean last, StateTransfer.Part run) throws IOException {
+  boolean keepIfDue(boolean stands, StateTransfer.Part run) throws IOException {
     double distance = store.secondsBetween();
     double since = (System.nanoTime() - lastAt) / NANOSECONDS;
-    if (since >= distance || (last && Double.isFinite(distance))) {
+    boolean due = since >= distance || (stands && Double.isFinite(distance));
+    if (due) {
       store.keep(StateTransfer.save(state -> transfer(state, run)));
       lastAt = System.nanoTime();
     }
+    return due;
   }
 
   private void transfer(StateTransfer state, StateTransfer.Part run) {
     state.require("model", model.description().name());
+    state.require("formulation", model.description().formulation());
     state.require("hash of the model", store.modelHash());
     state.require("solver version", SolverVersion.CURRENT);
     state.require("run", request.settings());

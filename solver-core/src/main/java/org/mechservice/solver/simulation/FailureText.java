@@ -16,8 +16,10 @@ final class FailureText {
    *
    * @param singularJoint joint at which the inertia was singular in the last evaluation, or {@link
    *     ExplicitModel#REGULAR}
+   * @param event the event it may lie at; empty if none can be named
    */
-  static Failure of(IntegrationFailure failure, ModelDescription model, int singularJoint) {
+  static Failure of(
+      IntegrationFailure failure, ModelDescription model, int singularJoint, String event) {
     return switch (failure.cause()) {
       case NOT_FINITE ->
           singularJoint == ExplicitModel.REGULAR
@@ -80,7 +82,7 @@ final class FailureText {
               "N-021",
               "Events follow each other ever closer.",
               failure,
-              "",
+              event,
               "End the run before, or let the state that changes come to rest: a bounce below a"
                   + " certain speed, a switch without play.");
       case EVENT_NOT_FINITE ->
@@ -88,7 +90,7 @@ final class FailureText {
               "N-022",
               "A quantity whose change of sign is an event is not finite.",
               failure,
-              "",
+              event,
               "Check the expressions of the model's events.");
       case TOO_MANY_STEPS ->
           failure(
@@ -118,6 +120,40 @@ final class FailureText {
         0,
         "",
         "Tighten the tolerances; the mechanism may branch there.");
+  }
+
+  /** Explains an event that sets a state to what is no number. */
+  static Failure eventNotFinite(double t, String event, String state) {
+    return atEvent(
+        "N-013",
+        "The event sets state \"" + state + "\" to a value that is not finite.",
+        t,
+        event,
+        "Check the expressions it sets joints by.");
+  }
+
+  /** Explains an event after which no state closes the loops. */
+  static Failure eventOpensLoops(double t, String event) {
+    return atEvent(
+        "N-014",
+        "The loops cannot be closed after what the event sets.",
+        t,
+        event,
+        "Set values that the mechanism can take.");
+  }
+
+  /** Explains an event that sets a state which the loops have another value for. */
+  static Failure eventContradictsLoops(double t, String event, String state) {
+    return atEvent(
+        "N-014",
+        "The loops give state \"" + state + "\" another value than the event sets.",
+        t,
+        event,
+        "Set as many coordinates as the mechanism has degrees of freedom, to values that fit.");
+  }
+
+  private static Failure atEvent(String code, String cause, double t, String event, String advice) {
+    return new Failure(code, cause, t, 0, 0, event, advice);
   }
 
   /** Repeats what the model itself had to say. */

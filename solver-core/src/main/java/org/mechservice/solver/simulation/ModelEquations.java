@@ -15,6 +15,7 @@ import org.mechservice.solver.api.ProjectedStates;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.integration.Integrator;
+import org.mechservice.solver.integration.PiecewiseSystem;
 import org.mechservice.solver.integration.SavedSystem;
 import org.mechservice.solver.integration.StateTransfer;
 import org.mechservice.solver.integration.StepResult;
@@ -24,13 +25,14 @@ import org.mechservice.solver.integration.UnitGroups;
  * What every form of a model's equations tells an integrator: which states are Euler parameters;
  * and what the last evaluation that failed had to say.
  */
-public abstract class ModelEquations implements UnitGroups, SavedSystem {
+public abstract class ModelEquations implements UnitGroups, PiecewiseSystem, SavedSystem {
   private static final int EULER_PARAMETERS = 4;
 
   private final ExplicitModel model;
   private final int dimension;
   private final int[] groupStarts;
   private final boolean[] angle;
+  private List<Double> breakpoints = List.of();
   private int result = ExplicitModel.REGULAR;
 
   ModelEquations(ExplicitModel model, int dimension) {
@@ -116,6 +118,24 @@ public abstract class ModelEquations implements UnitGroups, SavedSystem {
       return loops.complete(t, y);
     }
     return !(model instanceof ProjectedStates loops) || loops.project(t, y);
+  }
+
+  /** Takes the times at which the equations jump. */
+  final void breakAt(List<Double> times) {
+    breakpoints = List.copyOf(times);
+  }
+
+  @Override
+  public final List<Double> breakpoints() {
+    return breakpoints;
+  }
+
+  /** Returns the name of an unknown. */
+  final String name(int unknown) {
+    List<Variable> states = model.description().states();
+    return unknown < states.size()
+        ? states.get(unknown).name()
+        : "multiplier " + (unknown - states.size());
   }
 
   /** Returns the model. */

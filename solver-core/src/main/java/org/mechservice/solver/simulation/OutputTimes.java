@@ -30,13 +30,42 @@ final class OutputTimes {
     count = end == start ? 1 : (long) Math.ceil((end - start) / step - AT_END) + 1;
   }
 
+  /**
+   * Checks the times of a run.
+   *
+   * @throws IllegalArgumentException S-062 naming the one that cannot be used
+   */
+  static void requireUsable(RunSettings settings) {
+    require(Double.isFinite(settings.tStart()), "start time", settings.tStart(), "finite");
+    require(
+        Double.isFinite(settings.tEnd()) && settings.tEnd() >= settings.tStart(),
+        "end time",
+        settings.tEnd(),
+        "finite and not before the start at " + settings.tStart() + " s");
+    require(
+        settings.tStep() > 0 && Double.isFinite(settings.tStep()),
+        "output step",
+        settings.tStep(),
+        "positive and finite");
+  }
+
+  private static void require(boolean met, String what, double value, String expected) {
+    if (!met) {
+      throw new IllegalArgumentException(
+          "S-062 the " + what + " is " + value + " s; it must be " + expected);
+    }
+  }
+
   /** Returns the number of rows. */
   long count() {
     return count;
   }
 
-  /** Returns the time of row {@code index}, s. */
+  /** Returns the time of row {@code index}, s; infinite behind the last one. */
   double time(long index) {
+    if (index >= count) {
+      return Double.POSITIVE_INFINITY;
+    }
     if (index == count - 1) {
       return end;
     }

@@ -12,6 +12,7 @@ import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.api.WatchedModel;
 import org.mechservice.solver.integration.De;
 import org.mechservice.solver.integration.IntegratorFactory;
 import org.mechservice.solver.integration.Ode113;
@@ -45,7 +46,13 @@ public final class RuntimeSolver implements Solver {
 
   /** Returns the form in which an integrator takes a model's equations. */
   public static EquationForm formOf(Model asBuilt, String integrator) {
-    Model model = ExtendedModel.bare(asBuilt);
+    Model watched = ExtendedModel.bare(asBuilt);
+    Model model = WatchedModel.bare(watched);
+    EquationForm form = bareFormOf(model, integrator);
+    return model == watched ? form : new WatchedForm(form);
+  }
+
+  private static EquationForm bareFormOf(Model model, String integrator) {
     if (integrator.equals(RESIDUAL) && model instanceof ResidualModel) {
       return new ResidualForm();
     }

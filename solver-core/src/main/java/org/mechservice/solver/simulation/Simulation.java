@@ -23,6 +23,7 @@ import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.WatchedModel;
 import org.mechservice.solver.integration.IntegrationFailure;
 import org.mechservice.solver.integration.IntegrationStatistics;
 import org.mechservice.solver.integration.Integrator;
@@ -61,8 +62,17 @@ public final class Simulation implements Solver {
     if (model instanceof ResultTable table) {
       return table.columns();
     }
-    ExplicitModel explicit = ExplicitForm.explicit(ExtendedModel.bare(model));
-    return new RowLayout(explicit, ExtendedModel.columnsOf(model), groups).columns();
+    return new RowLayout(ExplicitForm.explicit(bare(model)), ExtendedModel.columnsOf(model), groups)
+        .columns();
+  }
+
+  private static Model bare(Model model) {
+    return WatchedModel.bare(ExtendedModel.bare(model));
+  }
+
+  /** Returns whether runs of a model can leave checkpoints. */
+  public static boolean canBeSaved(Model model) {
+    return CheckpointWriter.canBeSaved(bare(model));
   }
 
   /**
@@ -89,9 +99,12 @@ public final class Simulation implements Solver {
   public RunReport run(
       Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException {
-    ModelEquations equations = form.of(ExtendedModel.bare(model));
+    OutputTimes.requireUsable(request.settings());
+    Model watched = ExtendedModel.bare(model);
+    ModelEquations equations = form.of(watched);
+    RunEvents events = form.events(watched, equations, request.settings());
     ResultColumns further = ExtendedModel.columnsOf(model);
-    return new Run(equations, further, request, sink, control, checkpoints).toEnd();
+    return new Run(equations, events, further, request, sink, control, checkpoints).toEnd();
   }
 
   /** One run in progress. */
@@ -101,6 +114,7 @@ public final class Simulation implements Solver {
     private final RunControl control;
     private final Integrator integrator;
     private final ModelEquations equations;
+    private final RunEvents events;
     private final OutputTimes outputTimes;
     private final RowWriter rows;
     private final WorkMeter work;
@@ -118,6 +132,7 @@ public final class Simulation implements Solver {
 
     Run(
         ModelEquations equations,
+        RunEvents events,
         ResultColumns further,
         RunRequest request,
         ResultSink sink,
@@ -125,11 +140,11 @@ public final class Simulation implements Solver {
         Checkpoints store)
         throws IOException {
       this.equations = equations;
+      this.events = events;
       this.model = equations.model();
       this.settings = request.settings();
       this.control = control;
-      requireUsable(settings);
-      integrator = createIntegrator();
+      integrator = events.watch(createIntegrator());
       outputTimes = new OutputTimes(settings);
       checkpoints = new CheckpointWriter(model, request, store);
       rows = new RowWriter(model, further, request, sink);
@@ -238,26 +253,35 @@ public final class Simulation implements Solver {
         steps++;
         int badColumn = writeRowsOfStep();
         if (badColumn != RowWriter.ALL_FINITE) {
-          return rowFailed(outputTimes.time(nextRow), badColumn);
+          return rowFailed(dueRow(), badColumn);
         }
-        boolean goesOn = goOn();
-        if (result == StepResult.ADVANCED) {
-          checkpoints.keepIfDue(!goesOn, this::transfer);
-          if (!goesOn) {
-            return new Outcome.Stopped();
-          }
+        if (events.failure().isPresent()) {
+          return new Outcome.Failed(events.failure().get());
+        }
+        work.add(events.takeWork());
+        if (!proceed(result == StepResult.ADVANCED)) {
+          return new Outcome.Stopped();
         }
       }
       return new Outcome.Completed();
     }
 
+    /** Obeys the control between two steps, and keeps a checkpoint where the run may be left. */
+    private boolean proceed(boolean unfinished) throws IOException {
+      boolean stands = control.holdsAt(timeReached, steps);
+      boolean kept = unfinished && checkpoints.keepIfDue(stands, this::transfer);
+      if (goOn() || !unfinished) {
+        return true;
+      }
+      if (!kept) {
+        checkpoints.keepIfDue(true, this::transfer);
+      }
+      return false;
+    }
+
     private int writeRowsOfStep() throws IOException {
       timeReached = Math.min(integrator.time(), settings.tEnd());
-      for (; nextRow < outputTimes.count(); nextRow++) {
-        double t = outputTimes.time(nextRow);
-        if (t > timeReached) {
-          break;
-        }
+      for (double t = dueRow(); t <= timeReached; t = dueRow()) {
         integrator.interpolate(t, y, yDot);
         if (!equations.closeLoops(t, y) || !work.advance(t)) {
           return LOOPS_OPEN;
@@ -266,8 +290,23 @@ public final class Simulation implements Solver {
         if (badColumn != RowWriter.ALL_FINITE) {
           return badColumn;
         }
+        rowWritten(t);
       }
       return work.advance(timeReached) ? RowWriter.ALL_FINITE : LOOPS_OPEN;
+    }
+
+    /** Returns when the next row is due: an output time, or an event. */
+    private double dueRow() {
+      return Math.min(outputTimes.time(nextRow), events.dueRow());
+    }
+
+    private void rowWritten(double t) {
+      if (t == events.dueRow()) {
+        events.rowWritten();
+      }
+      if (t == outputTimes.time(nextRow)) {
+        nextRow++;
+      }
     }
 
     private boolean goOn() {
@@ -297,7 +336,7 @@ public final class Simulation implements Solver {
             FailureText.of(defect.get(), failure.time(), failure.stepSize(), failure.order()));
       }
       return new Outcome.Failed(
-          FailureText.of(failure, model.description(), equations.singularJoint()));
+          FailureText.of(failure, model.description(), equations.singularJoint(), events.part()));
     }
 
     private Outcome rowFailed(double t, int column) {
@@ -317,7 +356,17 @@ public final class Simulation implements Solver {
     private List<RunNotes.Note> notes() {
       List<RunNotes.Note> notes = modelNotes();
       notes.addAll(rows.notes());
+      notes.addAll(events.notes());
       return notes;
+    }
+
+    private List<RunReport.Limit> limits(IntegrationStatistics done) {
+      List<RunReport.Limit> limits = new ArrayList<>();
+      for (IntegrationStatistics.Limit limit : done.limits()) {
+        String name = equations.name(limit.component());
+        limits.add(new RunReport.Limit(name, limit.inaccurate(), limit.unsolved()));
+      }
+      return limits;
     }
 
     private RunReport report(Outcome outcome) {
@@ -339,30 +388,9 @@ public final class Simulation implements Solver {
           done.stiffnessSuspected(),
           done.jacobians(),
           done.factorisations(),
+          limits(done),
           notes(),
           SolverVersion.CURRENT);
-    }
-  }
-
-  /** Refuses an interval or an output distance that cannot be used. */
-  static void requireUsable(RunSettings settings) {
-    require(Double.isFinite(settings.tStart()), "start time", settings.tStart(), "finite");
-    require(
-        Double.isFinite(settings.tEnd()) && settings.tEnd() >= settings.tStart(),
-        "end time",
-        settings.tEnd(),
-        "finite and not before the start at " + settings.tStart() + " s");
-    require(
-        settings.tStep() > 0 && Double.isFinite(settings.tStep()),
-        "output step",
-        settings.tStep(),
-        "positive and finite");
-  }
-
-  private static void require(boolean met, String what, double value, String expected) {
-    if (!met) {
-      throw new IllegalArgumentException(
-          "S-062 the " + what + " is " + value + " s; it must be " + expected);
     }
   }
 }

@@ -56,6 +56,11 @@ final class WorkMeter {
     return true;
   }
 
+  /** Adds energy that was put in at once, J. */
+  void add(double energy) {
+    work += energy;
+  }
+
   /** Returns the work up to the time last advanced to, J; positive into the mechanism. */
   double work() {
     return work;

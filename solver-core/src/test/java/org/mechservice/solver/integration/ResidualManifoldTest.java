@@ -270,7 +270,7 @@ class ResidualManifoldTest {
   @Test
   void ownLinearAlgebraTakesTheSameSteps() {
     PendulumWithMultiplier pendulum = new PendulumWithMultiplier();
-    double[] start = pendulum.reference().initialState();
+    double[] start = pendulum.reference().initialState().clone();
     // The multiplier and the accelerations are to be found.
     Ode15sR known = integrator(1e-6);
     Ode15sR own = integrator(1e-6);

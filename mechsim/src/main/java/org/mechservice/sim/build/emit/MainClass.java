@@ -9,6 +9,7 @@ import org.mechservice.solver.integration.IntegratorSettings;
 import org.mechservice.solver.simulation.AnalysisSolver;
 import org.mechservice.solver.simulation.EquationForm;
 import org.mechservice.solver.simulation.Simulation;
+import org.mechservice.solver.simulation.WatchedForm;
 import org.mechservice.solver.standalone.Standalone;
 import org.objectweb.asm.ClassWriter;
 import org.objectweb.asm.MethodVisitor;
@@ -53,17 +54,22 @@ public final class MainClass {
    * @param className its own name, as those that follow fully qualified
    * @param model class of the model
    * @param integrator class of the integrator
-   * @param form class of the form its equations are handed to the integrator in
+   * @param form how its equations are handed to the integrator
    * @param built labels of the column groups the model was built with, separated by commas
    * @param shown labels of those put out where nothing else is asked for
    */
   public static byte[] of(
-      String className, String model, String integrator, String form, String built, String shown) {
+      String className,
+      String model,
+      String integrator,
+      EquationForm form,
+      String built,
+      String shown) {
     MainClass main = new MainClass();
     String own = internal(className);
     main.begin(own, Type.getInternalName(IntegratorFactory.class));
     main.create(internal(integrator));
-    main.main(internal(model), code -> simulation(code, own, internal(form)), built, shown);
+    main.main(internal(model), code -> simulation(code, own, form), built, shown);
     main.classFile.visitEnd();
     return main.classFile.toByteArray();
   }
@@ -97,7 +103,7 @@ public final class MainClass {
   }
 
   /** {@code new Simulation(new PendulumMain(), new ExplicitForm())}. */
-  private static void simulation(MethodVisitor code, String factory, String form) {
+  private static void simulation(MethodVisitor code, String factory, EquationForm form) {
     String simulation = Type.getInternalName(Simulation.class);
     code.visitTypeInsn(Opcodes.NEW, simulation);
     code.visitInsn(Opcodes.DUP);
@@ -163,6 +169,20 @@ public final class MainClass {
         false);
     code.visitMethodInsn(Opcodes.INVOKESTATIC, "java/lang/System", "exit", "(I)V", false);
     end(code, Opcodes.RETURN);
+  }
+
+  /** Leaves a form on the stack; one that watches a run has the other within. */
+  private static void create(MethodVisitor code, EquationForm form) {
+    if (form instanceof WatchedForm watched) {
+      String around = Type.getInternalName(WatchedForm.class);
+      code.visitTypeInsn(Opcodes.NEW, around);
+      code.visitInsn(Opcodes.DUP);
+      create(code, watched.equations());
+      String constructor = "(" + Type.getDescriptor(EquationForm.class) + ")V";
+      code.visitMethodInsn(Opcodes.INVOKESPECIAL, around, "<init>", constructor, false);
+    } else {
+      create(code, Type.getInternalName(form.getClass()));
+    }
   }
 
   private static void create(MethodVisitor code, String className) {

@@ -1,0 +1,184 @@
+package org.mechservice.solver.mechanism;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.TreeSet;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Expression.Call;
+import org.mechservice.solver.expression.Expression.Constant;
+import org.mechservice.solver.expression.Expression.Negation;
+import org.mechservice.solver.expression.Expression.ParameterValue;
+import org.mechservice.solver.expression.Expression.Power;
+import org.mechservice.solver.expression.Expression.Product;
+import org.mechservice.solver.expression.Expression.Quotient;
+import org.mechservice.solver.expression.Expression.Sum;
+import org.mechservice.solver.expression.Expression.Time;
+import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.ForceTorque;
+import org.mechservice.solver.mechanism.force.JointForce;
+
+/**
+ * The times at which a mechanism's equations jump because an expression in them does: {@code
+ * step(t-1)} at 1 s, {@code floor(10*t)} every tenth of a second. Found where the argument of such
+ * a function is c₀ + c₁ t with numbers or parameters for c; a jump that depends on the state has no
+ * time that is known before.
+ *
+ * <p>A force jumps with {@code step}, {@code floor} and {@code signum}. The acceleration of a
+ * driven joint jumps besides with {@code smoothStep}, {@code abs}, {@code min} and {@code max}.
+ */
+final class TimeJumps {
+  /** Jumps found at most; who has more has a function without pieces. */
+  private static final int MOST = 10_000;
+
+  private final List<Parameter> parameters;
+  private final double from;
+  private final double to;
+  private final TreeSet<Double> times = new TreeSet<>();
+
+  private TimeJumps(List<Parameter> parameters, double from, double to) {
+    this.parameters = parameters;
+    this.from = from;
+    this.to = to;
+  }
+
+  /** Returns the jumps of an interval, ascending; the first ten thousand if there are more. */
+  static List<Double> of(Mechanism mechanism, double from, double to) {
+    TimeJumps jumps = new TimeJumps(mechanism.parameters(), from, to);
+    for (PrescribedMotion motion : mechanism.motions()) {
+      motion.coordinates().forEach(coordinate -> jumps.search(coordinate, true));
+    }
+    for (ForceElement force : mechanism.forces()) {
+      if (force instanceof ForceTorque wrench) {
+        wrench.components().forEach(component -> jumps.search(component, false));
+      } else if (force instanceof JointForce inJoint) {
+        jumps.search(inJoint.force(), false);
+      }
+    }
+    return List.copyOf(jumps.times);
+  }
+
+  private void search(Expression expression, boolean twiceDifferentiated) {
+    if (expression instanceof Call call) {
+      call.arguments().forEach(argument -> search(argument, twiceDifferentiated));
+      call(call, twiceDifferentiated);
+    } else {
+      operands(expression).forEach(operand -> search(operand, twiceDifferentiated));
+    }
+  }
+
+  private static List<Expression> operands(Expression expression) {
+    if (expression instanceof Sum sum) {
+      return List.of(sum.left(), sum.right());
+    } else if (expression instanceof Product product) {
+      return List.of(product.left(), product.right());
+    } else if (expression instanceof Quotient quotient) {
+      return List.of(quotient.dividend(), quotient.divisor());
+    } else if (expression instanceof Power power) {
+      return List.of(power.base(), power.exponent());
+    } else if (expression instanceof Negation negation) {
+      return List.of(negation.operand());
+    }
+    return List.of();
+  }
+
+  private void call(Call call, boolean twiceDifferentiated) {
+    Optional<Line> argument = line(call.arguments().get(0));
+    if (argument.isEmpty() || argument.get().slope() == 0) {
+      return;
+    }
+    Line line = argument.get();
+    switch (call.function()) {
+      case STEP, SIGNUM -> add(line.where(0));
+      case FLOOR -> addWholes(line);
+      case ABS -> {
+        if (twiceDifferentiated) {
+          add(line.where(0));
+        }
+      }
+      case SMOOTH_STEP -> {
+        if (twiceDifferentiated) {
+          add(line.where(0));
+          add(line.where(1));
+        }
+      }
+      case MIN, MAX -> {
+        if (twiceDifferentiated) {
+          line(call.arguments().get(1)).ifPresent(other -> addMeeting(line, other));
+        }
+      }
+      default -> {}
+    }
+  }
+
+  private void addMeeting(Line one, Line other) {
+    double slope = one.slope() - other.slope();
+    if (slope != 0) {
+      add((other.atZero() - one.atZero()) / slope);
+    }
+  }
+
+  private void addWholes(Line line) {
+    double first = Math.ceil(Math.min(line.at(from), line.at(to)));
+    double last = Math.max(line.at(from), line.at(to));
+    if (Double.isInfinite(first)) {
+      add(line.where(0));
+      return;
+    }
+    for (int i = 0; i < MOST && first + i <= last; i++) {
+      add(line.where(first + i));
+    }
+  }
+
+  private void add(double t) {
+    if (t >= from && t <= to && times.size() < MOST) {
+      times.add(t);
+    }
+  }
+
+  /** Returns an expression as a line over time, if it is one. */
+  private Optional<Line> line(Expression expression) {
+    if (expression instanceof Constant constant) {
+      return Optional.of(new Line(constant.value(), 0));
+    } else if (expression instanceof ParameterValue parameter) {
+      return Optional.of(new Line(parameters.get(parameter.index()).value(), 0));
+    } else if (expression instanceof Time) {
+      return Optional.of(new Line(0, 1));
+    } else if (expression instanceof Negation negation) {
+      return line(negation.operand()).map(a -> new Line(-a.atZero(), -a.slope()));
+    }
+    List<Line> operands = new ArrayList<>();
+    operands(expression).forEach(operand -> line(operand).ifPresent(operands::add));
+    return operands.size() == 2
+        ? combination(expression, operands.get(0), operands.get(1))
+        : Optional.empty();
+  }
+
+  private static Optional<Line> combination(Expression expression, Line a, Line b) {
+    if (expression instanceof Sum) {
+      return Optional.of(new Line(a.atZero() + b.atZero(), a.slope() + b.slope()));
+    } else if (expression instanceof Product && a.slope() * b.slope() == 0) {
+      double slope = a.atZero() * b.slope() + a.slope() * b.atZero();
+      return Optional.of(new Line(a.atZero() * b.atZero(), slope));
+    } else if (expression instanceof Quotient && b.slope() == 0) {
+      return Optional.of(new Line(a.atZero() / b.atZero(), a.slope() / b.atZero()));
+    }
+    return Optional.empty();
+  }
+
+  /**
+   * A function of time.
+   *
+   * @param atZero value at t = 0
+   * @param slope per second
+   */
+  private record Line(double atZero, double slope) {
+    double at(double t) {
+      return atZero + slope * t;
+    }
+
+    double where(double value) {
+      return (value - atZero) / slope;
+    }
+  }
+}

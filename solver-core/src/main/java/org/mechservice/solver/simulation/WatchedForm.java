@@ -1,0 +1,28 @@
+package org.mechservice.solver.simulation;
+
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelEvents;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.WatchedModel;
+
+/**
+ * The equations of models along whose runs something happens. Apart from the other forms, so that a
+ * JAR for a scene without events does not carry their machinery.
+ *
+ * @param equations the form of the equations
+ */
+public record WatchedForm(EquationForm equations) implements EquationForm {
+  @Override
+  public ModelEquations of(Model model) {
+    return equations.of(WatchedModel.bare(model));
+  }
+
+  @Override
+  public RunEvents events(Model model, ModelEquations of, RunSettings settings) {
+    ModelEvents events =
+        WatchedModel.eventsOf(model)
+            .orElseThrow(() -> new IllegalArgumentException("nothing happens to the model"));
+    of.breakAt(events.jumps(settings.tStart(), settings.tEnd()));
+    return events.kinds().isEmpty() ? new RunEvents() : new WatchedRun(events, of);
+  }
+}

@@ -1,0 +1,221 @@
+package org.mechservice.solver.simulation;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.solver.api.Energies;
+import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.ModelEvents;
+import org.mechservice.solver.api.ModelEvents.Action;
+import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.integration.EventFunctions;
+import org.mechservice.solver.integration.EventIntegration;
+import org.mechservice.solver.integration.Integrator;
+import org.mechservice.solver.integration.SavedSystem;
+import org.mechservice.solver.integration.StateTransfer;
+
+/** The events of a model in a run: they are looked for, done and remembered. */
+final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem {
+  /** Events told one by one; of those after them only the number is. */
+  private static final int MOST_TOLD = 200;
+
+  /**
+   * How far a component that an event sets may be off when loops have been closed, relative to its
+   * size or one.
+   */
+  private static final double KEPT = 1e-8;
+
+  private final ModelEvents events;
+  private final ModelEquations equations;
+  private final String[] names;
+  private final double[] wanted;
+  private final double[] energy = new double[2];
+  private final List<Occurrence> told = new ArrayList<>();
+  private final List<Double> dueRows = new ArrayList<>();
+  private long count;
+  private int latest = -1;
+  private int notFinite = -1;
+  private double work;
+  private Optional<Failure> failure = Optional.empty();
+
+  WatchedRun(ModelEvents events, ModelEquations equations) {
+    this.events = events;
+    this.equations = equations;
+    names = events.kinds().stream().map(ModelEvents.Kind::name).toArray(String[]::new);
+    wanted = new double[equations.dimension()];
+  }
+
+  /** An event that has happened. */
+  private record Occurrence(int event, double time) {}
+
+  @Override
+  Integrator watch(Integrator integrator) {
+    return new EventIntegration(integrator, this);
+  }
+
+  @Override
+  public int count() {
+    return names.length;
+  }
+
+  @Override
+  public void evaluate(double t, double[] y, double[] g) {
+    events.values(t, y, g);
+    notFinite = -1;
+    for (int i = 0; i < g.length && notFinite < 0; i++) {
+      notFinite = Double.isFinite(g[i]) ? -1 : i;
+    }
+  }
+
+  @Override
+  public Direction direction(int function) {
+    return switch (events.kinds().get(function).direction()) {
+      case RISING -> Direction.RISING;
+      case FALLING -> Direction.FALLING;
+      case BOTH -> Direction.EITHER;
+    };
+  }
+
+  @Override
+  public Reaction occurred(double t, double[] y, boolean[] occurred) {
+    boolean sets = false;
+    boolean stops = false;
+    boolean records = false;
+    for (int i = 0; i < occurred.length; i++) {
+      if (occurred[i]) {
+        remember(i, t);
+        Action action = events.kinds().get(i).action();
+        sets |= action == Action.SET;
+        stops |= action == Action.STOP;
+        records |= action != Action.SET;
+      }
+    }
+    if (records) {
+      dueRows.add(t);
+    }
+    if (stops || (sets && !change(t, y, occurred))) {
+      return Reaction.STOP;
+    }
+    return sets ? Reaction.RESTART : Reaction.CONTINUE;
+  }
+
+  private void remember(int event, double t) {
+    latest = event;
+    count++;
+    if (told.size() < MOST_TOLD) {
+      told.add(new Occurrence(event, t));
+    }
+  }
+
+  /** Changes the state and closes loops again; returns false if that cannot be done. */
+  private boolean change(double t, double[] y, boolean[] occurred) {
+    double before = energy(t, y);
+    events.change(occurred, t, y);
+    for (int l = 0; l < y.length; l++) {
+      if (!Double.isFinite(y[l])) {
+        return fail(FailureText.eventNotFinite(t, part(), equations.name(l)));
+      }
+    }
+    System.arraycopy(y, 0, wanted, 0, y.length);
+    if (!equations.closeLoops(t, y)) {
+      return fail(FailureText.eventOpensLoops(t, part()));
+    }
+    for (int l = 0; l < y.length; l++) {
+      boolean kept = Math.abs(y[l] - wanted[l]) <= KEPT * (1 + Math.abs(wanted[l]));
+      if (!kept && isSet(l, occurred)) {
+        return fail(FailureText.eventContradictsLoops(t, part(), equations.name(l)));
+      }
+    }
+    work += energy(t, y) - before;
+    return true;
+  }
+
+  private boolean isSet(int component, boolean[] occurred) {
+    for (int i = 0; i < occurred.length; i++) {
+      if (occurred[i] && events.changes(i, component)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean fail(Failure why) {
+    failure = Optional.of(why);
+    return false;
+  }
+
+  private double energy(double t, double[] y) {
+    if (equations.model() instanceof Energies able) {
+      able.energy(t, y, energy);
+    }
+    return energy[0] + energy[1];
+  }
+
+  @Override
+  double dueRow() {
+    return dueRows.isEmpty() ? Double.POSITIVE_INFINITY : dueRows.get(0);
+  }
+
+  @Override
+  void rowWritten() {
+    dueRows.remove(0);
+  }
+
+  @Override
+  double takeWork() {
+    double taken = work;
+    work = 0;
+    return taken;
+  }
+
+  @Override
+  Optional<Failure> failure() {
+    return failure;
+  }
+
+  @Override
+  String part() {
+    int event = notFinite >= 0 ? notFinite : latest;
+    return event < 0 ? "" : "event \"" + names[event] + "\"";
+  }
+
+  @Override
+  List<Note> notes() {
+    List<Note> notes = new ArrayList<>();
+    for (Occurrence one : told) {
+      String text = "Event \"" + names[one.event()] + "\"" + what(one.event());
+      notes.add(new Note("N-012", one.time(), false, text));
+    }
+    if (count > told.size()) {
+      Occurrence last = told.get(told.size() - 1);
+      String text = (count - told.size()) + " more events after this time.";
+      notes.add(new Note("N-012", last.time(), false, text));
+    }
+    return notes;
+  }
+
+  private String what(int event) {
+    return switch (events.kinds().get(event).action()) {
+      case STOP -> " ends the run.";
+      case RECORD -> " is recorded.";
+      case SET -> " changes the state.";
+    };
+  }
+
+  @Override
+  public void transfer(StateTransfer state) {
+    for (String name : names) {
+      state.require("event", name);
+    }
+    count = state.integer(count);
+    latest = state.integer(latest);
+    int size = state.integer(told.size());
+    for (int i = 0; i < size; i++) {
+      Occurrence one = i < told.size() ? told.get(i) : new Occurrence(0, 0);
+      Occurrence carried = new Occurrence(state.integer(one.event()), state.number(one.time()));
+      if (state.restoring()) {
+        told.add(carried);
+      }
+    }
+  }
+}
