@@ -80,7 +80,7 @@ public record CheckReport(
         FormulationChoice.of(
             model.settings().formulation(),
             model.settings().closure(),
-            model.settings().run().integrator(),
+            model.settings().run(),
             model.mechanism());
     List<String> notGenerated = GenerationLimits.notGenerated(model.mechanism(), choice);
     if (!notGenerated.isEmpty()) {

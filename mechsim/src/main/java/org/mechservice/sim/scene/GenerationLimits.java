@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.SimulationSettings;
-import org.mechservice.mechml.SimulationTask;
 import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Parameter;
@@ -37,8 +36,7 @@ public final class GenerationLimits {
               + model.mechanism().name()
               + "\" has "
               + String.join("; ", beyond)
-              + ". This version simulates none of it; it runs <dynamic> with one absolute"
-              + " tolerance");
+              + ". This version simulates none of it");
     }
   }
 
@@ -46,12 +44,6 @@ public final class GenerationLimits {
   public static List<String> beyond(MechmlModel model) {
     SimulationSettings settings = model.settings();
     List<String> beyond = new ArrayList<>();
-    if (!(settings.task() instanceof SimulationTask.Dynamic)) {
-      beyond.add("the task <" + settings.task().element() + ">");
-    }
-    if (!settings.absoluteTolerances().isUniform()) {
-      beyond.add("absolute tolerances by class of state");
-    }
     add(beyond, "events", settings.events().stream().map(Event::name));
     return beyond;
   }

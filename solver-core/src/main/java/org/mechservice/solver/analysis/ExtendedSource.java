@@ -25,6 +25,11 @@ public abstract class ExtendedSource extends CompactSource {
     this.groups.remove(ColumnGroup.JOINTS);
   }
 
+  /** Returns the data that model and columns are about; where motions are held, so held. */
+  CompactModel prepared(CompactModel data) {
+    return data;
+  }
+
   /** Returns the model without further columns; a class that holds generated code returns that. */
   protected Object bare(CompactModel data, UserForceSource userForces) {
     return data.model(userForces);
@@ -40,7 +45,8 @@ public abstract class ExtendedSource extends CompactSource {
     return extended(data().with(values));
   }
 
-  private Model extended(CompactModel data) {
+  private Model extended(CompactModel asBuilt) {
+    CompactModel data = prepared(asBuilt);
     UserForceSource userForces = userForces();
     ExplicitModel model = (ExplicitModel) ModelSource.of(bare(data, userForces));
     return new ExtendedModel(model, new FurtherColumns(model, data, groups, userForces));

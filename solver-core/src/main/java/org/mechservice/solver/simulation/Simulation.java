@@ -15,6 +15,7 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.ResultTable;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.RunReport;
@@ -57,6 +58,9 @@ public final class Simulation implements Solver {
    *     explicit form (S-061)
    */
   public static List<Variable> columns(Model model, Set<ColumnGroup> groups) {
+    if (model instanceof ResultTable table) {
+      return table.columns();
+    }
     ExplicitModel explicit = ExplicitForm.explicit(ExtendedModel.bare(model));
     return new RowLayout(explicit, ExtendedModel.columnsOf(model), groups).columns();
   }
@@ -140,7 +144,9 @@ public final class Simulation implements Solver {
         return integrators.create(
             new IntegratorSettings(
                 settings.relativeTolerance(),
-                List.of(settings.absoluteTolerance()),
+                settings.hasOneTolerance()
+                    ? List.of(settings.absoluteTolerance())
+                    : equations.absoluteTolerances(settings),
                 settings.maxStep(),
                 settings.initialStep(),
                 settings.maxOrder(),
@@ -338,7 +344,8 @@ public final class Simulation implements Solver {
     }
   }
 
-  private static void requireUsable(RunSettings settings) {
+  /** Refuses an interval or an output distance that cannot be used. */
+  static void requireUsable(RunSettings settings) {
     require(Double.isFinite(settings.tStart()), "start time", settings.tStart(), "finite");
     require(
         Double.isFinite(settings.tEnd()) && settings.tEnd() >= settings.tStart(),
