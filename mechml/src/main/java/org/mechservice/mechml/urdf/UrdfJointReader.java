@@ -78,8 +78,11 @@ final class UrdfJointReader {
       numbers.missing(element, "attribute type");
       return Optional.empty();
     }
-    int index = TYPES.indexOf(name.get());
-    if (index < 0) {
+    Optional<Freedom> known =
+        Stream.of(Freedom.values())
+            .filter(type -> type.name().toLowerCase(Locale.ROOT).equals(name.get()))
+            .findFirst();
+    if (known.isEmpty()) {
       diagnostics.error(
           MessageCode.VALUE_NOT_IN_LIST,
           element.place(),
@@ -89,9 +92,8 @@ final class UrdfJointReader {
               Quoted.of(name.get()),
               String.join(", ", TYPES),
               Nearest.suggestion(name.get(), TYPES)));
-      return Optional.empty();
     }
-    return Optional.of(Freedom.values()[index]);
+    return known;
   }
 
   private Optional<String> link(Element element, String end) {

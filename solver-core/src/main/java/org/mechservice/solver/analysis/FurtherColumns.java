@@ -66,6 +66,7 @@ public final class FurtherColumns implements ResultColumns {
   public void values(ColumnGroup group, double t, double[] y, double[] values, int at) {
     ColumnValues own = groups.get(group);
     if (own == null) {
+      // A model without such columns has none to write.
       if (model instanceof ResultColumns columns) {
         columns.values(group, t, y, values, at);
       }
