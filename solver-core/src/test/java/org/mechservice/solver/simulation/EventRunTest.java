@@ -37,6 +37,7 @@ import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Event;
@@ -148,8 +149,7 @@ class EventRunTest {
     String closure = mechanism.closures().isEmpty() ? "none" : "projection";
     RunSettings settings = new RunSettings(0, 1, 0.1, "ode113", 1e-6, 1e-6);
     CompactModel written = new CompactModel(mechanism, formulation, closure, settings);
-    return CompactModel.model(
-        EventRunTest.class.getClassLoader(), written.texts().toArray(new String[0]));
+    return CompactModel.of(written.texts()).model(UserForceSource.NONE);
   }
 
   private RunReport run(Model model, String integrator, double tEnd) throws IOException {
