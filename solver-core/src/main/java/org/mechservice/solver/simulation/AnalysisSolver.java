@@ -96,6 +96,7 @@ public final class AnalysisSolver implements Solver {
         false,
         0,
         0,
+        List.of(),
         notes,
         SolverVersion.CURRENT);
   }
