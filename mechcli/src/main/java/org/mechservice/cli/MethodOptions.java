@@ -30,8 +30,9 @@ final class MethodOptions {
 
   @Option(
       names = "--closure",
-      paramLabel = "auto|projection",
-      description = "How loops are closed: auto or projection.")
+      paramLabel = "auto|projection|penalty",
+      hideParamSyntax = true,
+      description = "How loops are closed: auto, projection or penalty.")
   private String closure = "";
 
   @Option(

@@ -61,8 +61,13 @@ final class SimulateCommand implements Callable<Integer> {
   @Option(names = "--rtol", paramLabel = "R", description = "Relative tolerance.")
   private Optional<Double> relativeTolerance = Optional.empty();
 
-  @Option(names = "--atol", paramLabel = "A", description = "Absolute tolerance, SI.")
-  private Optional<Double> absoluteTolerance = Optional.empty();
+  @Option(
+      names = "--atol",
+      paramLabel = "A",
+      description =
+          "Absolute tolerance, SI: one, or four A;B;C;D for positions, angles, velocities, angular"
+              + " velocities.")
+  private Optional<String> absoluteTolerance = Optional.empty();
 
   @Option(names = "--t-end", paramLabel = "T", description = "End of the run, s.")
   private Optional<Double> endTime = Optional.empty();
@@ -118,7 +123,7 @@ final class SimulateCommand implements Callable<Integer> {
   private SimulationOptions options() {
     SimulationOptions options = method.addTo(parameters.addTo(SimulationOptions.asInFile()));
     options = relativeTolerance.map(options::relativeTolerance).orElse(options);
-    options = absoluteTolerance.map(options::absoluteTolerance).orElse(options);
+    options = absoluteTolerance.map(options::absoluteTolerances).orElse(options);
     options = endTime.map(options::endTime).orElse(options);
     return outputStep.map(options::outputStep).orElse(options);
   }

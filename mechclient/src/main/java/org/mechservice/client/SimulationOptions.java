@@ -88,7 +88,7 @@ public final class SimulationOptions {
     return with(OPT_FORMULATION.value, name);
   }
 
-  /** Chooses how loops are closed: {@code auto} or {@code projection}. */
+  /** Chooses how loops are closed: {@code auto}, {@code projection} or {@code penalty}. */
   public SimulationOptions closure(String name) {
     return with(OPT_CLOSURE.value, name);
   }
@@ -114,6 +114,14 @@ public final class SimulationOptions {
   /** Sets the local error, in SI units, below which a state does not matter. */
   public SimulationOptions absoluteTolerance(double tolerance) {
     return with(OPT_ABS_TOL.value, Double.toString(tolerance));
+  }
+
+  /**
+   * Sets the absolute tolerances, SI: one for all states, or four separated by semicolons, of
+   * positions, angles, velocities and angular velocities.
+   */
+  public SimulationOptions absoluteTolerances(String tolerances) {
+    return with(OPT_ABS_TOL.value, tolerances);
   }
 
   /** Sets the end of the run, s. */

@@ -20,9 +20,4 @@ public record AbsoluteTolerances(
   public boolean isUniform() {
     return position == angle && position == velocity && position == angularVelocity;
   }
-
-  /** Returns the smallest of the four. */
-  public double smallest() {
-    return Math.min(Math.min(position, angle), Math.min(velocity, angularVelocity));
-  }
 }

@@ -10,8 +10,7 @@ import org.mechservice.solver.mechanism.Event;
  * @param name the block's name; empty if it has none
  * @param task what is to be computed
  * @param run interval, output distance, integrator, tolerances; the integrator as the file names
- *     it, {@code auto} where the task needs none. Its absolute tolerance is the smallest of the
- *     four classes'. A task without time set stands at the instant 0
+ *     it, {@code auto} where the task needs none. A task without time set stands at the instant 0
  * @param absoluteTolerances by class of state
  * @param formulation formulation asked for; {@code auto} if the file leaves it open
  * @param closure how loops are closed; {@code auto} if the file leaves it open

@@ -70,16 +70,20 @@ final class SimulationReader {
   }
 
   private static RunSettings run(TimeSet time, IntegratorChoice integrator) {
+    AbsoluteTolerances tolerances = integrator.absoluteTolerances();
     return new RunSettings(
         time.start(),
         time.end(),
         time.step(),
         integrator.name(),
         integrator.relativeTolerance(),
-        integrator.absoluteTolerances().smallest(),
+        tolerances.position(),
         integrator.maxStep(),
         integrator.initialStep(),
-        integrator.maxOrder());
+        integrator.maxOrder(),
+        tolerances.angle(),
+        tolerances.velocity(),
+        tolerances.angularVelocity());
   }
 
   private Optional<SimulationTask> task(Element asked) {

@@ -8,7 +8,7 @@ import org.mechservice.solver.api.RunSettings;
  * What a model is to be built for.
  *
  * @param formulation {@code auto}, {@code DTR}, {@code DSR}, {@code RR} or {@code RR-JF}
- * @param closure how loops are closed: {@code auto} or {@code projection}
+ * @param closure how loops are closed: {@code auto}, {@code projection} or {@code penalty}
  * @param compact whether the model is to carry data instead of generated code
  * @param columns column groups it must be able to put out
  * @param settings the settings it carries as its defaults, with {@code auto} already resolved

@@ -3,10 +3,12 @@ package org.mechservice.sim.build;
 import java.util.EnumSet;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.mechservice.mechml.SimulationSettings;
+import org.mechservice.mechml.SimulationTask;
 import org.mechservice.solver.api.ColumnGroup;
 
 /** Which column groups a model that was built has, and which it shows. */
-final class BuiltColumns {
+public final class BuiltColumns {
   private BuiltColumns() {}
 
   /** Returns the groups the model can put out: some always, the others if it was built for them. */
@@ -17,11 +19,24 @@ final class BuiltColumns {
     return built;
   }
 
-  /** Returns those of them that its file selects; the joints alone if it says nothing. */
+  /** Returns those of them that its file selects. */
   static Set<ColumnGroup> shown(CompiledModel model) {
-    Set<ColumnGroup> shown = EnumSet.of(ColumnGroup.JOINTS);
-    model.source().settings().columns().stream().map(ColumnGroup::of).forEach(shown::addAll);
+    Set<ColumnGroup> shown = shown(model.source().settings());
     shown.retainAll(of(model));
+    return shown;
+  }
+
+  /**
+   * Returns the groups that a simulation puts out where nothing else is asked for: those its file
+   * selects; else the joints, and what inverse dynamics is about.
+   */
+  public static Set<ColumnGroup> shown(SimulationSettings settings) {
+    Set<ColumnGroup> shown = EnumSet.of(ColumnGroup.JOINTS);
+    settings.columns().stream().map(ColumnGroup::of).forEach(shown::addAll);
+    if (settings.columns().isEmpty() && settings.task() instanceof SimulationTask.InverseDynamic) {
+      shown.add(ColumnGroup.ACCELERATIONS);
+      shown.add(ColumnGroup.FORCES);
+    }
     return shown;
   }
 

@@ -66,7 +66,6 @@ public record CheckReport(
     }
     findings.addAll(loops.findings());
     try {
-      GenerationLimits.require(model);
       return new CheckReport(
           model, scene, loops, findings, Optional.of(generation(model, scene)), "");
     } catch (ModelBuildException e) {
@@ -80,7 +79,7 @@ public record CheckReport(
         FormulationChoice.of(
             model.settings().formulation(),
             model.settings().closure(),
-            model.settings().run().integrator(),
+            model.settings().run(),
             model.mechanism());
     List<String> notGenerated = GenerationLimits.notGenerated(model.watchedMechanism(), choice);
     if (!notGenerated.isEmpty()) {

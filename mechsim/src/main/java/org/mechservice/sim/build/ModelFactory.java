@@ -16,6 +16,7 @@ import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.build.dynamics.PoseEquations;
 import org.mechservice.sim.build.dynamics.PowerEquations;
 import org.mechservice.sim.build.dynamics.ResidualEquations;
+import org.mechservice.sim.build.emit.AnalysisTask;
 import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.ModelPlan;
@@ -44,22 +45,46 @@ public final class ModelFactory {
    * no code is generated yet, data for the formulations of the solver; the reason says which.
    *
    * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
-   *     the formulation (S-081) or the integrator (S-082) does not fit or exist, a name cannot be
-   *     kept (S-083), or the model has what this version does not simulate (S-088); the message
-   *     says why and what does
+   *     the formulation (S-081) or the integrator (S-082) does not fit or exist, or a name cannot be
+   *     kept (S-083); the message says why and what does
    */
   public static GeneratedModel generate(MechmlModel model, BuildOptions options) {
     Mechanism mechanism = model.watchedMechanism();
     ModelNames.requireUsable(mechanism);
-    GenerationLimits.require(model);
+    Optional<AnalysisTask> task = AnalysisTask.of(model.settings().task());
+    if (task.isPresent()) {
+      return analysis(model, options, task);
+    }
     String integrator = options.settings().integrator();
     StandaloneMain.requireIntegrator(integrator);
     FormulationChoice choice =
-        FormulationChoice.of(options.formulation(), options.closure(), integrator, mechanism);
+        FormulationChoice.of(
+            options.formulation(), options.closure(), options.settings(), mechanism);
     List<String> notGenerated = GenerationLimits.notGenerated(mechanism, choice);
     return options.compact() || !notGenerated.isEmpty()
         ? compact(model, options, choice, notGenerated)
         : specialised(model, options, choice);
+  }
+
+  /** Returns a model that is not integrated; its data say what is done with it. */
+  private static GeneratedModel analysis(
+      MechmlModel model, BuildOptions options, Optional<AnalysisTask> task) {
+    String name = model.settings().task().element();
+    FormulationChoice choice = new FormulationChoice(name, "none", "the simulation asks for it");
+    Set<ColumnGroup> further = DataColumns.of(model, options, false);
+    further.add(ColumnGroup.JOINTS);
+    return new GeneratedModel(
+        new CompactClass(
+            DataColumns.data(model, options, choice, further),
+            BuiltColumns.labels(further),
+            "",
+            task),
+        Optional.empty(),
+        model.mechanism().name(),
+        name,
+        choice.reason(),
+        0,
+        List.of());
   }
 
   private static GeneratedModel compact(
@@ -77,7 +102,10 @@ public final class ModelFactory {
             : "compact form, since no code is generated yet for " + String.join(", ", notGenerated);
     return new GeneratedModel(
         new CompactClass(
-            DataColumns.data(model, options, choice, further), BuiltColumns.labels(further), ""),
+            DataColumns.data(model, options, choice, further),
+            BuiltColumns.labels(further),
+            "",
+            Optional.empty()),
         Optional.empty(),
         mechanism.name(),
         choice.formulation(),
@@ -139,7 +167,8 @@ public final class ModelFactory {
                 new CompactClass(
                     DataColumns.data(model, options, choice, further),
                     BuiltColumns.labels(further),
-                    written.simpleName())),
+                    written.simpleName(),
+                    Optional.empty())),
         mechanism.name(),
         choice.formulation(),
         choice.reason(),

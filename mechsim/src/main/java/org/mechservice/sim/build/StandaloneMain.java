@@ -3,9 +3,9 @@ package org.mechservice.sim.build;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.mechservice.mechml.SimulationTask;
 import org.mechservice.sim.build.emit.MainClass;
 import org.mechservice.sim.scene.ModelBuildException;
-import org.mechservice.solver.simulation.EquationForm;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
 /** The main class of a standalone JAR: it joins one model and one integrator. */
@@ -37,17 +37,24 @@ final class StandaloneMain {
   /** Returns the model's classes with the main class, by binary name. */
   static SortedMap<String, byte[]> classFiles(CompiledModel model) {
     SortedMap<String, byte[]> classes = new TreeMap<>(model.classFiles());
-    String name = model.options().settings().integrator();
-    EquationForm form = RuntimeSolver.formOf(model.withoutUserClasses(), name);
-    classes.put(
-        className(model.generated()),
-        MainClass.of(
-            className(model.generated()),
-            model.generated().className(),
-            INTEGRATION + INTEGRATORS.getOrDefault(name, ""),
-            form,
-            BuiltColumns.labels(BuiltColumns.of(model)),
-            BuiltColumns.labels(BuiltColumns.shown(model))));
+    classes.put(className(model.generated()), main(model));
     return classes;
+  }
+
+  private static byte[] main(CompiledModel model) {
+    String built = BuiltColumns.labels(BuiltColumns.of(model));
+    String shown = BuiltColumns.labels(BuiltColumns.shown(model));
+    String name = className(model.generated());
+    if (!(model.source().settings().task() instanceof SimulationTask.Dynamic)) {
+      return MainClass.ofAnalysis(name, model.generated().className(), built, shown);
+    }
+    String integrator = model.options().settings().integrator();
+    return MainClass.of(
+        name,
+        model.generated().className(),
+        INTEGRATION + INTEGRATORS.getOrDefault(integrator, ""),
+        RuntimeSolver.formOf(model.withoutUserClasses(), integrator),
+        built,
+        shown);
   }
 }

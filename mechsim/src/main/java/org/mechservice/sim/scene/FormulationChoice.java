@@ -2,7 +2,10 @@ package org.mechservice.sim.scene;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.Collectors;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
@@ -11,7 +14,7 @@ import org.mechservice.solver.mechanism.closure.LoopClosure;
  * The formulation a scene's equations are written in, and how its loops are closed.
  *
  * @param formulation {@code DTR}, {@code DSR}, {@code RR} or {@code RR-JF}
- * @param closure {@code none} for open chains, {@code projection}
+ * @param closure {@code none} for open chains, {@code projection} or {@code penalty}
  * @param reason why these
  */
 public record FormulationChoice(String formulation, String closure, String reason) {
@@ -21,6 +24,11 @@ public record FormulationChoice(String formulation, String closure, String reaso
   private static final String RESIDUAL_DERIVED = "RR-JF";
   private static final String OPEN = "none";
   private static final String PROJECTION = "projection";
+  private static final String PENALTY = "penalty";
+
+  /** Beyond this size loops are not judged for the choice of their closure. */
+  private static final int MOST_VELOCITIES = 1000;
+
   private static final String RESIDUAL_INTEGRATOR = "ode15sR";
   private static final List<String> KNOWN = List.of(DTR, DSR, "RR", RESIDUAL_DERIVED);
 
@@ -29,20 +37,20 @@ public record FormulationChoice(String formulation, String closure, String reaso
    *
    * @param formulation {@code auto} or the name of a formulation
    * @param closure {@code auto} or the name of a closure
-   * @param integrator name of the integrator
+   * @param settings of the run: its integrator, and the start at which loops are judged
    * @throws ModelBuildException S-081 if one of them is unknown, not in this version, or does not
    *     suit the others or the scene
    */
   public static FormulationChoice of(
-      String formulation, String closure, String integrator, Mechanism mechanism) {
+      String formulation, String closure, RunSettings settings, Mechanism mechanism) {
     String asked = formulation.toUpperCase(Locale.ROOT);
     if (!asked.equals(AUTO) && !KNOWN.contains(asked)) {
       throw refused(
           "there is no formulation \"" + formulation + "\"; use DTR, DSR, RR, RR-JF or auto");
     }
     return mechanism.closures().isEmpty()
-        ? open(asked, closure, integrator, mechanism)
-        : closed(asked, closure, integrator, mechanism);
+        ? open(asked, closure, settings.integrator(), mechanism)
+        : closed(asked, closure, settings, mechanism);
   }
 
   private static FormulationChoice open(
@@ -73,26 +81,41 @@ public record FormulationChoice(String formulation, String closure, String reaso
   }
 
   private static FormulationChoice closed(
-      String asked, String closure, String integrator, Mechanism mechanism) {
+      String asked, String closure, RunSettings settings, Mechanism mechanism) {
     if (asked.equals(DTR)) {
       throw refused(
           "DTR is for open chains; the scene closes loops at "
               + loops(mechanism)
               + "; use DSR, RR or RR-JF");
     }
-    if (closure.equals("penalty")) {
-      throw refused("closure \"penalty\" is not in this version; use projection");
-    }
-    if (!closure.equals("auto") && !closure.equals(PROJECTION)) {
-      throw refused("there is no closure \"" + closure + "\"; use projection or auto");
+    boolean automatic = closure.equals("auto");
+    if (!automatic && !closure.equals(PROJECTION) && !closure.equals(PENALTY)) {
+      throw refused("there is no closure \"" + closure + "\"; use projection, penalty or auto");
     }
     String why = "the scene closes loops at " + loops(mechanism);
+    String chosen = asked;
     if (asked.equals(AUTO)) {
-      String chosen = integrator.equals(RESIDUAL_INTEGRATOR) ? RESIDUAL_DERIVED : DSR;
-      return new FormulationChoice(chosen, PROJECTION, "auto: " + why);
+      chosen = settings.integrator().equals(RESIDUAL_INTEGRATOR) ? RESIDUAL_DERIVED : DSR;
+      why = "auto: " + why;
+    } else {
+      requireIntegrator(asked, settings.integrator());
+      why = "asked for; it fits: " + why;
     }
-    requireIntegrator(asked, integrator);
-    return new FormulationChoice(asked, PROJECTION, "asked for; it fits: " + why);
+    Optional<String> against =
+        automatic ? againstProjection(chosen, settings, mechanism) : Optional.empty();
+    String closedBy = automatic ? against.isPresent() ? PENALTY : PROJECTION : closure;
+    String reason =
+        automatic
+            ? "auto: " + against.orElse("independent coordinates can be chosen")
+            : "asked for";
+    return new FormulationChoice(chosen, closedBy, why + "; closure " + closedBy + ", " + reason);
+  }
+
+  private static Optional<String> againstProjection(
+      String formulation, RunSettings settings, Mechanism mechanism) {
+    return mechanism.velocityCount() > MOST_VELOCITIES
+        ? Optional.empty()
+        : new ClosedMechanism(mechanism, formulation, settings).againstProjection();
   }
 
   private static void requireIntegrator(String formulation, String integrator) {

@@ -3,9 +3,6 @@ package org.mechservice.sim.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
-import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.SimulationSettings;
-import org.mechservice.mechml.SimulationTask;
 import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Parameter;
@@ -13,47 +10,12 @@ import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
-/**
- * What a model file may hold that this version does not simulate, refused by name, never left out;
- * and what it simulates without generated code.
- */
+/** What is simulated without generated code. */
 public final class GenerationLimits {
   /** More names would hide the message. */
   private static final int MOST_NAMES = 5;
 
   private GenerationLimits() {}
-
-  /**
-   * Refuses what is not simulated.
-   *
-   * @throws ModelBuildException S-088, naming all of it
-   */
-  public static void require(MechmlModel model) {
-    List<String> beyond = beyond(model);
-    if (!beyond.isEmpty()) {
-      throw new ModelBuildException(
-          "S-088",
-          "model \""
-              + model.mechanism().name()
-              + "\" has "
-              + String.join("; ", beyond)
-              + ". This version simulates none of it; it runs <dynamic> with one absolute"
-              + " tolerance");
-    }
-  }
-
-  /** Returns what is not simulated, such as {@code events "e1", "e2"}. */
-  public static List<String> beyond(MechmlModel model) {
-    SimulationSettings settings = model.settings();
-    List<String> beyond = new ArrayList<>();
-    if (!(settings.task() instanceof SimulationTask.Dynamic)) {
-      beyond.add("the task <" + settings.task().element() + ">");
-    }
-    if (!settings.absoluteTolerances().isUniform()) {
-      beyond.add("absolute tolerances by class of state");
-    }
-    return beyond;
-  }
 
   /** Returns what no code is generated for, such as {@code forces "f1", "f2"}. */
   public static List<String> notGenerated(Mechanism mechanism, FormulationChoice choice) {

@@ -42,10 +42,7 @@ final class ModelFacts {
     SimulationSettings asked = loaded.model().settings();
     try {
       return FormulationChoice.of(
-          asked.formulation(),
-          asked.closure(),
-          asked.run().integrator(),
-          loaded.model().mechanism());
+          asked.formulation(), asked.closure(), asked.run(), loaded.model().mechanism());
     } catch (ModelBuildException e) {
       return new FormulationChoice(
           asked.formulation(), asked.closure(), String.valueOf(e.getMessage()));

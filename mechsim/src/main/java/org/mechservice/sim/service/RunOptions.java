@@ -1,5 +1,6 @@
 package org.mechservice.sim.service;
 
+import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.List;
@@ -26,7 +27,9 @@ import org.mechservice.idl.OPT_TUNABLE;
 import org.mechservice.idl.OPT_T_END;
 import org.mechservice.idl.OPT_T_STEP;
 import org.mechservice.mechml.SimulationSettings;
+import org.mechservice.mechml.SimulationTask;
 import org.mechservice.sim.build.BuildOptions;
+import org.mechservice.sim.build.BuiltColumns;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunSettings;
 
@@ -54,6 +57,10 @@ record RunOptions(
   private static final String RESIDUAL_INTEGRATOR = "ode15sR";
 
   private static final String AUTO = "auto";
+
+  /** What stands in the settings of a run that needs none. */
+  private static final String NO_INTEGRATOR = "none";
+
   private static final Set<String> KNOWN =
       new TreeSet<>(
           Set.of(
@@ -84,11 +91,15 @@ record RunOptions(
   static RunOptions parse(NameValue[] options, SimulationSettings ofFile)
       throws InvalidOption, NotAvailable {
     Map<String, String> given = byName(options);
+    boolean integrated = ofFile.task() instanceof SimulationTask.Dynamic;
+    if (!integrated) {
+      refuseMethods(given, ofFile.task());
+    }
     return new RunOptions(
         given.getOrDefault(OPT_FORMULATION.value, ofFile.formulation()),
         given.getOrDefault(OPT_CLOSURE.value, ofFile.closure()),
         flag(given, OPT_COMPACT.value),
-        columns(given.getOrDefault(OPT_COLUMNS.value, ofFile(ofFile.columns()))),
+        columns(given.getOrDefault(OPT_COLUMNS.value, ofFile(ofFile))),
         settings(given, ofFile),
         flag(given, OPT_STANDALONE.value));
   }
@@ -107,6 +118,28 @@ record RunOptions(
       }
     }
     return given;
+  }
+
+  /** A simulation that is not integrated takes no method. */
+  private static void refuseMethods(Map<String, String> given, SimulationTask task)
+      throws InvalidOption {
+    for (String method :
+        List.of(
+            OPT_FORMULATION.value,
+            OPT_CLOSURE.value,
+            OPT_INTEGRATOR.value,
+            OPT_REL_TOL.value,
+            OPT_ABS_TOL.value)) {
+      if (given.containsKey(method)) {
+        throw Refusal.option(
+            method,
+            "the simulation is <"
+                + task.element()
+                + ">, which takes no "
+                + method
+                + "; leave it out");
+      }
+    }
   }
 
   private static boolean flag(Map<String, String> given, String name) throws InvalidOption {
@@ -133,8 +166,10 @@ record RunOptions(
     return groups;
   }
 
-  private static String ofFile(List<String> columns) {
-    return columns.isEmpty() ? ColumnGroup.JOINTS.label() : String.join(",", columns);
+  private static String ofFile(SimulationSettings file) {
+    return BuiltColumns.shown(file).stream()
+        .map(ColumnGroup::label)
+        .collect(Collectors.joining(","));
   }
 
   private static ColumnGroup group(String label) throws InvalidOption {
@@ -171,25 +206,43 @@ record RunOptions(
           OPT_T_END.value,
           "t-end is " + end + " s, before the start of the run at " + ofFile.tStart() + " s");
     }
-    return new RunSettings(
-        ofFile.tStart(),
-        end,
-        positive(given, OPT_T_STEP.value, ofFile.tStep(), "s"),
-        integrator.equals(AUTO) ? automatic(formulation) : integrator,
-        belowOne(given, OPT_REL_TOL.value, ofFile.relativeTolerance()),
-        absoluteTolerance(given, ofFile.absoluteTolerance()),
-        ofFile.maxStep(),
-        ofFile.initialStep(),
-        ofFile.maxOrder());
+    RunSettings settings =
+        new RunSettings(
+            ofFile.tStart(),
+            end,
+            positive(given, OPT_T_STEP.value, ofFile.tStep(), "s"),
+            !(file.task() instanceof SimulationTask.Dynamic)
+                ? NO_INTEGRATOR
+                : integrator.equals(AUTO) ? automatic(formulation) : integrator,
+            belowOne(given, OPT_REL_TOL.value, ofFile.relativeTolerance()),
+            ofFile.absoluteTolerance(),
+            ofFile.maxStep(),
+            ofFile.initialStep(),
+            ofFile.maxOrder(),
+            ofFile.angleTolerance(),
+            ofFile.velocityTolerance(),
+            ofFile.angularVelocityTolerance());
+    return given.containsKey(OPT_ABS_TOL.value)
+        ? settings.withTolerances(tolerances(given.get(OPT_ABS_TOL.value)))
+        : settings;
   }
 
-  private static double absoluteTolerance(Map<String, String> given, double ofFile)
-      throws InvalidOption, NotAvailable {
-    if (given.getOrDefault(OPT_ABS_TOL.value, "").contains(";")) {
-      throw Refusal.notAvailable(
-          "absolute tolerances by kind of state are not in this version; give one number");
+  /** Reads one tolerance, or four separated by semicolons. */
+  private static List<Double> tolerances(String text) throws InvalidOption {
+    List<Double> tolerances = new ArrayList<>();
+    for (String one : text.split(";", -1)) {
+      tolerances.add(positive(Map.of(OPT_ABS_TOL.value, one.strip()), OPT_ABS_TOL.value, 0, ""));
     }
-    return positive(given, OPT_ABS_TOL.value, ofFile, "");
+    if (tolerances.size() != 1 && tolerances.size() != 4) {
+      throw Refusal.option(
+          OPT_ABS_TOL.value,
+          OPT_ABS_TOL.value
+              + " is \""
+              + text
+              + "\"; it takes one number, or four for positions, angles, velocities and angular"
+              + " velocities");
+    }
+    return tolerances;
   }
 
   private static double belowOne(Map<String, String> given, String name, double otherwise)
@@ -258,6 +311,9 @@ record RunOptions(
             file.absoluteTolerance(),
             file.maxStep(),
             file.initialStep(),
-            file.maxOrder()));
+            file.maxOrder(),
+            file.angleTolerance(),
+            file.velocityTolerance(),
+            file.angularVelocityTolerance()));
   }
 }

@@ -50,9 +50,24 @@ public final class Program {
   /** An input that is replaced before the program is complete. */
   public static final int PLACEHOLDER = TIME - 1;
 
-  private final Expressions expressions = new Expressions();
-  private final List<Section> sections = new ArrayList<>();
-  private final Map<Scalar, String> names = new HashMap<>();
+  private final Expressions expressions;
+  private final List<Section> sections;
+  private final Map<Scalar, String> names;
+
+  public Program() {
+    this(new Expressions(), new ArrayList<>(), new HashMap<>());
+  }
+
+  private Program(Expressions expressions, List<Section> sections, Map<Scalar, String> names) {
+    this.expressions = expressions;
+    this.sections = sections;
+    this.names = names;
+  }
+
+  /** Returns the same values in other sections. */
+  public Program in(List<Section> otherSections) {
+    return new Program(expressions, new ArrayList<>(otherSections), names);
+  }
 
   /** Returns the graph its values live in. */
   public Expressions expressions() {

@@ -6,6 +6,7 @@ import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.EnumSet;
+import java.util.Objects;
 import java.util.Random;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -16,6 +17,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.build.dynamics.CompositeInertiaEquations;
+import org.mechservice.sim.build.dynamics.Links;
+import org.mechservice.sim.build.emit.MethodSizes;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
@@ -152,6 +156,22 @@ class GeneratedFormulationsTest {
       System.arraycopy(out, 0, all, y.length, y.length);
     }
     return all;
+  }
+
+  /** A row of its mass matrix takes more code than a method may have. */
+  @Test
+  void aLongChainHasShortMethodsAndTheBitsOfItsEquations() {
+    Mechanism chain = RandomTrees.tree(1, 60);
+    GeneratedModel generated = generated("DSR", chain);
+    byte[] file = Objects.requireNonNull(generated.classFiles().get(generated.className()));
+    assertThat(MethodSizes.longest(file)).isLessThan(8000);
+    ExplicitModel model = (ExplicitModel) model("DSR", chain);
+    double[] y = RandomTrees.state(1, chain);
+    double[] actual = new double[y.length];
+    double[] expected = new double[y.length];
+    assertThat(model.derivative(TIME, y, actual)).isEqualTo(ExplicitModel.REGULAR);
+    CompositeInertiaEquations.derive(Links.of(chain)).evaluate(TIME, y, expected);
+    assertThat(actual).containsExactly(expected);
   }
 
   @Test

@@ -1,7 +1,6 @@
 package org.mechservice.sim.service;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.util.Arrays;
@@ -106,6 +105,8 @@ class RunOptionsTest {
     "rtol=1, rtol",
     "rtol=-1e-3, rtol",
     "atol=0, atol",
+    "atol=1e-3;1e-4;1e-5, atol",
+    "atol=1e-3;1e-4;1e-5;x, atol",
     "'columns=joints,velocity', columns",
     "standalone=yes, standalone",
     "tolerance=1, tolerance"
@@ -115,6 +116,17 @@ class RunOptionsTest {
     assertThat(refusal.optionName).isEqualTo(name);
     assertThat(refusal.code).isEqualTo("S-008");
     assertThat(refusal.text).contains(name);
+  }
+
+  @Test
+  void absoluteTolerancesMayGoByKindOfState() throws Exception {
+    RunSettings settings = parse("atol=1e-3;1e-4;1e-5;1e-6").settings();
+    assertThat(settings.absoluteTolerance("m")).isEqualTo(1e-3);
+    assertThat(settings.absoluteTolerance("rad")).isEqualTo(1e-4);
+    assertThat(settings.absoluteTolerance("m/s")).isEqualTo(1e-5);
+    assertThat(settings.absoluteTolerance("rad/s")).isEqualTo(1e-6);
+    assertThat(settings.hasOneTolerance()).isFalse();
+    assertThat(parse("atol=1e-3").settings().hasOneTolerance()).isTrue();
   }
 
   @Test
@@ -128,16 +140,5 @@ class RunOptionsTest {
     InvalidOption refusal =
         catchThrowableOfType(InvalidOption.class, () -> parse("rtol=1e-3", "rtol=1e-4"));
     assertThat(refusal.text).contains("twice");
-  }
-
-  @Test
-  void whatThisVersionDoesNotDoIsSaid() {
-    assertThatThrownBy(() -> parse("atol=1;2;3;4"))
-        .isInstanceOfSatisfying(
-            NotAvailable.class,
-            refusal -> {
-              assertThat(refusal.code).isEqualTo("S-007");
-              assertThat(refusal.text).contains("not in this version");
-            });
   }
 }

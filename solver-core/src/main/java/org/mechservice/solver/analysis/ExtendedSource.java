@@ -26,6 +26,11 @@ public abstract class ExtendedSource extends CompactSource {
     this.groups.remove(ColumnGroup.JOINTS);
   }
 
+  /** Returns the data that model and columns are about; where motions are held, so held. */
+  CompactModel prepared(CompactModel data) {
+    return data;
+  }
+
   /** Returns the model without further columns; a class that holds generated code returns that. */
   protected Object bare(CompactModel data, UserForceSource userForces) {
     return data.model(userForces);
@@ -41,7 +46,8 @@ public abstract class ExtendedSource extends CompactSource {
     return extended(data().with(values));
   }
 
-  private Model extended(CompactModel data) {
+  private Model extended(CompactModel asBuilt) {
+    CompactModel data = prepared(asBuilt);
     UserForceSource userForces = userForces();
     Model built = ModelSource.of(bare(data, userForces));
     ExplicitModel model = (ExplicitModel) WatchedModel.bare(built);

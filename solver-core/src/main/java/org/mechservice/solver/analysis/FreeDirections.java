@@ -87,6 +87,11 @@ final class FreeDirections {
     }
   }
 
+  /** Returns the rows of J that are independent. */
+  int[] kept() {
+    return kept;
+  }
+
   /** Returns the number of freedoms. */
   int freedom() {
     return n - rank;

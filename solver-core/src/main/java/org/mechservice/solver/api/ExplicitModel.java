@@ -13,8 +13,9 @@ public interface ExplicitModel extends Model {
    * @param yDot derivative of the state, same layout; overwritten
    * @return {@link #REGULAR}; or the index in {@link ModelDescription#joints()} of the joint beyond
    *     which there is no inertia (its block of the joint-space inertia is singular); or {@link
-   *     Defects#DEFECT} if the model implements {@link Defects} and can say more. Unless regular,
-   *     {@code yDot} is meaningless
+   *     Defects#DEFECT} if the model implements {@link Defects} and can say more; or what {@link
+   *     DirectedForces} returns if the model implements that. Unless regular, {@code yDot} is
+   *     meaningless
    */
   int derivative(double t, double[] y, double[] yDot);
 }

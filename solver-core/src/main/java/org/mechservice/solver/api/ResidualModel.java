@@ -37,7 +37,8 @@ public interface ResidualModel extends ExplicitModel {
    * @param y unknowns; not modified
    * @param yDot their derivatives; not modified
    * @param residual F(t, y, y'), in the units of q' and of joint forces; overwritten
-   * @return {@link ExplicitModel#REGULAR} or {@link Defects#DEFECT}
+   * @return {@link ExplicitModel#REGULAR}; {@link Defects#DEFECT} and results of {@link
+   *     DirectedForces} as {@link ExplicitModel#derivative}
    */
   int residual(double t, double[] y, double[] yDot, double[] residual);
 }

@@ -112,8 +112,8 @@ public record RunReport(
 
   /**
    * Returns the report as ordered key and value pairs, values being {@link String}, {@link Long} or
-   * {@link Double}; what does not apply to the run is absent. Times in s, energies in J. This is
-   * the content of the report's JSON form.
+   * {@link Double}; what does not apply to the run is absent; notes are one a line. Times in s,
+   * energies in J. This is the content of the report's JSON form.
    */
   public Map<String, Object> asMap() {
     Map<String, Object> map = new LinkedHashMap<>();
@@ -128,6 +128,11 @@ public record RunReport(
     map.put("integrator", settings.integrator());
     map.put("relativeTolerance", settings.relativeTolerance());
     map.put("absoluteTolerance", settings.absoluteTolerance());
+    if (!settings.hasOneTolerance()) {
+      map.put("angleTolerance", settings.angleTolerance());
+      map.put("velocityTolerance", settings.velocityTolerance());
+      map.put("angularVelocityTolerance", settings.angularVelocityTolerance());
+    }
     map.put("steps", steps);
     map.put("rejectedSteps", rejectedSteps);
     map.put("evaluations", evaluations);
@@ -152,7 +157,7 @@ public record RunReport(
           String.join(", ", limits.stream().limit(MOST_LIMITS).map(Limit::toString).toList()));
     }
     if (!notes.isEmpty()) {
-      map.put("notes", String.join(" ", notes.stream().map(RunNotes.Note::message).toList()));
+      map.put("notes", String.join("\n", notes.stream().map(RunNotes.Note::message).toList()));
     }
     map.put("solverVersion", solverVersion);
     return map;

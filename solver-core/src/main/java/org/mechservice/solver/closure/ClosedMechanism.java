@@ -3,6 +3,7 @@ package org.mechservice.solver.closure;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.RunSettings;
@@ -20,6 +21,7 @@ public final class ClosedMechanism {
   private final double startTime;
   private final double[] start;
   private final int rank;
+  private final Optional<String> againstProjection;
   private final List<LoopFinding> findings = new ArrayList<>();
 
   /** For each velocity of the state, its joint among those that have states. */
@@ -42,9 +44,11 @@ public final class ClosedMechanism {
     if (isAssembled()) {
       RankAnalysis analysis = new RankAnalysis(tree, startTime, start);
       rank = analysis.rank();
+      againstProjection = analysis.againstProjection();
       findings.addAll(analysis.findings(startTime));
     } else {
       rank = 0;
+      againstProjection = Optional.empty();
     }
   }
 
@@ -69,6 +73,14 @@ public final class ClosedMechanism {
   /** Returns what there is to say of the loops: corrections of the start, redundant equations. */
   public List<LoopFinding> findings() {
     return List.copyOf(findings);
+  }
+
+  /**
+   * Returns why independent coordinates are chosen badly at the start, if they are: penalty closure
+   * needs none (NUMERICS §3).
+   */
+  public Optional<String> againstProjection() {
+    return againstProjection;
   }
 
   /** Returns the tree that is left when the loops are opened. */

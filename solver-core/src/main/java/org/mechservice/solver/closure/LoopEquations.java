@@ -266,6 +266,11 @@ public final class LoopEquations {
     return worst < 0 ? 0 : Math.abs(value[worst]) / size(worst);
   }
 
+  /** Returns the equation with the largest |Φ| over its size, or −1 if there is none. */
+  public int worst() {
+    return worst(value);
+  }
+
   /**
    * Returns the row whose number is largest over its size, the first NaN if there is one, or −1.
    */

@@ -2,6 +2,8 @@ package org.mechservice.solver.closure;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -37,6 +39,9 @@ public final class RankAnalysis {
 
   private static final int NEIGHBOURS = 3;
 
+  /** Smallest pivot over the largest below which independent coordinates serve badly. */
+  private static final double BAD_PIVOT = 1e-6;
+
   private final TreeMotion motion;
   private final LoopEquations loops;
   private final StateCoordinates coordinates;
@@ -47,6 +52,7 @@ public final class RankAnalysis {
   private final int n;
   private final int rankAtStart;
   private int rank;
+  private double smallestPivot = 1;
   private List<Integer> redundant = List.of();
 
   /**
@@ -99,6 +105,7 @@ public final class RankAnalysis {
   private List<Integer> redundant(double[] scaled, int found) {
     PivotedElimination elimination = new PivotedElimination(m, n);
     int kept = elimination.eliminate(scaled, found);
+    smallestPivot = elimination.lastOverFirst();
     return IntStream.range(kept, m).map(elimination::row).sorted().boxed().toList();
   }
 
@@ -160,6 +167,20 @@ public final class RankAnalysis {
   /** Returns whether the start hides equations that count close by. */
   public boolean startsSingular() {
     return rankAtStart < rank;
+  }
+
+  /**
+   * Returns why independent coordinates would be chosen badly: the rank changes at the start, or
+   * the best choice of dependent ones has a pivot far below the largest.
+   */
+  Optional<String> againstProjection() {
+    if (startsSingular()) {
+      return Optional.of("the loops start in a singular position");
+    }
+    String part = String.format(Locale.ROOT, "%.1e", smallestPivot);
+    return smallestPivot < BAD_PIVOT
+        ? Optional.of("the smallest pivot of the loops is " + part + " of the largest")
+        : Optional.empty();
   }
 
   /** Returns what a user should know: redundant equations, a singular start. */

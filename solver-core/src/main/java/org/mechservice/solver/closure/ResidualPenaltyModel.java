@@ -40,6 +40,9 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   /** Residuals that assembly leaves, over their sizes. */
   private static final double ROUNDING = 2e-13;
 
+  /** Rates over the speed that change with positions moved by their rounding. */
+  private static final double RATE_ROUNDING = 1e-11;
+
   private final Derivatives derivatives;
   private final ResidualJacobian jacobian;
   private final ResidualDifferences differences;
@@ -144,15 +147,15 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     double speed = work.units.speed(y, work.nq);
     for (int row = 0; row < m; row++) {
       double size = work.loops.size(row);
-      residual[atLambda + row] = beyondRounding(work.loops.rate[row] / size, speed);
-      residual[atMu + row] = beyondRounding(work.loops.value[row] / size, 1);
+      residual[atLambda + row] = beyond(RATE_ROUNDING * speed, work.loops.rate[row] / size);
+      residual[atMu + row] = beyond(ROUNDING, work.loops.value[row] / size);
     }
     return REGULAR;
   }
 
   /** Returns zero for what is rounding, which a short step would blow up to multipliers. */
-  private static double beyondRounding(double residual, double scale) {
-    double beyond = Math.abs(residual) - ROUNDING * scale;
+  private static double beyond(double rounding, double residual) {
+    double beyond = Math.abs(residual) - rounding;
     return beyond <= 0 ? 0 : Math.copySign(beyond, residual);
   }
 

@@ -4,7 +4,11 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.closure.LinearisedProjectionModel;
+import org.mechservice.solver.closure.PenaltyModel;
+import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.closure.ProjectionModel;
+import org.mechservice.solver.closure.ResidualPenaltyModel;
+import org.mechservice.solver.closure.ResidualPenaltyModel.Derivatives;
 import org.mechservice.solver.closure.ResidualProjectionModel;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.dynamics.LinearisedResidualModel;
@@ -44,11 +48,29 @@ final class DataDriven {
   private static Model closed(CompactModel model, UserForceSource userForces) {
     ClosedMechanism closed =
         new ClosedMechanism(model.mechanism(), model.formulation(), model.settings());
-    return switch (model.formulation()) {
+    return model.closure().equals("penalty")
+        ? byPenalty(closed, model.formulation(), userForces)
+        : byProjection(closed, model.formulation(), userForces);
+  }
+
+  private static Model byPenalty(
+      ClosedMechanism closed, String formulation, UserForceSource userForces) {
+    PenaltySettings settings = PenaltySettings.DEFAULT;
+    return switch (formulation) {
+      case "DSR" -> new PenaltyModel(closed, userForces, settings);
+      case "RR" -> new ResidualPenaltyModel(closed, userForces, settings, Derivatives.DIFFERENCES);
+      case "RR-JF" -> new ResidualPenaltyModel(closed, userForces, settings, Derivatives.RECURSIVE);
+      default -> throw unknown(formulation);
+    };
+  }
+
+  private static Model byProjection(
+      ClosedMechanism closed, String formulation, UserForceSource userForces) {
+    return switch (formulation) {
       case "DSR" -> new ProjectionModel(closed, userForces);
       case "RR" -> new ResidualProjectionModel(closed, userForces);
       case "RR-JF" -> new LinearisedProjectionModel(closed, userForces);
-      default -> throw unknown(model.formulation());
+      default -> throw unknown(formulation);
     };
   }
 

@@ -5,10 +5,13 @@ import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /** User forces from a class loader, that of the model's JAR. */
-final class LoadedUserForces implements UserForceSource {
+public final class LoadedUserForces implements UserForceSource {
   private final ClassLoader loader;
 
-  LoadedUserForces(ClassLoader loader) {
+  /**
+   * @param loader that of the model's JAR
+   */
+  public LoadedUserForces(ClassLoader loader) {
     this.loader = loader;
   }
 
@@ -27,8 +30,8 @@ final class LoadedUserForces implements UserForceSource {
               + element.name()
               + "\" cannot be used ("
               + e
-              + "); it must be a public class that implements UserForce and has a public constructor"
-              + " without parameters",
+              + "); it must be a public class that implements UserForce and has a public"
+              + " constructor without parameters",
           e);
     }
   }

@@ -1,6 +1,7 @@
 package org.mechservice.solver.simulation;
 
 import org.mechservice.solver.api.Defects;
+import org.mechservice.solver.api.DirectedForces;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.ModelDescription;
@@ -159,6 +160,15 @@ final class FailureText {
   static Failure of(Defects.Defect defect, double t, double stepSize, int order) {
     return new Failure(
         defect.code(), defect.cause(), t, stepSize, order, defect.part(), defect.advice());
+  }
+
+  /** Explains an evaluation of generated code at which a force lost its direction. */
+  static Defects.Defect withoutDirection(DirectedForces forces, int result) {
+    return new Defects.Defect(
+        "N-031",
+        "force " + forces.directedForce(DirectedForces.force(result)),
+        "It has no direction: its two points coincide, or its frames are turned by half a turn.",
+        "Move a point or turn a frame, or use an element that suits the motion.");
   }
 
   /** Explains a start without accelerations. */

@@ -6,11 +6,13 @@ import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.DependentStates;
+import org.mechservice.solver.api.DirectedForces;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.ModelState;
 import org.mechservice.solver.api.ProjectedStates;
+import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.integration.Integrator;
 import org.mechservice.solver.integration.PiecewiseSystem;
@@ -30,12 +32,18 @@ public abstract class ModelEquations implements UnitGroups, PiecewiseSystem, Sav
   private final int dimension;
   private final int[] groupStarts;
   private List<Double> breakpoints = List.of();
+  private final boolean[] angle;
   private int result = ExplicitModel.REGULAR;
 
   ModelEquations(ExplicitModel model, int dimension) {
     this.model = model;
     this.dimension = dimension;
     this.groupStarts = groupStarts(model.description());
+    angle = new boolean[dimension];
+    List<Variable> states = model.description().states();
+    for (int i = 0; i < states.size(); i++) {
+      angle[i] = states.get(i).unit().equals("rad");
+    }
   }
 
   private static int[] groupStarts(ModelDescription description) {
@@ -48,6 +56,27 @@ public abstract class ModelEquations implements UnitGroups, PiecewiseSystem, Sav
       position += joint.type().positionCount();
     }
     return starts.stream().mapToInt(Integer::intValue).toArray();
+  }
+
+  /**
+   * Returns the absolute tolerance of each unknown; that of displacements for multipliers.
+   *
+   * @param settings with tolerances by kind of state
+   */
+  final List<Double> absoluteTolerances(RunSettings settings) {
+    List<Variable> states = model.description().states();
+    List<Double> tolerances = new ArrayList<>();
+    for (int i = 0; i < dimension; i++) {
+      String unit = i < states.size() ? states.get(i).unit() : "m";
+      tolerances.add(settings.absoluteTolerance(unit));
+    }
+    return tolerances;
+  }
+
+  /** {@inheritDoc} An angle counts as a whole turn at most (NUMERICS §5). */
+  @Override
+  public final double largestSize(int component) {
+    return angle[component] ? 2 * Math.PI : Double.POSITIVE_INFINITY;
   }
 
   /** Returns the number of unknowns: states, and multipliers if the form has them. */
@@ -131,6 +160,9 @@ public abstract class ModelEquations implements UnitGroups, PiecewiseSystem, Sav
 
   /** Returns why the last evaluation failed, if the model can tell. */
   final Optional<Defects.Defect> defect() {
+    if (result <= DirectedForces.FIRST && model instanceof DirectedForces forces) {
+      return Optional.of(FailureText.withoutDirection(forces, result));
+    }
     return result == Defects.DEFECT && model instanceof Defects able
         ? Optional.of(able.lastDefect())
         : Optional.empty();

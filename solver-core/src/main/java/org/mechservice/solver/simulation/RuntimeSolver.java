@@ -36,6 +36,9 @@ public final class RuntimeSolver implements Solver {
   public RunReport run(
       Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException {
+    if (AnalysisSolver.takes(model)) {
+      return new AnalysisSolver().run(model, request, sink, control);
+    }
     String name = request.settings().integrator();
     return new Simulation(integrator(name), formOf(model, name))
         .run(model, request, sink, control, checkpoints);

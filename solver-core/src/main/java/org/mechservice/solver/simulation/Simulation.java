@@ -15,6 +15,7 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.ResultTable;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.RunReport;
@@ -58,6 +59,9 @@ public final class Simulation implements Solver {
    *     explicit form (S-061)
    */
   public static List<Variable> columns(Model model, Set<ColumnGroup> groups) {
+    if (model instanceof ResultTable table) {
+      return table.columns();
+    }
     return new RowLayout(ExplicitForm.explicit(bare(model)), ExtendedModel.columnsOf(model), groups)
         .columns();
   }
@@ -155,7 +159,9 @@ public final class Simulation implements Solver {
         return integrators.create(
             new IntegratorSettings(
                 settings.relativeTolerance(),
-                List.of(settings.absoluteTolerance()),
+                settings.hasOneTolerance()
+                    ? List.of(settings.absoluteTolerance())
+                    : equations.absoluteTolerances(settings),
                 settings.maxStep(),
                 settings.initialStep(),
                 settings.maxOrder(),

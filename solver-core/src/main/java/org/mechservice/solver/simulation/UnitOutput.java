@@ -12,6 +12,9 @@ import org.mechservice.solver.spatial.EulerParameters;
  * gone: it is free to drift, since nothing depends on it (NUMERICS §1a).
  */
 final class UnitOutput {
+  /** A norm of four numbers is one to some units of round-off. */
+  private static final double ROUNDING = 8 * Math.ulp(1.0);
+
   private final int[] start;
   private final List<String> joints = new ArrayList<>();
   private double largest;
@@ -51,9 +54,9 @@ final class UnitOutput {
     }
   }
 
-  /** Returns what there is to say: nothing if there are no Euler parameters. */
+  /** Returns what there is to say: nothing if no norm has left one by more than rounding. */
   List<Note> notes() {
-    if (start.length == 0) {
+    if (largest <= ROUNDING) {
       return List.of();
     }
     String text =

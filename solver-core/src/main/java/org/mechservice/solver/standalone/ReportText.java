@@ -42,7 +42,10 @@ public final class ReportText {
         (key, value) -> {
           String label = label(key);
           text.append(label).append(" ".repeat(width - label.length() + 2));
-          text.append(value instanceof Double number ? rounded(number) : value);
+          text.append(
+              value instanceof Double number
+                  ? rounded(number)
+                  : value.toString().replace("\n", "\n" + " ".repeat(width + 2)));
           String unit = UNITS.get(key);
           if (unit != null) {
             text.append(' ').append(unit);

@@ -14,10 +14,9 @@ import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.Variable;
-import org.mechservice.solver.integration.IntegratorFactory;
-import org.mechservice.solver.simulation.EquationForm;
 import org.mechservice.solver.simulation.Simulation;
 
 /** What {@code java -jar model.jar} does: one run of one model. */
@@ -27,7 +26,7 @@ public final class Standalone {
   private static final int BAD_USAGE = 2;
 
   private final ModelSource source;
-  private final Simulation simulation;
+  private final Solver solver;
   private final Set<ColumnGroup> built;
   private final Set<ColumnGroup> shown;
   private final PrintStream out;
@@ -39,13 +38,13 @@ public final class Standalone {
    */
   Standalone(
       ModelSource source,
-      Simulation simulation,
+      Solver solver,
       String built,
       String shown,
       PrintStream out,
       PrintStream err) {
     this.source = source;
-    this.simulation = simulation;
+    this.solver = solver;
     this.built = ColumnGroup.of(built);
     this.shown = ColumnGroup.of(shown);
     this.out = out;
@@ -56,8 +55,7 @@ public final class Standalone {
    * Runs a model as its command line says, printing to the standard streams.
    *
    * @param source makes the model
-   * @param integrators makes the integrator the JAR was built with
-   * @param form how the equations are handed to it
+   * @param solver runs it
    * @param built labels of the column groups the model was built with, separated by commas
    * @param shown labels of those put out where nothing else is asked for
    * @param args command line; {@code --help} lists the options
@@ -65,14 +63,8 @@ public final class Standalone {
    *     usage
    */
   public static int run(
-      ModelSource source,
-      IntegratorFactory integrators,
-      EquationForm form,
-      String built,
-      String shown,
-      String[] args) {
-    Simulation simulation = new Simulation(integrators, form);
-    return new Standalone(source, simulation, built, shown, System.out, System.err).run(args);
+      ModelSource source, Solver solver, String built, String shown, String[] args) {
+    return new Standalone(source, solver, built, shown, System.out, System.err).run(args);
   }
 
   int run(String[] args) {
@@ -114,13 +106,13 @@ public final class Standalone {
           @Override
           public void row(double[] values) {}
         };
-    RunReport report = simulation.run(model, options.request(), nowhere, new RunControl());
+    RunReport report = solver.run(model, options.request(), nowhere, new RunControl());
     return tell(options, report, new LinkedHashMap<>(report.asMap()));
   }
 
   private int runIntoFile(Model model, StandaloneOptions options) throws IOException {
     try (ResultFile file = new ResultFile(Path.of(options.out()))) {
-      RunReport report = simulation.run(model, options.request(), file, new RunControl());
+      RunReport report = solver.run(model, options.request(), file, new RunControl());
       Map<String, Object> facts = new LinkedHashMap<>(report.asMap());
       facts.put("resultsSha256", file.keep());
       return tell(options, report, facts);

@@ -1,6 +1,8 @@
 package org.mechservice.solver.standalone;
 
+import java.util.ArrayList;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
@@ -34,7 +36,8 @@ record StandaloneOptions(
         --t-end T      end of the run, s
         --t-step H     distance of the output rows, s
         --rtol R       relative tolerance
-        --atol A       absolute tolerance, SI
+        --atol A       absolute tolerance, SI: one, or four A;B;C;D for positions, angles,
+                       velocities, angular velocities
         --set P=V      value of a tunable parameter, in its unit; once for each
         --out FILE     write the rows as CSV, and their units beside it
         --columns C    column groups besides joints, separated by commas, or all
@@ -67,12 +70,17 @@ record StandaloneOptions(
             parser.tStep.orElse(defaults.tStep()),
             defaults.integrator(),
             parser.rtol.orElse(defaults.relativeTolerance()),
-            parser.atol.orElse(defaults.absoluteTolerance()),
+            defaults.absoluteTolerance(),
             defaults.maxStep(),
             defaults.initialStep(),
-            defaults.maxOrder());
+            defaults.maxOrder(),
+            defaults.angleTolerance(),
+            defaults.velocityTolerance(),
+            defaults.angularVelocityTolerance());
     return new StandaloneOptions(
-        new RunRequest(settings, parser.columns),
+        new RunRequest(
+            parser.atol.isEmpty() ? settings : settings.withTolerances(parser.atol),
+            parser.columns),
         parser.parameters,
         parser.out,
         parser.quiet,
@@ -87,7 +95,7 @@ record StandaloneOptions(
     private OptionalDouble tEnd = OptionalDouble.empty();
     private OptionalDouble tStep = OptionalDouble.empty();
     private OptionalDouble rtol = OptionalDouble.empty();
-    private OptionalDouble atol = OptionalDouble.empty();
+    private List<Double> atol = List.of();
     private Set<ColumnGroup> columns;
     private final Map<String, String> parameters = new TreeMap<>();
     private String out = "";
@@ -109,7 +117,7 @@ record StandaloneOptions(
         case "--t-end" -> tEnd = OptionalDouble.of(number(option, inline));
         case "--t-step" -> tStep = OptionalDouble.of(number(option, inline));
         case "--rtol" -> rtol = OptionalDouble.of(number(option, inline));
-        case "--atol" -> atol = OptionalDouble.of(number(option, inline));
+        case "--atol" -> atol = tolerances(value(option, inline));
         case "--set" -> set(value(option, inline));
         case "--out" -> out = value(option, inline);
         case "--columns" -> columns = groups(value(option, inline));
@@ -141,8 +149,22 @@ record StandaloneOptions(
       return args[next++];
     }
 
+    private static List<Double> tolerances(String text) throws UsageException {
+      List<Double> tolerances = new ArrayList<>();
+      for (String one : text.split(";", -1)) {
+        tolerances.add(parse("--atol", one));
+      }
+      if (tolerances.size() != 1 && tolerances.size() != 4) {
+        throw new UsageException("S-065 --atol takes one number or four, not \"" + text + "\"");
+      }
+      return tolerances;
+    }
+
     private double number(String option, String inline) throws UsageException {
-      String text = value(option, inline);
+      return parse(option, value(option, inline));
+    }
+
+    private static double parse(String option, String text) throws UsageException {
       try {
         double number = Double.parseDouble(text);
         if (Double.isFinite(number)) {

@@ -19,6 +19,7 @@ import org.mechservice.solver.mechanism.Prismatic;
 import org.mechservice.solver.mechanism.RandomJoints;
 import org.mechservice.solver.mechanism.Revolute;
 import org.mechservice.solver.mechanism.Root;
+import org.mechservice.solver.mechanism.Screw;
 import org.mechservice.solver.mechanism.Spherical;
 import org.mechservice.solver.mechanism.StartRole;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
@@ -258,6 +259,31 @@ final class Linkages {
         free.closures(),
         List.of(),
         List.of());
+  }
+
+  /** The same linkage, cut at A, where a motion of the cut joint drives it. */
+  static Mechanism fourBarDrivenAtCut(double speed) {
+    Mechanism free = fourBar(List.of(JointType.R, JointType.R, JointType.S, JointType.C), 0);
+    JointClosure cut = (JointClosure) free.closures().get(0);
+    Expression angle = new Expression.Product(Expression.of(speed), new Expression.Time());
+    LoopClosure driven = new JointClosure(cut.joint(), StartRole.PREFERRED, List.of(angle));
+    return mechanism("driven at the cut", free.bodies(), free.joints(), List.of(driven));
+  }
+
+  /**
+   * A body that slides and turns on an upright axis, on a thread or, without pitch, as closures
+   * say.
+   *
+   * @param pitch m/rad; 0 for none
+   */
+  static Mechanism nut(List<LoopClosure> closures, double pitch) {
+    Body nut = bar("nut", X.times(0.1), X.plus(Y), 2);
+    Attachment at = between(BodyPoint.ROOT, 0);
+    Joint joint =
+        pitch == 0
+            ? new Cylindrical("axis", at, Z, JointStart.atZero(JointType.C), Origin.NONE)
+            : new Screw("axis", at, Z, pitch, 0, 0, Origin.NONE);
+    return mechanism("nut", List.of(nut), List.of(joint), closures);
   }
 
   /** A slender bar between two points of the world, thickened so that it resists all turning. */

@@ -152,7 +152,7 @@ class ReactionsTest {
   }
 
   /** What joints and rods exert, on both of their bodies. */
-  private static void apply(
+  static void apply(
       Mechanism mechanism,
       Reactions reactions,
       IntFunction<TaylorPose> pose,

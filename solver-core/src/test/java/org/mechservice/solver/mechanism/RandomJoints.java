@@ -34,7 +34,11 @@ public final class RandomJoints {
             body2,
             vector(random).times(0.2),
             parallel ? Rotation.IDENTITY : rotation(random));
-    String name = "j" + Math.max(body1, body2);
+    return with(random, type, "j" + Math.max(body1, body2), attachment);
+  }
+
+  /** Returns a joint between two bodies as they are attached. */
+  public static Joint with(Random random, JointType type, String name, Attachment attachment) {
     Vector3 axis = axis(random);
     Vector3 second = attachment.zeroRotation().transposed().apply(normalTo(axis));
     double q = 2 * random.nextDouble() - 1;

@@ -53,6 +53,11 @@ public final class GlobalFormulation {
   }
 
   private TaylorPose root() {
+    return root(mechanism);
+  }
+
+  /** Returns the pose of the root, which rests. */
+  public static TaylorPose root(Mechanism mechanism) {
     return new TaylorPose(
         TaylorVector.of(mechanism.root().position()),
         TaylorRotation.of(mechanism.root().orientation()));

@@ -9,6 +9,7 @@ import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.sim.symbolic.Substitution;
+import org.mechservice.solver.api.DirectedForces;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
@@ -34,7 +35,6 @@ final class AppliedForces {
   private final JointLinks joints;
   private final LinkKinematics kinematics;
   private final StateFormulas formulas;
-  private final List<ForceTerm> terms = new ArrayList<>();
 
   AppliedForces(Program program, Links mechanism, Coordinates coordinates) {
     this.program = program;
@@ -46,16 +46,35 @@ final class AppliedForces {
     this.formulas = new StateFormulas(expressions, mechanism, joints, points, kinematics);
   }
 
-  /** Derives the forces, in file order, and what they do. */
-  Loads loads() {
+  /**
+   * Derives the forces, in file order, and what they do.
+   *
+   * @param checked whether the program ends where a force has no direction
+   */
+  Loads loads(boolean checked) {
     Loads loads = new Loads(expressions, mechanism);
-    for (ForceElement element : mechanism.mechanism().forces()) {
-      section(element);
-      ForceTerm term = term(element);
+    List<ForceElement> elements = mechanism.mechanism().forces();
+    for (int i = 0; i < elements.size(); i++) {
+      section(elements.get(i));
+      ForceTerm term = term(elements.get(i));
       term.apply(loads);
-      terms.add(term);
+      if (checked) {
+        guard(i, term);
+      }
     }
     return loads;
+  }
+
+  private void guard(int force, ForceTerm term) {
+    term.direction()
+        .ifPresent(
+            direction ->
+                program.guard(
+                    new Program.Guard(
+                        direction.size(),
+                        expressions.constant(direction.least()),
+                        DirectedForces.result(force),
+                        "the force has no direction")));
   }
 
   /** Returns the potential energy of all forces, J. */

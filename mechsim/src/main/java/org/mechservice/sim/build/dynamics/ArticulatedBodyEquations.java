@@ -34,7 +34,7 @@ public final class ArticulatedBodyEquations {
     Program program = new Program();
     ArticulatedBodyEquations equations = new ArticulatedBodyEquations(program, mechanism);
     new PositionRates(program, mechanism, equations.coordinates).putOut();
-    equations.accelerations(equations::appliedForces, true);
+    equations.accelerations(needed -> equations.appliedForces(needed, true), true);
     return program;
   }
 
@@ -65,7 +65,11 @@ public final class ArticulatedBodyEquations {
 
   /** Takes what acts on the links from what they need; returns what acts in the joints. */
   JointForces appliedForces(Wrench[] needed) {
-    Loads loads = new AppliedForces(program, mechanism, coordinates).loads();
+    return appliedForces(needed, false);
+  }
+
+  private JointForces appliedForces(Wrench[] needed, boolean checked) {
+    Loads loads = new AppliedForces(program, mechanism, coordinates).loads(checked);
     for (int i = 0; i < needed.length; i++) {
       needed[i] = needed[i].minus(loads.on(i));
     }

@@ -2,6 +2,7 @@ package org.mechservice.sim.build.dynamics;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Scalar;
@@ -15,6 +16,9 @@ import org.mechservice.sim.symbolic.ScalarVector;
 final class BushingTerm implements ForceTerm {
   /** Angle below which γ is taken from its series; the next term is then below 1e-17. */
   private static final double SERIES = 0.05;
+
+  /** Cosine of half the angle at which a rotation counts as half a turn. */
+  private static final double HALF_TURN = 1e-3;
 
   private final Expressions e;
   private final FrameMotion frames;
@@ -47,7 +51,7 @@ final class BushingTerm implements ForceTerm {
     this.preload = preload.clone();
     this.byEnergy = byEnergy;
     ScalarMatrix r = frames.rotation();
-    // e0 = cos θ/2 > 0: half a turn is refused
+    // e0 = cos θ/2: half a turn is refused
     half = e.one().plus(r.at(0, 0)).plus(r.at(1, 1)).plus(r.at(2, 2)).squareRoot().times(0.5);
     ScalarVector vector =
         new ScalarVector(
@@ -114,9 +118,10 @@ final class BushingTerm implements ForceTerm {
     return byEnergy ? turned(0.5, plain) : plain;
   }
 
-  /** Returns cos θ/2, which must stay above zero. */
-  Scalar halfCosine() {
-    return half;
+  /** Near half a turn the rotation vector jumps. */
+  @Override
+  public Optional<Direction> direction() {
+    return half.isConstant() ? Optional.empty() : Optional.of(new Direction(half, HALF_TURN));
   }
 
   @Override

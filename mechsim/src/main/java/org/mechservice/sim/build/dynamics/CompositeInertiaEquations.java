@@ -55,7 +55,7 @@ public final class CompositeInertiaEquations {
   private Program derive() {
     new PositionRates(program, mechanism, coordinates).putOut();
     Wrench[] needed = new ForceSweep(program, mechanism, coordinates).sweep();
-    Loads loads = new AppliedForces(program, mechanism, coordinates).loads();
+    Loads loads = new AppliedForces(program, mechanism, coordinates).loads(true);
     for (int i = 0; i < needed.length; i++) {
       needed[i] = needed[i].minus(loads.on(i));
     }

@@ -34,7 +34,7 @@ public final class ResidualEquations {
     new PositionRates(program, mechanism, coordinates)
         .each((at, rate) -> program.output(at, expressions.input(stateCount + at).minus(rate)));
     Wrench[] needed = new ForceSweep(program, mechanism, coordinates).sweep();
-    Loads loads = new AppliedForces(program, mechanism, coordinates).loads();
+    Loads loads = new AppliedForces(program, mechanism, coordinates).loads(true);
     for (int i = 0; i < needed.length; i++) {
       needed[i] = needed[i].minus(loads.on(i));
     }

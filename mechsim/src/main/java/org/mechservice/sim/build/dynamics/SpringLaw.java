@@ -17,6 +17,8 @@ import org.mechservice.solver.mechanism.force.Side;
  * @param eps smoothing of pos
  */
 record SpringLaw(Side side, double k, double c, double rest, double preload, double eps) {
+  /** Tension, relative to the terms it is made of, that counts as none. */
+  private static final double NO_TENSION = 1e-9;
 
   private Scalar elongation(Scalar z) {
     return z.minus(z.expressions().constant(rest));
@@ -25,6 +27,12 @@ record SpringLaw(Side side, double k, double c, double rest, double preload, dou
   private SmoothPart part(Scalar z) {
     Scalar x = elongation(z);
     return new SmoothPart(side == Side.ABOVE ? x : x.negated(), eps);
+  }
+
+  /** Returns whether there is no tension at z = z′ = 0, up to rounding of its terms. */
+  boolean isSlackAtZero(Expressions e) {
+    double scale = Math.abs(preload) + Math.abs(k) * (Math.abs(rest) + eps);
+    return Math.abs(tension(e.zero(), e.zero()).value()) <= NO_TENSION * scale;
   }
 
   /** Returns the damper's part of the tension. */

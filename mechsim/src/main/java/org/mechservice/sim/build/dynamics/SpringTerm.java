@@ -1,37 +1,64 @@
 package org.mechservice.sim.build.dynamics;
 
 import java.util.List;
+import java.util.Optional;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 
-/** A spring and damper along the line between two points: the force on point 2 is −T n. */
+/**
+ * A spring and damper along the line between two points: the force on point 2 is −T n. Where the
+ * points coincide there is no line; a spring without tension there goes on along the velocity u,
+ * any other has no direction.
+ */
 final class SpringTerm implements ForceTerm {
   private final PairMotion pair;
   private final SpringLaw law;
   private final ScalarVector way;
   private final Scalar length;
   private final Scalar rate;
+  private final boolean slack;
 
   SpringTerm(PairMotion pair, SpringLaw law) {
     this.pair = pair;
     this.law = law;
     this.way = pair.way();
     this.length = way.dot(way).squareRoot();
-    this.rate =
-        pair.isRigid() ? length.expressions().zero() : way.dot(pair.velocity()).over(length);
+    this.slack = law.isSlackAtZero(length.expressions());
+    this.rate = pair.isRigid() ? length.expressions().zero() : rate(pair.velocity());
   }
 
-  /** Returns the length of the line, which must not vanish. */
-  Scalar length() {
-    return length;
+  private Scalar rate(ScalarVector velocity) {
+    Scalar along = way.dot(velocity).over(length);
+    return slack ? atZero(velocity.dot(velocity).squareRoot(), along) : along;
+  }
+
+  /** Returns one value where the points coincide, another elsewhere. */
+  private Scalar atZero(Scalar coincident, Scalar apart) {
+    Expressions e = length.expressions();
+    return e.function(MathFunction.CHOOSE, length, e.zero(), coincident, apart);
+  }
+
+  @Override
+  public Optional<Direction> direction() {
+    return slack || pair.isRigid() ? Optional.empty() : Optional.of(new Direction(length, 0));
   }
 
   @Override
   public void apply(Loads loads) {
-    if (!pair.isRigid()) {
-      Scalar perLength = law.tension(length, rate).over(length).negated();
-      pair.addForce(way.times(perLength), loads);
+    if (pair.isRigid()) {
+      return;
     }
+    Scalar perLength = law.tension(length, rate).over(length).negated();
+    if (!slack) {
+      pair.addForce(way.times(perLength), loads);
+      return;
+    }
+    Expressions e = length.expressions();
+    Scalar resisting = law.dampingForce(e.zero(), e.one()).negated();
+    ScalarVector along = way.times(atZero(e.zero(), perLength));
+    pair.addForce(along.plus(pair.velocity().times(atZero(resisting, e.zero()))), loads);
   }
 
   @Override

@@ -39,13 +39,18 @@ final class CodeSize implements StackCode.Machine {
     int[] bytes = new int[program.sections().size()];
     for (int s = 0; s < bytes.length; s++) {
       for (Scalar node : usage.placedIn(s)) {
-        bytes[s] += LOCAL + sizeIn(usage, node);
+        bytes[s] += ofValue(usage, node);
       }
       Program.Section section = program.sections().get(s);
       bytes[s] += section.outputs().size() * (ELEMENT + LOCAL);
       bytes[s] += section.guards().size() * (2 * LOCAL + CHECK);
     }
     return bytes;
+  }
+
+  /** Returns an estimate of the code that computes a value and stores it. */
+  static int ofValue(Usage usage, Scalar node) {
+    return LOCAL + sizeIn(usage, node);
   }
 
   private static int sizeIn(Usage usage, Scalar node) {

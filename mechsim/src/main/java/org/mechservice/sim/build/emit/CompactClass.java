@@ -1,6 +1,8 @@
 package org.mechservice.sim.build.emit;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
 import org.mechservice.solver.analysis.ExtendedSource;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.compact.CompactSource;
@@ -20,8 +22,10 @@ import org.objectweb.asm.Type;
  *     empty for none
  * @param generated simple name of the generated class that is extended by columns; empty if the
  *     model itself is data
+ * @param task what is computed if the model is not integrated in time
  */
-public record CompactClass(CompactModel model, String columns, String generated)
+public record CompactClass(
+    CompactModel model, String columns, String generated, Optional<AnalysisTask> task)
     implements WrittenClass {
   private static final String TEXT = "java/lang/String";
   private static final String TEXTS = "[Ljava/lang/String;";
@@ -39,7 +43,14 @@ public record CompactClass(CompactModel model, String columns, String generated)
   }
 
   private Class<?> base() {
-    return columns.isEmpty() ? CompactSource.class : ExtendedSource.class;
+    return task.<Class<?>>map(AnalysisTask::source)
+        .orElse(columns.isEmpty() ? CompactSource.class : ExtendedSource.class);
+  }
+
+  /** Returns the texts that the base class is made of. */
+  private List<String> arguments() {
+    return task.map(asked -> List.of(asked.options(), columns))
+        .orElse(columns.isEmpty() ? List.of() : List.of(columns));
   }
 
   @Override
@@ -56,9 +67,12 @@ public record CompactClass(CompactModel model, String columns, String generated)
         List.of(
             JavaText.comment("Model \"" + model.mechanism().name() + "\" in compact form: data.")));
     source.open("public final class " + simpleName() + " extends " + base().getSimpleName());
-    if (!columns.isEmpty()) {
+    if (!arguments().isEmpty()) {
       source.open("public " + simpleName() + "()");
-      source.line("super(" + literal(columns) + ");");
+      source.line(
+          arguments().stream()
+              .map(CompactClass::literal)
+              .collect(Collectors.joining(", ", "super(", ");")));
       source.close().blank();
     }
     if (!generated.isEmpty()) {
@@ -118,13 +132,10 @@ public record CompactClass(CompactModel model, String columns, String generated)
   private void constructor(ClassWriter file) {
     MethodVisitor code = begin(file, Opcodes.ACC_PUBLIC, "<init>", NOTHING_TO_VOID);
     code.visitVarInsn(Opcodes.ALOAD, 0);
-    String arguments = NOTHING_TO_VOID;
-    if (!columns.isEmpty()) {
-      code.visitLdcInsn(columns);
-      arguments = "(L" + TEXT + ";)V";
-    }
+    arguments().forEach(code::visitLdcInsn);
+    String texts = ("L" + TEXT + ";").repeat(arguments().size());
     code.visitMethodInsn(
-        Opcodes.INVOKESPECIAL, Type.getInternalName(base()), "<init>", arguments, false);
+        Opcodes.INVOKESPECIAL, Type.getInternalName(base()), "<init>", "(" + texts + ")V", false);
     end(code, Opcodes.RETURN);
   }
 

@@ -16,6 +16,7 @@ public final class JavaText {
           "Arrays",
           "BodyPoses",
           "ColumnGroup",
+          "DirectedForces",
           "Energies",
           "ExplicitModel",
           "List",

@@ -1,11 +1,14 @@
 package org.mechservice.sim.build.emit;
 
-import java.util.List;
+import java.util.function.Consumer;
 import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.integration.Integrator;
 import org.mechservice.solver.integration.IntegratorFactory;
 import org.mechservice.solver.integration.IntegratorSettings;
+import org.mechservice.solver.simulation.AnalysisSolver;
 import org.mechservice.solver.simulation.EquationForm;
+import org.mechservice.solver.simulation.Simulation;
 import org.mechservice.solver.simulation.WatchedForm;
 import org.mechservice.solver.standalone.Standalone;
 import org.objectweb.asm.ClassWriter;
@@ -26,8 +29,7 @@ import org.objectweb.asm.Type;
  *     System.exit(
  *         Standalone.run(
  *             ModelSource.from(new Pendulum()),
- *             new PendulumMain(),
- *             new ExplicitForm(),
+ *             new Simulation(new PendulumMain(), new ExplicitForm()),
  *             "joints,accelerations,energy",
  *             "joints",
  *             args));
@@ -35,7 +37,8 @@ import org.objectweb.asm.Type;
  * }
  * }</pre>
  *
- * <p>It is the factory itself, which spares a lambda.
+ * <p>It is the factory itself, which spares a lambda. Where nothing is integrated the solver is an
+ * {@link AnalysisSolver}, and there is no factory.
  */
 public final class MainClass {
   private static final String OBJECT = "java/lang/Object";
@@ -46,7 +49,7 @@ public final class MainClass {
   private MainClass() {}
 
   /**
-   * Returns the class file.
+   * Returns the class file of a model that is integrated.
    *
    * @param className its own name, as those that follow fully qualified
    * @param model class of the model
@@ -62,33 +65,59 @@ public final class MainClass {
       EquationForm form,
       String built,
       String shown) {
-    return new MainClass()
-        .write(
-            internal(className),
-            internal(model),
-            internal(integrator),
-            form,
-            List.of(built, shown));
+    MainClass main = new MainClass();
+    String own = internal(className);
+    main.begin(own, Type.getInternalName(IntegratorFactory.class));
+    main.create(internal(integrator));
+    main.main(internal(model), code -> simulation(code, own, form), built, shown);
+    main.classFile.visitEnd();
+    return main.classFile.toByteArray();
+  }
+
+  /** Returns the class file of a model that is not integrated; arguments as for {@link #of}. */
+  public static byte[] ofAnalysis(String className, String model, String built, String shown) {
+    MainClass main = new MainClass();
+    main.begin(internal(className));
+    main.main(
+        internal(model),
+        code -> create(code, Type.getInternalName(AnalysisSolver.class)),
+        built,
+        shown);
+    main.classFile.visitEnd();
+    return main.classFile.toByteArray();
   }
 
   private static String internal(String className) {
     return className.replace('.', '/');
   }
 
-  private byte[] write(
-      String className, String model, String integrator, EquationForm form, List<String> columns) {
+  private void begin(String className, String... interfaces) {
     classFile.visit(
         Opcodes.V17,
         Opcodes.ACC_PUBLIC | Opcodes.ACC_FINAL | Opcodes.ACC_SUPER,
         className,
         null,
         OBJECT,
-        new String[] {Type.getInternalName(IntegratorFactory.class)});
+        interfaces);
     constructor();
-    create(integrator);
-    main(className, model, form, columns);
-    classFile.visitEnd();
-    return classFile.toByteArray();
+  }
+
+  /** {@code new Simulation(new PendulumMain(), new ExplicitForm())}. */
+  private static void simulation(MethodVisitor code, String factory, EquationForm form) {
+    String simulation = Type.getInternalName(Simulation.class);
+    code.visitTypeInsn(Opcodes.NEW, simulation);
+    code.visitInsn(Opcodes.DUP);
+    create(code, factory);
+    create(code, form);
+    code.visitMethodInsn(
+        Opcodes.INVOKESPECIAL,
+        simulation,
+        "<init>",
+        "("
+            + Type.getDescriptor(IntegratorFactory.class)
+            + Type.getDescriptor(EquationForm.class)
+            + ")V",
+        false);
   }
 
   private void constructor() {
@@ -112,7 +141,7 @@ public final class MainClass {
     end(code, Opcodes.ARETURN);
   }
 
-  private void main(String className, String model, EquationForm form, List<String> columns) {
+  private void main(String model, Consumer<MethodVisitor> solver, String built, String shown) {
     String strings = "[Ljava/lang/String;";
     MethodVisitor code =
         begin(Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC, "main", "(" + strings + ")V");
@@ -123,9 +152,9 @@ public final class MainClass {
         "from",
         "(L" + OBJECT + ";)" + Type.getDescriptor(ModelSource.class),
         true);
-    create(code, className);
-    create(code, form);
-    columns.forEach(code::visitLdcInsn);
+    solver.accept(code);
+    code.visitLdcInsn(built);
+    code.visitLdcInsn(shown);
     code.visitVarInsn(Opcodes.ALOAD, 0);
     code.visitMethodInsn(
         Opcodes.INVOKESTATIC,
@@ -133,9 +162,8 @@ public final class MainClass {
         "run",
         "("
             + Type.getDescriptor(ModelSource.class)
-            + Type.getDescriptor(IntegratorFactory.class)
-            + Type.getDescriptor(EquationForm.class)
-            + "Ljava/lang/String;".repeat(columns.size())
+            + Type.getDescriptor(Solver.class)
+            + "Ljava/lang/String;".repeat(2)
             + strings
             + ")I",
         false);

@@ -56,6 +56,7 @@ final class ModelBytes {
       forces.values(plan.forceCount());
       method(plan.forces().get());
     }
+    plan.directedForces().ifPresent(this::directedForce);
     classFile.visitEnd();
     return checked();
   }
@@ -132,7 +133,7 @@ final class ModelBytes {
     code.visitLdcInsn(plan.jointNames());
     code.visitTypeInsn(Opcodes.NEW, SETTINGS);
     code.visitInsn(Opcodes.DUP);
-    String rest = plan.boundsSteps() ? "DDI" : "";
+    String rest = (plan.boundsSteps() ? "DDI" : "") + (plan.hasOneTolerance() ? "" : "DDD");
     settings(code, description.defaults());
     code.visitMethodInsn(
         Opcodes.INVOKESPECIAL, SETTINGS, "<init>", "(" + SIX_SETTINGS + rest + ")V", false);
@@ -158,6 +159,11 @@ final class ModelBytes {
       numbers.push(settings.initialStep());
       numbers.push(settings.maxOrder());
     }
+    if (!plan.hasOneTolerance()) {
+      numbers.push(settings.angleTolerance());
+      numbers.push(settings.velocityTolerance());
+      numbers.push(settings.angularVelocityTolerance());
+    }
   }
 
   /** {@code Arrays.fill(y, 0.0)}. */
@@ -177,6 +183,19 @@ final class ModelBytes {
         Opcodes.INVOKEVIRTUAL, "java/lang/String", "split", "(" + STRING + "I)[" + STRING, false);
     code.visitMethodInsn(
         Opcodes.INVOKESTATIC, "java/util/List", "of", "([L" + OBJECT + ";)Ljava/util/List;", true);
+    end(code, Opcodes.ARETURN);
+  }
+
+  /** {@code return ("…").split("\n", -1)[force]}. */
+  private void directedForce(String names) {
+    MethodVisitor code = begin("directedForce", "(I)" + STRING);
+    code.visitLdcInsn(names);
+    code.visitLdcInsn("\n");
+    code.visitInsn(Opcodes.ICONST_M1);
+    code.visitMethodInsn(
+        Opcodes.INVOKEVIRTUAL, "java/lang/String", "split", "(" + STRING + "I)[" + STRING, false);
+    code.visitVarInsn(Opcodes.ILOAD, 1);
+    code.visitInsn(Opcodes.AALOAD);
     end(code, Opcodes.ARETURN);
   }
 

@@ -1,6 +1,7 @@
 package org.mechservice.sim.build.emit;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.SortedSet;
@@ -10,6 +11,7 @@ import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.api.BodyPoses;
+import org.mechservice.solver.api.DirectedForces;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.PowerInput;
@@ -17,6 +19,7 @@ import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.mechanism.force.ForceElement;
 
 /**
  * The class of a model, planned: one plan, from which source and class file are printed. Both
@@ -167,6 +170,7 @@ public final class ModelPlan implements WrittenClass {
     poses.ifPresent(part -> interfaces.add(BodyPoses.class));
     power.ifPresent(part -> interfaces.add(PowerInput.class));
     forces.ifPresent(part -> interfaces.add(ResultColumns.class));
+    directedForces().ifPresent(names -> interfaces.add(DirectedForces.class));
     return interfaces;
   }
 
@@ -210,6 +214,24 @@ public final class ModelPlan implements WrittenClass {
     return owners;
   }
 
+  /** Returns the names of the forces that can lose their direction, a line for each force. */
+  Optional<String> directedForces() {
+    List<ForceElement> forces = content.mechanism().forces();
+    String[] names = new String[forces.size()];
+    Arrays.fill(names, "");
+    boolean any = false;
+    for (Program.Section section : content.derivative().sections()) {
+      for (Program.Guard guard : section.guards()) {
+        if (guard.result() <= DirectedForces.FIRST) {
+          int force = DirectedForces.force(guard.result());
+          names[force] = forces.get(force).name();
+          any = true;
+        }
+      }
+    }
+    return any ? Optional.of(String.join("\n", names)) : Optional.empty();
+  }
+
   /** Returns the names of the joints, as the description takes them. */
   String jointNames() {
     List<String> names = new ArrayList<>();
@@ -231,7 +253,15 @@ public final class ModelPlan implements WrittenClass {
     return String.join("\n", names);
   }
 
-  /** Returns whether step sizes or order are bounded by the settings. */
+  /** Returns whether the settings have one absolute tolerance for all states. */
+  boolean hasOneTolerance() {
+    return content.description().defaults().hasOneTolerance();
+  }
+
+  /**
+   * Returns whether the settings say more than their shortest form: bounds of step sizes or order,
+   * or further tolerances, which stand behind these.
+   */
   boolean boundsSteps() {
     RunSettings settings = content.description().defaults();
     RunSettings automatic =

@@ -17,13 +17,13 @@ import org.mechservice.solver.api.RunSettings;
  */
 final class ModelSource {
   private static final String LEGEND =
-      "Names: omega, alpha, a: angular velocity, angular acceleration and acceleration of the origin"
-          + " of a body's computing frame; W: alpha x + omega x omega x; f, n: force and moment the"
-          + " body needs, all while no joint accelerates. J, H, M: articulated inertia; D, kn, kf: its"
-          + " element on the joint's axis and its column there over D; u: joint force less f, n along"
-          + " the axis; dalpha, da: what joint accelerations add. The origin of a computing frame is"
-          + " the joint's point on the body, its z axis lies along the joint; R, X take it to the"
-          + " parent's, where the joint is at r.";
+      "Names: omega, alpha, a: angular velocity, angular acceleration and acceleration of the"
+          + " origin of a body's computing frame; W: alpha x + omega x omega x; f, n: force and"
+          + " moment the body needs, all while no joint accelerates. J, H, M: articulated inertia;"
+          + " D, kn, kf: its element on the joint's axis and its column there over D; u: joint"
+          + " force less f, n along the axis; dalpha, da: what joint accelerations add. The origin"
+          + " of a computing frame is the joint's point on the body, its z axis lies along the"
+          + " joint; R, X take it to the parent's, where the joint is at r.";
 
   private final ModelPlan plan;
   private final SourceLines source = new SourceLines();
@@ -51,6 +51,7 @@ final class ModelSource {
     plan.poses().ifPresent(this::poses);
     plan.power().ifPresent(this::power);
     plan.forces().ifPresent(this::forces);
+    plan.directedForces().ifPresent(this::directedForce);
     return source.close().toString();
   }
 
@@ -157,6 +158,11 @@ final class ModelSource {
       values.add(number(settings.initialStep()));
       values.add(Integer.toString(settings.maxOrder()));
     }
+    if (!plan.hasOneTolerance()) {
+      values.add(number(settings.angleTolerance()));
+      values.add(number(settings.velocityTolerance()));
+      values.add(number(settings.angularVelocityTolerance()));
+    }
     return String.join(", ", values);
   }
 
@@ -211,6 +217,12 @@ final class ModelSource {
     source.line("System.arraycopy(forces, 0, values, at, forces.length);");
     source.close().close();
     method(forces, List.of(), List.of());
+  }
+
+  private void directedForce(String names) {
+    source.blank().line("@Override").open("public String directedForce(int force)");
+    source.line("return (" + JavaText.literal(names) + ").split(\"\\n\", -1)[force];");
+    source.close();
   }
 
   private void method(ModelPlan.Part part, List<String> first, List<String> last) {

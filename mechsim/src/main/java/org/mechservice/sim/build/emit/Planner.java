@@ -14,15 +14,19 @@ final class Planner {
   /** Bytes above which sections are distributed anew. */
   private static final int TOO_LONG = 6600;
 
+  /** Bytes below which a method's calls would be all it has. */
+  private static final int LEAST_BYTES = METHOD_BYTES / 8;
+
   private Planner() {}
 
-  /** Plans a program. */
-  static ProgramPlan plan(Program program) {
-    Usage usage = new Usage(program);
-    int[] bytes = CodeSize.ofSections(program, usage);
+  /** Plans a program; where methods turn out too long, sections are made shorter too. */
+  static ProgramPlan plan(Program whole) {
     for (int limit = METHOD_BYTES; ; limit = limit * 9 / 10) {
+      Program program = LongSections.divided(whole, limit);
+      Usage usage = new Usage(program);
+      int[] bytes = CodeSize.ofSections(program, usage);
       ProgramPlan plan = new MethodPlanner(program, usage, chunks(bytes, limit)).plan();
-      if (limit < METHOD_BYTES / 4 || longest(plan) <= TOO_LONG) {
+      if (limit < LEAST_BYTES || longest(plan) <= TOO_LONG) {
         return plan;
       }
     }

@@ -11,8 +11,8 @@ import org.mechservice.sim.build.emit.MethodSizes;
 class CompactLocalsTest {
   private static double run(String body) throws ReflectiveOperationException {
     String source =
-        "package org.mechservice.model; public class A { public static double a(double p, double[] x)"
-            + " {"
+        "package org.mechservice.model; public class A { public static double a(double p, double[]"
+            + " x) {"
             + body
             + "} }";
     ModelClassLoader loader =

@@ -1,0 +1,52 @@
+package org.mechservice.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Reports of scenes that come with the product, through the embedded service. */
+@Tag("soak")
+class ReportCommandTest {
+  private static final Path EXAMPLES = Path.of("..", "examples");
+
+  @TempDir Path folder;
+
+  private static int mech(String... words) {
+    StringWriter ignored = new StringWriter();
+    return Mech.run(new PrintWriter(ignored), new PrintWriter(ignored), words);
+  }
+
+  private String quickPage(String model) throws IOException {
+    Path file = EXAMPLES.resolve(model);
+    assertThat(mech("report", file.toString(), "-o", folder.toString(), "--quick"))
+        .isEqualTo(ExitStatus.DONE);
+    String name = file.getFileName().toString().replace(".xml", ".html");
+    return Files.readString(folder.resolve(name));
+  }
+
+  @Test
+  void pageOfThePendulumRecommendsRaisesNoDoubtAndSaysNothingOfLoops() throws IOException {
+    assertThat(quickPage("pendulum/pendulum.xml"))
+        .contains("Recommendation", "Not stiff", "the one that comes with the product")
+        .doesNotContain("class=\"doubt\"", "projection");
+  }
+
+  @Test
+  void pageOfTheOverdampedSpringCallsItStiff() throws IOException {
+    assertThat(quickPage("extremes/stiff_1e9_c1e5.xml"))
+        .contains("<b>Stiff.</b>", "best implicit method wins")
+        .doesNotContain("class=\"doubt\"");
+  }
+
+  @Test
+  void extremeScenesEndAsExpected() {
+    assertThat(mech("stability", "-o", folder.toString())).isEqualTo(ExitStatus.DONE);
+  }
+}

@@ -1,0 +1,84 @@
+package org.mechservice.sim.build.emit;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
+
+/** Divides sections that are too long for a method; what they compute stays in its order. */
+final class LongSections {
+  /** Values that one part puts out at most. */
+  private static final int OUTPUTS = 200;
+
+  private final Program program;
+  private final Usage usage;
+  private final int partBytes;
+  private final List<Program.Section> parts = new ArrayList<>();
+
+  private LongSections(Program program, Usage usage, int partBytes) {
+    this.program = program;
+    this.usage = usage;
+    this.partBytes = partBytes;
+  }
+
+  /**
+   * Returns a program without long sections.
+   *
+   * @param longest bytes of code a section may have
+   */
+  static Program divided(Program program, int longest) {
+    Usage usage = new Usage(program);
+    int[] bytes = CodeSize.ofSections(program, usage);
+    LongSections division = new LongSections(program, usage, longest / 2);
+    for (int s = 0; s < bytes.length; s++) {
+      if (bytes[s] <= longest) {
+        division.parts.add(program.sections().get(s));
+      } else {
+        division.divide(s);
+      }
+    }
+    return division.parts.size() == bytes.length ? program : program.in(division.parts);
+  }
+
+  private void divide(int s) {
+    Program.Section section = program.sections().get(s);
+    int filled = 0;
+    add(section, section.title(), section.firstNode(), List.of(), List.of());
+    for (Scalar node : usage.placedIn(s)) {
+      int bytes = CodeSize.ofValue(usage, node);
+      if (filled > 0 && filled + bytes > partBytes) {
+        add(section, "", node.id(), List.of(), List.of());
+        filled = 0;
+      }
+      filled += bytes;
+    }
+    putOut(section, endOf(s));
+  }
+
+  /** Outputs and checks come behind all values, in parts without values. */
+  private void putOut(Program.Section section, int end) {
+    List<Program.Output> outputs = section.outputs();
+    for (int i = 0; i < outputs.size(); i += OUTPUTS) {
+      int next = Math.min(i + OUTPUTS, outputs.size());
+      add(section, "", end, outputs.subList(i, next), List.of());
+    }
+    if (!section.guards().isEmpty()) {
+      add(section, "", end, List.of(), section.guards());
+    }
+  }
+
+  private int endOf(int s) {
+    return s + 1 < program.sections().size()
+        ? program.sections().get(s + 1).firstNode()
+        : program.expressions().size();
+  }
+
+  private void add(
+      Program.Section section,
+      String title,
+      int firstNode,
+      List<Program.Output> outputs,
+      List<Program.Guard> guards) {
+    parts.add(new Program.Section(title, section.subject(), firstNode, outputs, guards));
+  }
+}

@@ -1,0 +1,129 @@
+package org.mechservice.sim.build;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.solver.api.DirectedForces;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.dynamics.DataDrivenModel;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.integration.De;
+import org.mechservice.solver.mechanism.Attachment;
+import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.mechanism.Root;
+import org.mechservice.solver.mechanism.StartRole;
+import org.mechservice.solver.mechanism.force.Side;
+import org.mechservice.solver.mechanism.force.SpringDamper;
+import org.mechservice.solver.simulation.ExplicitForm;
+import org.mechservice.solver.simulation.Simulation;
+import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+
+/** A slider on the x axis, and a spring from the ground's origin to its own. */
+class DirectedForcesTest {
+  private static final BuildOptions OPTIONS = new BuildOptions("auto", Set.of(), Scenes.SETTINGS);
+
+  private static Mechanism slider(double length0, double damping) {
+    SpringDamper spring =
+        new SpringDamper(
+            "coil",
+            new BodyPoint(Mechanism.ROOT, Vector3.ZERO),
+            new BodyPoint(0, Vector3.ZERO),
+            new Expression.Constant(100),
+            new Expression.Constant(damping),
+            new Expression.Constant(length0),
+            new Expression.Constant(0),
+            Side.BOTH,
+            new Expression.Constant(0),
+            Origin.NONE);
+    Attachment attachment =
+        new Attachment(Mechanism.ROOT, Vector3.ZERO, 0, Vector3.ZERO, Rotation.IDENTITY);
+    Body body =
+        new Body("block", 2, Vector3.ZERO, new InertiaTensor(1, 1, 1, 0, 0, 0), Origin.NONE);
+    return new Mechanism(
+        "slider",
+        new Root("ground", Vector3.ZERO, Rotation.IDENTITY),
+        Vector3.ZERO,
+        List.of(body),
+        List.of(Scenes.joint("rail", "P", attachment, new Vector3(1, 0, 0), 0, 3)),
+        List.of(),
+        List.of(StartRole.PREFERRED),
+        List.of(),
+        List.of(spring),
+        List.of());
+  }
+
+  /** Takes no notice. */
+  private static final class NoRows implements ResultSink {
+    @Override
+    public void begin(List<Variable> columns) {}
+
+    @Override
+    public void row(double[] values) {}
+  }
+
+  private static Model generated(Mechanism mechanism) {
+    MechmlModel file = Scenes.model(mechanism);
+    return ModelFactory.compile(file, OPTIONS, ModelFactory.generate(file, OPTIONS)).newInstance();
+  }
+
+  @Test
+  void aSlackSpringPassesThroughZeroLengthAsItsDamperSays() {
+    Mechanism slider = slider(0, 5);
+    Model model = generated(slider);
+    assertThat(model).isNotInstanceOf(DirectedForces.class);
+    double[] actual = new double[2];
+    double[] expected = new double[2];
+    for (double q : new double[] {0, 1e-3, -0.2}) {
+      double[] y = {q, 3};
+      assertThat(((ExplicitModel) model).derivative(0, y, actual)).isEqualTo(ExplicitModel.REGULAR);
+      new DataDrivenModel(slider, Scenes.SETTINGS).derivative(0, y, expected);
+      assertThat(actual).containsExactly(expected, within(1e-12));
+    }
+  }
+
+  @Test
+  void aSpringUnderTensionWithoutLengthIsNamed() throws Exception {
+    Model model = generated(slider(0.5, 0));
+    Outcome outcome =
+        new Simulation(De::new, new ExplicitForm())
+            .run(model, new RunRequest(Scenes.SETTINGS, Set.of()), new NoRows(), new RunControl())
+            .outcome();
+    assertThat(outcome).isInstanceOf(Outcome.Failed.class);
+    assertThat(((Outcome.Failed) outcome).failure().message())
+        .startsWith("N-031")
+        .contains("force coil");
+  }
+
+  @Test
+  void theClassFileHasTheBitsOfTheCompiledSource() {
+    MechmlModel file = Scenes.model(slider(0.5, 1));
+    GeneratedModel generated = ModelFactory.generate(file, OPTIONS);
+    for (double q : new double[] {0, 0.1}) {
+      double[] y = {q, 3};
+      double[] direct = new double[2];
+      double[] compiled = new double[2];
+      Model one = ModelFactory.compile(file, OPTIONS, generated).newInstance();
+      Model other = ModelFactory.compileSource(file, OPTIONS, generated).newInstance();
+      assertThat(((ExplicitModel) one).derivative(0, y, direct))
+          .isEqualTo(((ExplicitModel) other).derivative(0, y, compiled));
+      assertThat(direct).containsExactly(compiled);
+      assertThat(((DirectedForces) one).directedForce(0))
+          .isEqualTo(((DirectedForces) other).directedForce(0));
+    }
+  }
+}

@@ -1,0 +1,40 @@
+package org.mechservice.solver.analysis;
+
+import java.util.List;
+import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.force.UserForceSource;
+
+/** A mechanism at rest: one state, in which all forces balance. */
+final class EquilibriumModel extends FoundModel {
+  private final StaticEquilibrium equilibrium;
+
+  /**
+   * @param data the model, its motions held
+   * @param tolerance largest force left over relative to the largest in play
+   * @param most corrections allowed
+   * @param userForces makes the forces that users have written
+   */
+  EquilibriumModel(CompactModel data, double tolerance, int most, UserForceSource userForces) {
+    super(data, userForces);
+    equilibrium = new StaticEquilibrium(mechanism, userForces, tolerance, most);
+  }
+
+  @Override
+  public int find(double t, double[] y) {
+    if (!equilibrium.find(t)) {
+      return fail(equilibrium.defect());
+    }
+    System.arraycopy(equilibrium.state(), 0, y, 0, y.length);
+    return REGULAR;
+  }
+
+  @Override
+  public long iterations() {
+    return equilibrium.iterations();
+  }
+
+  @Override
+  public List<Note> notes() {
+    return equilibrium.notes();
+  }
+}

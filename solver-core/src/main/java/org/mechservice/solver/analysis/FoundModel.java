@@ -1,0 +1,103 @@
+package org.mechservice.solver.analysis;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.solver.api.BodyPoses;
+import org.mechservice.solver.api.Energies;
+import org.mechservice.solver.api.FoundStates;
+import org.mechservice.solver.api.JointVariables;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.dynamics.MassiveRods;
+import org.mechservice.solver.dynamics.WorldMotion;
+import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/** What models whose states are found one by one have in common. Workspace of one run. */
+abstract class FoundModel implements FoundStates, Energies, BodyPoses, RunNotes {
+  final Mechanism mechanism;
+  final EquationsOfMotion equations;
+
+  /** v' of the state found last. */
+  final double[] acceleration;
+
+  private final ModelDescription description;
+  private final WorldMotion world;
+  private final MassiveRods rods;
+  private Optional<Defect> defect = Optional.empty();
+
+  /**
+   * @param data the model; its formulation is the name of the task
+   */
+  FoundModel(CompactModel data, UserForceSource userForces) {
+    mechanism = data.mechanism();
+    equations = new EquationsOfMotion(mechanism, userForces);
+    acceleration = new double[equations.nv];
+    description = description(data);
+    world = new WorldMotion(equations.motion);
+    rods = new MassiveRods(equations.tree);
+  }
+
+  /** Describes a model by its data. */
+  static ModelDescription description(CompactModel data) {
+    List<JointVariables> joints = new ArrayList<>();
+    Mechanism mechanism = data.mechanism();
+    for (int j = 0; j < mechanism.joints().size(); j++) {
+      if (!mechanism.isDriven(j)) {
+        joints.add(
+            new JointVariables(mechanism.joints().get(j).name(), mechanism.joints().get(j).type()));
+      }
+    }
+    return new ModelDescription(mechanism.name(), data.formulation(), joints, data.settings());
+  }
+
+  @Override
+  public final ModelDescription description() {
+    return description;
+  }
+
+  @Override
+  public final void initialState(double[] y) {
+    mechanism.initialState(y);
+  }
+
+  @Override
+  public final int derivative(double t, double[] y, double[] yDot) {
+    equations.coordinates.rates(y, 0, y, equations.nq, yDot, 0);
+    System.arraycopy(acceleration, 0, yDot, equations.nq, acceleration.length);
+    return REGULAR;
+  }
+
+  /** Keeps why no state was found; returns what {@link #find} returns then. */
+  final int fail(Defect why) {
+    defect = Optional.of(why);
+    return DEFECT;
+  }
+
+  @Override
+  public final Defect lastDefect() {
+    return defect.orElseThrow(() -> new IllegalStateException("all states were found"));
+  }
+
+  @Override
+  public final void energy(double t, double[] y, double[] energy) {
+    equations.place(t, y);
+    double ofForces = equations.applyForces(t) ? equations.forces.potentialEnergy() : Double.NaN;
+    energy[0] = world.kineticEnergy() + rods.kineticEnergy(equations.motion);
+    energy[1] = world.potentialEnergy() + rods.potentialEnergy(equations.motion) + ofForces;
+  }
+
+  @Override
+  public final List<String> bodies() {
+    return mechanism.bodies().stream().map(Body::name).toList();
+  }
+
+  @Override
+  public final void poses(double t, double[] y, double[] poses) {
+    equations.place(t, y);
+    world.poses(poses);
+  }
+}

@@ -1,0 +1,216 @@
+package org.mechservice.solver.analysis;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.solver.api.Defects;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.ResultTable;
+import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.force.UserForceSource;
+
+/**
+ * Small motions of a mechanism about its start or an equilibrium, as a table: one row per mode with
+ * eigenvalue, frequency, damping ratio and shape; or one row per equation with the elements of M, C
+ * and K.
+ */
+final class LinearModel implements ResultTable, RunNotes {
+  /** As the language has them where a static simulation says nothing. */
+  private static final double TOLERANCE = 1e-9;
+
+  private static final int MOST_CORRECTIONS = 100;
+
+  private final CompactModel data;
+  private final UserForceSource userForces;
+  private final boolean atEquilibrium;
+  private final boolean modes;
+  private final ModelDescription description;
+  private final CoordinateNames names;
+  private final List<Note> notes = new ArrayList<>();
+  private Optional<Defect> defect = Optional.empty();
+
+  /** Where it is linearised: the equations, the state, its accelerations. */
+  private EquationsOfMotion equations;
+
+  private double[] y;
+  private double[] a;
+
+  LinearModel(CompactModel data, boolean atEquilibrium, boolean modes, UserForceSource userForces) {
+    this.data = data;
+    this.userForces = userForces;
+    this.atEquilibrium = atEquilibrium;
+    this.modes = modes;
+    description = FoundModel.description(data);
+    names = new CoordinateNames(data.mechanism());
+    equations = new EquationsOfMotion(data.mechanism(), userForces);
+    y = new double[equations.nq + equations.nv];
+    a = new double[equations.nv];
+  }
+
+  @Override
+  public ModelDescription description() {
+    return description;
+  }
+
+  @Override
+  public void initialState(double[] start) {
+    data.mechanism().initialState(start);
+  }
+
+  @Override
+  public List<Variable> columns() {
+    List<Variable> columns = new ArrayList<>();
+    columns.add(new Variable("t", "s"));
+    columns.add(new Variable(modes ? "mode" : "equation", "1"));
+    if (modes) {
+      columns.add(new Variable("eigenvalue.re", "1/s"));
+      columns.add(new Variable("eigenvalue.im", "rad/s"));
+      columns.add(new Variable("frequency", "Hz"));
+      columns.add(new Variable("damping", "1"));
+      for (int j = 0; j < names.count(); j++) {
+        columns.add(new Variable(names.name(j) + ".re", names.unit(j)));
+        columns.add(new Variable(names.name(j) + ".im", names.unit(j)));
+      }
+      return columns;
+    }
+    for (String matrix : List.of("M", "C", "K")) {
+      for (int j = 0; j < names.count(); j++) {
+        columns.add(new Variable(matrix + "." + names.name(j), "SI"));
+      }
+    }
+    return columns;
+  }
+
+  @Override
+  public int tabulate(double t, ResultSink sink) throws IOException {
+    boolean found = atEquilibrium ? rest(t) : start(t);
+    if (!found) {
+      return Defects.DEFECT;
+    }
+    try {
+      Linearisation linear = new Linearisation(equations, t, y, a);
+      return modes ? writeModes(t, linear, sink) : writeMatrices(t, linear, sink);
+    } catch (Linearisation.NotLinearised e) {
+      return fail(e.defect());
+    }
+  }
+
+  private boolean rest(double t) {
+    StaticEquilibrium equilibrium =
+        new StaticEquilibrium(data.mechanism(), userForces, TOLERANCE, MOST_CORRECTIONS);
+    boolean found = equilibrium.find(t);
+    notes.addAll(equilibrium.notes());
+    if (!found) {
+      fail(equilibrium.defect());
+      return false;
+    }
+    equations = equilibrium.equations();
+    y = equilibrium.state();
+    return true;
+  }
+
+  private boolean start(double t) {
+    boolean open = data.mechanism().closures().isEmpty();
+    ExplicitModel model =
+        (ExplicitModel)
+            new CompactModel(data.mechanism(), "DSR", open ? "none" : "projection", data.settings())
+                .model(userForces);
+    model.initialState(y);
+    double[] yDot = new double[y.length];
+    int result = model.derivative(t, y, yDot);
+    if (model instanceof RunNotes noted) {
+      notes.addAll(noted.notes());
+    }
+    if (result == Defects.DEFECT) {
+      fail(((Defects) model).lastDefect());
+    } else if (result != ExplicitModel.REGULAR) {
+      fail(noInertia("joint \"" + description.joints().get(result).name() + "\""));
+    }
+    a = Arrays.copyOfRange(yDot, equations.nq, yDot.length);
+    return result == ExplicitModel.REGULAR;
+  }
+
+  private static Defect noInertia(String part) {
+    return new Defect(
+        "N-066",
+        part,
+        "Small motions have no inertia in some direction.",
+        "Give the bodies beyond this joint mass and inertia.");
+  }
+
+  private int writeModes(double t, Linearisation linear, ResultSink sink) throws IOException {
+    if (linear.freedom() == 0) {
+      return ExplicitModel.REGULAR;
+    }
+    double[] system = linear.system();
+    if (system.length == 0) {
+      return fail(noInertia(names.part(linear.independent()[0])));
+    }
+    Modes found = new Modes(linear, system);
+    if (!found.converged()) {
+      return fail(
+          new Defect(
+              "N-066",
+              "",
+              "The eigenvalues of small motions were not found.",
+              "Look for masses and stiffnesses that differ by more than 1e16."));
+    }
+    double[] re = new double[names.count()];
+    double[] im = new double[names.count()];
+    double[] row = new double[6 + 2 * names.count()];
+    for (int k = 0; k < found.count(); k++) {
+      row[0] = t;
+      row[1] = k + 1;
+      row[2] = found.growth(k);
+      row[3] = found.angularFrequency(k);
+      row[4] = found.frequency(k);
+      row[5] = found.dampingRatio(k);
+      found.shape(k, equations.unit, re, im);
+      for (int j = 0; j < re.length; j++) {
+        row[6 + 2 * j] = re[j];
+        row[7 + 2 * j] = im[j];
+      }
+      sink.row(row);
+    }
+    return ExplicitModel.REGULAR;
+  }
+
+  /** The row of each independent coordinate; columns of dependent ones are zero. */
+  private int writeMatrices(double t, Linearisation linear, ResultSink sink) throws IOException {
+    int f = linear.freedom();
+    double[][] matrices = {linear.mass, linear.damping, linear.stiffness};
+    for (int i = 0; i < f; i++) {
+      double[] row = new double[2 + 3 * names.count()];
+      row[0] = t;
+      row[1] = linear.independent()[i] + 1;
+      for (int m = 0; m < matrices.length; m++) {
+        for (int j = 0; j < f; j++) {
+          row[2 + m * names.count() + linear.independent()[j]] = matrices[m][i * f + j];
+        }
+      }
+      sink.row(row);
+    }
+    return ExplicitModel.REGULAR;
+  }
+
+  private int fail(Defect why) {
+    defect = Optional.of(why);
+    return Defects.DEFECT;
+  }
+
+  @Override
+  public Defect lastDefect() {
+    return defect.orElseThrow(() -> new IllegalStateException("nothing has failed"));
+  }
+
+  @Override
+  public List<Note> notes() {
+    return List.copyOf(notes);
+  }
+}

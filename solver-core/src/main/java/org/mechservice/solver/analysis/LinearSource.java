@@ -1,0 +1,37 @@
+package org.mechservice.solver.analysis;
+
+import java.util.List;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.compact.CompactSource;
+
+/** What the class of a model of small motions is, but for its data. */
+public abstract class LinearSource extends CompactSource {
+  private final boolean atEquilibrium;
+  private final boolean modes;
+
+  /**
+   * @param options {@code start} or {@code equilibrium}, and {@code modes} or {@code matrices},
+   *     separated by a blank
+   * @param groups not used: a table has columns of its own
+   */
+  protected LinearSource(String options, String groups) {
+    List<String> words = List.of(options.split(" ", -1));
+    atEquilibrium = words.contains("equilibrium");
+    modes = words.contains("modes");
+  }
+
+  @Override
+  public final Model model() {
+    return linear(data());
+  }
+
+  @Override
+  public final Model model(double[] values) {
+    return linear(data().with(values));
+  }
+
+  private Model linear(CompactModel data) {
+    return new LinearModel(data, atEquilibrium, modes, userForces());
+  }
+}

@@ -1,0 +1,236 @@
+package org.mechservice.solver.analysis;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.mechservice.solver.closure.Assembly;
+import org.mechservice.solver.closure.LoopFinding;
+import org.mechservice.solver.closure.RankAnalysis;
+import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.force.UserForceSource;
+
+/**
+ * A mechanism all of whose coordinates follow from prescribed motions: driven joints, and loops
+ * that take the rest along. Positions come from Φ(q, t) = 0 by Newton's method, from one output
+ * time to the next in steps small enough that the position predicted is close; velocities and
+ * accelerations from J v = −Φ_t and J a = −γ. The forces this takes are columns of their own.
+ */
+final class PrescribedModel extends FoundModel {
+  /** A position may differ from the one predicted by this, rad or lengths of the mechanism. */
+  private static final double NEAR = 0.05;
+
+  /** A step is not made shorter than this part of the way between two output times. */
+  private static final double SHORTEST = 1e-9;
+
+  /** A position is singular where the smallest singular value is below this part of the largest. */
+  private static final double SINGULAR = 1e-8;
+
+  private final CoordinateNames names;
+  private final List<Note> notes = new ArrayList<>();
+  private double[] y = new double[0];
+  private double reached;
+
+  /** Sign of the determinant of J, whose rows are as many as its columns. */
+  private double orientation;
+
+  private int[] rows = new int[0];
+  private long iterations;
+
+  PrescribedModel(CompactModel data, UserForceSource userForces) {
+    super(data, userForces);
+    names = new CoordinateNames(mechanism);
+  }
+
+  @Override
+  public int find(double t, double[] out) {
+    Optional<Defect> why = y.length == 0 ? begin(t) : advance(t);
+    if (why.isPresent()) {
+      return fail(why.get());
+    }
+    System.arraycopy(y, 0, out, 0, y.length);
+    return REGULAR;
+  }
+
+  private Optional<Defect> begin(double t) {
+    double[] start = new double[equations.nq + equations.nv];
+    mechanism.initialState(start);
+    for (LoopFinding finding : new Assembly(equations.tree).assemble(t, start)) {
+      if (finding.kind() == LoopFinding.Kind.NOT_CLOSED) {
+        return Optional.of(open(finding.part(), finding.amount(), finding.unit()));
+      }
+      if (finding.kind() == LoopFinding.Kind.START_MOVED) {
+        notes.add(finding.note());
+      }
+    }
+    if (new RankAnalysis(equations.tree, t, start).rank() < equations.nv) {
+      return Optional.of(free(t, start));
+    }
+    y = start;
+    reached = t;
+    equations.place(t, y);
+    FreeDirections directions = new FreeDirections(equations);
+    rows = directions.kept();
+    if (directions.freedom() > 0) {
+      return Optional.of(singular(directions));
+    }
+    orientation = orientation();
+    return move(t);
+  }
+
+  private Defect free(double t, double[] start) {
+    equations.place(t, start);
+    FreeDirections directions = new FreeDirections(equations);
+    String free =
+        Arrays.stream(directions.independent)
+            .mapToObj(names::name)
+            .collect(Collectors.joining(", "));
+    return new Defect(
+        "N-060",
+        "",
+        "The prescribed motion leaves "
+            + directions.freedom()
+            + " coordinates free, such as "
+            + free
+            + ".",
+        "Drive them, or simulate <dynamic>, where forces move what nothing prescribes.");
+  }
+
+  private Optional<Defect> advance(double t) {
+    double step = t - reached;
+    double least = SHORTEST * step;
+    while (reached < t) {
+      double to = reached + step >= t ? t : reached + step;
+      double[] tried = y.clone();
+      equations.coordinates.move(tried, 0, y, equations.nq, to - reached);
+      double[] predicted = tried.clone();
+      iterations++;
+      if (equations.closePositions(to, tried) && isNear(tried, predicted)) {
+        System.arraycopy(tried, 0, y, 0, equations.nq);
+        reached = to;
+        Optional<Defect> why = move(to);
+        if (why.isPresent()) {
+          return why;
+        }
+        step *= 2;
+      } else {
+        step /= 2;
+        if (step < least) {
+          return Optional.of(stuck(to, predicted));
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  private boolean isNear(double[] found, double[] predicted) {
+    for (int i = 0; i < equations.nq; i++) {
+      double size = equations.coordinates.velocityOf(i) < 0 ? 1 : unitOf(i);
+      if (!(Math.abs(found[i] - predicted[i]) <= NEAR * size)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private double unitOf(int position) {
+    return equations.unit[equations.coordinates.velocityOf(position)];
+  }
+
+  /** Finds velocities and accelerations at the positions reached. */
+  private Optional<Defect> move(double t) {
+    int n = equations.nv;
+    Arrays.fill(y, equations.nq, y.length, 0);
+    equations.place(t, y);
+    equations.solveLeast(equations.loops.rate);
+    boolean lost = equations.rank() < n || (n > 0 && equations.jacobian.relative(n - 1) < SINGULAR);
+    if (lost || orientation() * orientation < 0) {
+      return Optional.of(singular(new FreeDirections(equations)));
+    }
+    System.arraycopy(equations.step, 0, y, equations.nq, n);
+    equations.place(t, y);
+    Arrays.fill(acceleration, 0);
+    equations.motion.accelerationSweep(acceleration);
+    equations.loops.accelerate(equations.motion, t);
+    equations.solveLeast(equations.loops.acceleration);
+    System.arraycopy(equations.step, 0, acceleration, 0, n);
+    return Optional.empty();
+  }
+
+  /** Returns the sign of the determinant of J's independent rows: it changes at a dead centre. */
+  private double orientation() {
+    int n = equations.nv;
+    double[] a = new double[n * n];
+    equations.jacobian.decompose();
+    for (int i = 0; i < n && rows.length == n; i++) {
+      System.arraycopy(equations.jacobian.elements(), rows[i] * n, a, i * n, n);
+    }
+    double sign = 1;
+    for (int k = 0; k < n; k++) {
+      int pivot = k;
+      for (int i = k + 1; i < n; i++) {
+        pivot = Math.abs(a[i * n + k]) > Math.abs(a[pivot * n + k]) ? i : pivot;
+      }
+      for (int j = 0; j < n; j++) {
+        double element = a[k * n + j];
+        a[k * n + j] = a[pivot * n + j];
+        a[pivot * n + j] = element;
+      }
+      sign *= pivot == k ? Math.signum(a[k * n + k]) : -Math.signum(a[k * n + k]);
+      for (int i = k + 1; i < n && a[k * n + k] != 0; i++) {
+        double factor = a[i * n + k] / a[k * n + k];
+        for (int j = k; j < n; j++) {
+          a[i * n + j] -= factor * a[k * n + j];
+        }
+      }
+    }
+    return sign;
+  }
+
+  private Defect singular(FreeDirections directions) {
+    String where = directions.freedom() == 0 ? "" : names.part(directions.independent[0]);
+    return new Defect(
+        "N-062",
+        where,
+        "The mechanism comes to a singular position: the prescribed motion does not determine how"
+            + " it goes on.",
+        "Drive another joint, or end before this position; begin beyond it to go on.");
+  }
+
+  private Defect stuck(double t, double[] predicted) {
+    double[] ended = predicted.clone();
+    equations.closePositions(t, ended);
+    int worst = equations.loops.worst();
+    return worst < 0
+        ? singular(new FreeDirections(equations))
+        : open(
+            equations.loops.name(worst),
+            Math.abs(equations.loops.value[worst]),
+            equations.loops.unit(worst));
+  }
+
+  private static Defect open(String part, double amount, String unit) {
+    return new Defect(
+        "N-061",
+        part,
+        String.format(
+            Locale.ROOT,
+            "No position fits the prescribed motion: this constraint stays open by %.1e %s.",
+            amount,
+            unit),
+        "Look at the range of the motion: the mechanism is stretched to its end there, or joints"
+            + " are driven against each other.");
+  }
+
+  @Override
+  public long iterations() {
+    return iterations;
+  }
+
+  @Override
+  public List<Note> notes() {
+    return List.copyOf(notes);
+  }
+}

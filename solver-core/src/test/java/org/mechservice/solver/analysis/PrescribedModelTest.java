@@ -1,0 +1,178 @@
+package org.mechservice.solver.analysis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ExtendedModel;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.PrescribedMotion;
+import org.mechservice.solver.mechanism.StartRole;
+import org.mechservice.solver.scenes.SharedScene;
+import org.mechservice.solver.simulation.RuntimeSolver;
+
+/** The slider-crank, crank 0.2 m and rod 0.5 m, with its crank or its slider driven. */
+class PrescribedModelTest {
+  private static final double R = 0.2;
+  private static final double L = 0.5;
+  private static final Expression T = new Expression.Time();
+
+  /** Rows of a run, and how it ended. */
+  private static final class Rows implements ResultSink {
+    final List<double[]> rows = new ArrayList<>();
+    List<Variable> columns = List.of();
+    RunReport report;
+
+    Rows(Mechanism mechanism, double end, String groups) throws IOException {
+      RunSettings settings = new RunSettings(0, end, 0.01, "none", 1e-5, 1e-5);
+      CompactModel data = new CompactModel(mechanism, "kinematic", "none", settings);
+      ExplicitModel model = new PrescribedModel(data, UserForceSource.NONE);
+      Set<ColumnGroup> further = EnumSet.range(ColumnGroup.CONSTRAINTS, ColumnGroup.OUTPUTS);
+      further.retainAll(ColumnGroup.of(groups));
+      Model extended =
+          new ExtendedModel(model, new FurtherColumns(model, data, further, UserForceSource.NONE));
+      RunRequest request = new RunRequest(settings, ColumnGroup.of(groups));
+      report = new RuntimeSolver().run(extended, request, this, new RunControl());
+    }
+
+    @Override
+    public void begin(List<Variable> names) {
+      columns = names;
+    }
+
+    @Override
+    public void row(double[] values) {
+      rows.add(values.clone());
+    }
+
+    double value(int row, String column) {
+      for (int i = 0; i < columns.size(); i++) {
+        if (columns.get(i).name().equals(column)) {
+          return rows.get(row)[i];
+        }
+      }
+      throw new AssertionError("no column " + column + " in " + columns);
+    }
+  }
+
+  private static Mechanism driven(int joint, Expression motion) {
+    Mechanism free = SharedScene.named("slider_crank_planar").mechanism();
+    return new Mechanism(
+        free.name(),
+        free.root(),
+        free.gravity(),
+        free.bodies(),
+        free.joints(),
+        List.of(new PrescribedMotion(joint, List.of(motion))),
+        Collections.nCopies(free.joints().size(), StartRole.PREFERRED),
+        free.closures(),
+        free.forces(),
+        free.parameters());
+  }
+
+  private static Expression times(double factor, Expression x) {
+    return new Expression.Product(Expression.of(factor), x);
+  }
+
+  @Test
+  void sliderFollowsTheCrankAsTheClosedFormSays() throws IOException {
+    double omega = 4;
+    Rows found = new Rows(driven(0, times(omega, T)), 2, "joints,accelerations");
+    assertThat(found.report.outcome()).isInstanceOf(Outcome.Completed.class);
+    assertThat(found.rows).hasSize(201);
+    for (int i = 0; i < found.rows.size(); i++) {
+      double phi = omega * found.rows.get(i)[0];
+      double sin = Math.sin(phi);
+      double cos = Math.cos(phi);
+      double root = Math.sqrt(L * L - R * R * sin * sin);
+      double first = -R * sin - R * R * sin * cos / root;
+      double second =
+          -R * cos
+              - R * R * (cos * cos - sin * sin) / root
+              - R * R * R * R * sin * sin * cos * cos / (root * root * root);
+      assertThat(found.value(i, "j_slider.q")).isCloseTo(R * cos + root, within(1e-13));
+      assertThat(found.value(i, "j_slider.v")).isCloseTo(omega * first, within(1e-12));
+      assertThat(found.value(i, "j_slider.a")).isCloseTo(omega * omega * second, within(1e-11));
+    }
+  }
+
+  /** The crank's drive does all the work: its power is the rate of the energy. */
+  @Test
+  void drivingTorqueTimesSpeedIsTheRateOfTheEnergy() throws IOException {
+    double omega = 4;
+    Rows found = new Rows(driven(0, times(omega, T)), 1, "joints,energy,forces");
+    for (int i = 3; i < found.rows.size() - 3; i++) {
+      double rate =
+          (45 * (energy(found, i + 1) - energy(found, i - 1))
+                  - 9 * (energy(found, i + 2) - energy(found, i - 2))
+                  + (energy(found, i + 3) - energy(found, i - 3)))
+              / 0.6;
+      double power = omega * found.value(i, "j_crank.drive");
+      // the sixth derivative of the energy over 140, times h⁶: some 1e-6 of the power
+      assertThat(power).isCloseTo(rate, within(1e-5 * 40));
+    }
+  }
+
+  private static double energy(Rows found, int row) {
+    return found.value(row, "energy.kinetic") + found.value(row, "energy.potential");
+  }
+
+  @Test
+  void motionThatLeavesCoordinatesFreeIsRefused() throws IOException {
+    Mechanism free = SharedScene.named("slider_crank_planar").mechanism();
+    Rows found = new Rows(free, 1, "joints");
+    assertThat(failure(found)).startsWith("N-060").contains("1 coordinates free, such as j_");
+    assertThat(found.rows).isEmpty();
+  }
+
+  /** The slider is drawn out beyond the stretched linkage, at 0.7 m. */
+  @Test
+  void positionOutOfReachIsToldWithItsConstraint() throws IOException {
+    Expression out = new Expression.Sum(Expression.of(0.6), times(0.2, T));
+    Rows found = new Rows(driven(2, out), 1, "joints");
+    assertThat(failure(found)).containsPattern("^N-06[12]");
+    assertThat(found.rows.get(found.rows.size() - 1)[0]).isBetween(0.4, 0.5);
+  }
+
+  /** At the dead centre the slider does not say which way the crank goes on. */
+  @Test
+  void deadCentreIsTold() throws IOException {
+    Expression cosine = new Expression.Call(Function.COS, List.of(times(2, T)));
+    Expression there = new Expression.Sum(Expression.of(0.5), times(-0.2, cosine));
+    Rows found = new Rows(driven(2, there), 3, "joints");
+    assertThat(failure(found)).startsWith("N-062");
+    assertThat(found.rows.get(found.rows.size() - 1)[0]).isLessThan(Math.PI / 2);
+  }
+
+  private static String failure(Rows found) {
+    assertThat(found.report.outcome()).isInstanceOf(Outcome.Failed.class);
+    return ((Outcome.Failed) found.report.outcome()).failure().message();
+  }
+
+  @Test
+  void everyRowAsksForNoIntegrator() throws IOException {
+    Rows found = new Rows(driven(0, times(1, T)), 0.1, "joints");
+    assertThat(found.report.settings().integrator()).isEqualTo("none");
+    assertThat(Set.of(found.report.formulation())).containsExactly("kinematic");
+  }
+}
