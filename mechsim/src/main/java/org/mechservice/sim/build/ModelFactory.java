@@ -45,8 +45,8 @@ public final class ModelFactory {
    * no code is generated yet, data for the formulations of the solver; the reason says which.
    *
    * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
-   *     the formulation (S-081) or the integrator (S-082) does not fit or exist, a name cannot be
-   *     kept (S-083); the message says why and what does
+   *     the formulation (S-081) or the integrator (S-082) does not fit or exist, or a name cannot
+   *     be kept (S-083); the message says why and what does
    */
   public static GeneratedModel generate(MechmlModel model, BuildOptions options) {
     Mechanism mechanism = model.watchedMechanism();
