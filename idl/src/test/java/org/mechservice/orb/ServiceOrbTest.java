@@ -24,6 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.idl.API_VERSION;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.IMechClientHelper;
 import org.mechservice.idl.IMechClientPOATie;
@@ -190,7 +191,7 @@ class ServiceOrbTest {
         ServiceOrb client = ServiceOrb.client()) {
       assertThatThrownBy(() -> client.connect(server.address()))
           .isInstanceOf(ServiceUnreachableException.class)
-          .hasMessageContaining("speaks API 2.0, this client 1.0");
+          .hasMessageContaining("speaks API 2.0, this client " + API_VERSION.value);
     }
   }
 

@@ -114,7 +114,10 @@ final class RandomJoints {
     return motions;
   }
 
-  /** a sin(b t + c), exp(−a t²), or a linear function cut by a smooth step. */
+  /**
+   * a sin(b t + c), exp(−a t²), or (b t + c) cos(b t + c): motions without kinks, as no code is
+   * generated for others.
+   */
   private Expression ofTime() {
     Expression t = new Expression.Time();
     Expression a = Expression.of(number());
@@ -128,9 +131,7 @@ final class RandomJoints {
                   new Expression.Negation(
                       new Expression.Product(
                           Expression.of(0.5), new Expression.Power(t, Expression.of(2))))));
-      default ->
-          new Expression.Product(
-              linear, new Expression.Call(Function.SMOOTH_STEP, List.of(linear)));
+      default -> new Expression.Product(linear, new Expression.Call(Function.COS, List.of(linear)));
     };
   }
 }

@@ -19,7 +19,6 @@ import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MAX_BLOCK_DOUBLES;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.NameValue;
-import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.Progress;
 import org.mechservice.idl.ResultBlockHolder;
@@ -230,15 +229,6 @@ class SimulationContractTest {
       assertThat(refusal.code).isEqualTo("S-009");
       assertThatThrownBy(run::stepOnce).isInstanceOf(InvalidState.class);
       assertThatThrownBy(run::failure).isInstanceOf(InvalidState.class);
-    }
-  }
-
-  @Test
-  void whatThisVersionDoesNotDoIsSaid() throws UserException {
-    try (HostedClient there = HostedClient.with(new PacedSolver(3, 0))) {
-      IMechSimRemote run = there.simulation();
-      assertThatThrownBy(run::checkpoint).isInstanceOf(NotAvailable.class);
-      assertThatThrownBy(() -> run.restore(new byte[3])).isInstanceOf(NotAvailable.class);
     }
   }
 
