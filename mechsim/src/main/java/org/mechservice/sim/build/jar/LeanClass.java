@@ -9,8 +9,8 @@ import org.objectweb.asm.tree.RecordComponentNode;
 
 /**
  * Takes out of class files what only compilers and debuggers read: line numbers, names of local
- * variables and parameters, generic signatures, annotations. The code is the same, instruction by
- * instruction.
+ * variables and parameters, generic signatures, annotations, exceptions declared, which classes are
+ * written within which. The code is the same, instruction by instruction.
  */
 public final class LeanClass {
   private LeanClass() {}
@@ -24,6 +24,7 @@ public final class LeanClass {
     node.invisibleAnnotations = null;
     node.visibleTypeAnnotations = null;
     node.invisibleTypeAnnotations = null;
+    node.innerClasses.clear();
     node.fields.forEach(LeanClass::strip);
     node.methods.forEach(LeanClass::strip);
     if (node.recordComponents != null) {
@@ -44,6 +45,7 @@ public final class LeanClass {
 
   private static void strip(MethodNode method) {
     method.signature = null;
+    method.exceptions = null;
     method.visibleAnnotations = null;
     method.invisibleAnnotations = null;
     method.visibleTypeAnnotations = null;
