@@ -12,11 +12,19 @@ import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.mechanism.Attachment;
+import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.FiveBarPendulum;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.Output;
+import org.mechservice.solver.mechanism.Prismatic;
+import org.mechservice.solver.mechanism.Root;
+import org.mechservice.solver.mechanism.StartRole;
+import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.scenes.SharedScene;
+import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /** Columns that are computed apart from the model. */
@@ -66,6 +74,44 @@ class FurtherColumnsTest {
             new Variable("constraint.velocity", "m/s"),
             new Variable("pin.lambda[0]", "N"),
             new Variable("pin.lambda[1]", "N"));
+  }
+
+  /** A load of 2 kg that slides on two rails, in a vertical plane, hangs from a rod at rest. */
+  @Test
+  void multiplierOfARodIsItsTension() {
+    Body carriage =
+        new Body("carriage", 1, Vector3.ZERO, new InertiaTensor(1, 1, 1, 0, 0, 0), Origin.NONE);
+    Body load = new Body("load", 2, Vector3.ZERO, new InertiaTensor(1, 1, 1, 0, 0, 0), Origin.NONE);
+    Mechanism hanging =
+        new Mechanism(
+            "hanging",
+            new Root("ground", Vector3.ZERO, Rotation.IDENTITY),
+            new Vector3(0, 0, -9.81),
+            List.of(carriage, load),
+            List.of(
+                slider(Mechanism.ROOT, 0, new Vector3(1, 0, 0), 0),
+                slider(0, 1, new Vector3(0, 0, 1), -0.5)),
+            List.of(),
+            List.of(StartRole.PREFERRED, StartRole.PREFERRED),
+            List.of(
+                new DistanceClosure(
+                    "rod",
+                    new BodyPoint(Mechanism.ROOT, Vector3.ZERO),
+                    new BodyPoint(1, Vector3.ZERO),
+                    0.5,
+                    0,
+                    Origin.NONE)),
+            List.of(),
+            List.of());
+    ColumnsAt columns = new ColumnsAt(hanging, ColumnGroup.CONSTRAINTS);
+    assertThat(columns.at(0, columns.start()).get("rod.lambda"))
+        .isCloseTo(2 * 9.81, within(1e-12 * 9.81));
+  }
+
+  private static Prismatic slider(int parent, int child, Vector3 axis, double position) {
+    Attachment attachment =
+        new Attachment(parent, Vector3.ZERO, child, Vector3.ZERO, Rotation.IDENTITY);
+    return new Prismatic("slider" + child, attachment, axis, position, 0, Origin.NONE);
   }
 
   @Test
