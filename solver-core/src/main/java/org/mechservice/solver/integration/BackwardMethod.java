@@ -16,6 +16,9 @@ abstract class BackwardMethod extends SteppingIntegrator {
   /** Reduction of a step whose iteration did not converge although the derivatives were new. */
   private static final double UNSOLVED_REDUCTION = 0.3;
 
+  /** Rounding errors, in units of the tolerance, that can keep a step from passing its tests. */
+  private static final double FELT_ROUND_OFF = 0.1;
+
   /** Part of the tolerances for systems with algebraic components. */
   private static final double ALGEBRAIC_PART = 1.0 / 3;
 
@@ -391,7 +394,7 @@ abstract class BackwardMethod extends SteppingIntegrator {
     }
     double smallest = bounds.smallest(progress.time());
     if (Math.abs(h) <= smallest) {
-      return Optional.of(inaccurate ? Cause.STEP_TOO_SMALL : equations.cause(attempt));
+      return Optional.of(causeAtSmallestStep(attempt));
     }
     double factor = inaccurate ? control.reject(differences, norm) : UNSOLVED_REDUCTION;
     h = Math.copySign(Math.max(factor * Math.abs(h), smallest), h);
@@ -399,6 +402,14 @@ abstract class BackwardMethod extends SteppingIntegrator {
       control.restart();
     }
     return Optional.empty();
+  }
+
+  private Cause causeAtSmallestStep(Attempt attempt) {
+    boolean solvable = attempt == Attempt.TOO_INACCURATE || attempt == Attempt.NOT_CONVERGING;
+    if (solvable && equations.roundOff(norm) > FELT_ROUND_OFF) {
+      return Cause.TOLERANCE_TOO_TIGHT;
+    }
+    return attempt == Attempt.TOO_INACCURATE ? Cause.STEP_TOO_SMALL : equations.cause(attempt);
   }
 
   private int limitingComponent(Attempt attempt) {

@@ -97,6 +97,12 @@ abstract class StepEquations {
   abstract int notFiniteInEvaluation();
 
   /**
+   * Returns how far, in units of the tolerance, the rounding errors of the equations move their
+   * solution, by the last factors; 0 if nothing is known of them.
+   */
+  abstract double roundOff(ErrorNorm norm);
+
+  /**
    * Estimates y'' at the start of the problem.
    *
    * @param slope y' there; not modified
@@ -218,6 +224,11 @@ abstract class StepEquations {
     factoredHGamma = hGamma;
     factorisations++;
     return formFactors(hGamma);
+  }
+
+  /** Returns the hγ of the last factors. */
+  final double factoredHGamma() {
+    return factoredHGamma;
   }
 
   /** Solves one system of linear equations in place. */
