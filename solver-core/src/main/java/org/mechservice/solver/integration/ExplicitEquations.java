@@ -166,7 +166,7 @@ final class ExplicitEquations extends StepEquations {
 
   /** {@inheritDoc} In h f they vanish with the step. */
   @Override
-  double roundOff(ErrorNorm norm) {
+  double roundOff(double hGamma, ErrorNorm norm) {
     return 0;
   }
 

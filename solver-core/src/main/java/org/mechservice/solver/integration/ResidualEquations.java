@@ -241,12 +241,15 @@ final class ResidualEquations extends StepEquations {
   }
 
   @Override
-  double roundOff(ErrorNorm norm) {
+  double roundOff(double hGamma, ErrorNorm norm) {
+    if (!factorAnew(hGamma)) {
+      return 0;
+    }
     double[] moved = ahead;
     for (int l = 0; l < moved.length; l++) {
       moved[l] = Math.ulp(1.0) * linearisation.magnitude(l);
     }
-    linearisation.solve(factoredHGamma(), moved);
+    linearisation.solve(hGamma, moved);
     double size = norm.of(moved);
     return Double.isFinite(size) ? size : 0;
   }
