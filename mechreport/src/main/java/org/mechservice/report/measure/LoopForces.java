@@ -26,9 +26,7 @@ public final class LoopForces {
     expected = new double[names.size()];
     residual = names.indexOf("constraint.position");
     multipliers =
-        IntStream.range(0, names.size())
-            .filter(i -> names.get(i).contains(".lambda"))
-            .toArray();
+        IntStream.range(0, names.size()).filter(i -> names.get(i).contains(".lambda")).toArray();
   }
 
   /**
