@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.IntFunction;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.RealMatrix;
@@ -69,7 +70,7 @@ public record TreeComparison(
       Map<String, Double> forward) {
     double massNorm = mass.getFrobeniusNorm();
     double forceNorm = norm(at.residual(new double[at.nv]));
-    double[] reference = found.get("DSR");
+    double[] reference = Objects.requireNonNull(found.get("DSR"));
     found.forEach(
         (name, a) -> {
           double size = massNorm * norm(a) + forceNorm;
