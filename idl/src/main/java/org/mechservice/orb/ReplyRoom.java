@@ -71,7 +71,9 @@ public final class ReplyRoom {
     return granted;
   }
 
-  /** Called by the thread that works on a call when its answer is encoded, or when a new one begins. */
+  /**
+   * Called by the thread that works on a call when its answer is encoded, or when a new one begins.
+   */
   static void made() {
     Share share = MAKING.get();
     if (share != null) {

@@ -76,12 +76,13 @@ class HostileBytesTest {
   private static Map<String, Kind> kinds(List<byte[]> valid) {
     Map<String, Kind> kinds = new TreeMap<>();
     kinds.put("garbage", r -> random(r, 4000));
+    kinds.put("HTTP", r -> "GET / HTTP/1.1\r\nHost: x\r\n\r\n".getBytes(StandardCharsets.US_ASCII));
     kinds.put(
-        "HTTP", r -> "GET / HTTP/1.1\r\nHost: x\r\n\r\n".getBytes(StandardCharsets.US_ASCII));
-    kinds.put("TLS hello to the plain port", r -> joined(new byte[] {22, 3, 1, 2, 0, 1}, random(r, 500)));
+        "TLS hello to the plain port", r -> joined(new byte[] {22, 3, 1, 2, 0, 1}, random(r, 500)));
     kinds.put("truncated", r -> cut(valid.get(r.nextInt(valid.size())), r));
     kinds.put(
-        "giant length", r -> joined(Giop.header(r.nextInt(8), GIANT + r.nextInt(16)), random(r, 100)));
+        "giant length",
+        r -> joined(Giop.header(r.nextInt(8), GIANT + r.nextInt(16)), random(r, 100)));
     kinds.put(
         "large length, nothing follows", r -> Giop.header(0, (20 << 20) + r.nextInt(12 << 20)));
     kinds.put("negative length", r -> joined(Giop.header(0, -1 - r.nextInt(1000)), random(r, 100)));
@@ -129,7 +130,8 @@ class HostileBytesTest {
             changed =
                 joined(
                     Arrays.copyOf(changed, place),
-                    Arrays.copyOfRange(changed, Math.min(changed.length, place + 4), changed.length));
+                    Arrays.copyOfRange(
+                        changed, Math.min(changed.length, place + 4), changed.length));
         default -> // a piece too much
             changed =
                 joined(
@@ -220,7 +222,8 @@ class HostileBytesTest {
     messages.add(Giop.request(server, "noSuchThing", 5, Giop.numbers(1, 2, 3)));
     messages.add(Giop.request(admin, "getStatus", 6, new byte[0]));
     messages.add(Giop.request(admin, "listSimulations", 7, Giop.numbers(0, 100)));
-    messages.add(Giop.request(registry, "registerHost", 8, joined(text("far"), Giop.numbers(1, 2))));
+    messages.add(
+        Giop.request(registry, "registerHost", 8, joined(text("far"), Giop.numbers(1, 2))));
     return messages;
   }
 

@@ -51,7 +51,9 @@ class ManyClientsTest {
                 + " fetch. Every row is equal, to the last bit, to that of a single run done before.",
             0);
     page.line("| | remote | local |").line("|---|---|---|");
-    page.line("| clients without error, all bits equal | %d | %d |", count(work, false), count(work, true));
+    page.line(
+        "| clients without error, all bits equal | %d | %d |",
+        count(work, false), count(work, true));
     for (int percent : new int[] {50, 90, 100}) {
       page.line(
           "| %s of a client's work, session to last row | %.2f s | %.2f s |",
@@ -69,7 +71,11 @@ class ManyClientsTest {
 
   private static double quantile(List<Work> work, boolean local, int percent) {
     double[] sorted =
-        work.stream().filter(done -> done.local() == local).mapToDouble(Work::seconds).sorted().toArray();
+        work.stream()
+            .filter(done -> done.local() == local)
+            .mapToDouble(Work::seconds)
+            .sorted()
+            .toArray();
     return sorted[Math.min(sorted.length - 1, sorted.length * percent / 100)];
   }
 

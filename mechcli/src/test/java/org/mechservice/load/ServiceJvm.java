@@ -24,8 +24,7 @@ final class ServiceJvm implements AutoCloseable {
     messages = Files.createTempFile("service", ".err");
     process = new ProcessBuilder(command).redirectError(messages.toFile()).start();
     BufferedReader out =
-        new BufferedReader(
-            new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
+        new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
     String line = out.readLine();
     if (line == null) {
       throw new IOException("did not start: " + Files.readString(messages));
@@ -120,8 +119,8 @@ final class ServiceJvm implements AutoCloseable {
     String histogram = jcmd("GC.class_histogram");
     long heap = 0;
     long objects = 0;
-    for (String line : histogram.split("\n")) {
-      String[] words = line.trim().split("\\s+");
+    for (String line : histogram.lines().toList()) {
+      String[] words = line.trim().split("\\s+", -1);
       if (words[0].equals("Total")) {
         heap = Long.parseLong(words[2]);
       } else if (words.length >= 4 && words[3].matches("org\\.mechservice\\.idl\\.\\w+POATie")) {
@@ -142,8 +141,7 @@ final class ServiceJvm implements AutoCloseable {
 
   private String jcmd(String what) throws IOException, InterruptedException {
     Process asked =
-        new ProcessBuilder(
-                JAVA_HOME.resolve("bin/jcmd").toString(), Long.toString(pid()), what)
+        new ProcessBuilder(JAVA_HOME.resolve("bin/jcmd").toString(), Long.toString(pid()), what)
             .redirectErrorStream(true)
             .start();
     String answer = new String(asked.getInputStream().readAllBytes(), StandardCharsets.UTF_8);

@@ -57,7 +57,8 @@ class SlowReadersTest {
                 + " receive buffer of 4 KiB, and read nothing. Meanwhile an honest client asks 200"
                 + " times who the server is, and runs the pendulum. Heap after a full collection.",
             0);
-    page.line("| stalled readers | heap in use | ping, median | ping, longest | honest run, set-up to last row |");
+    page.line(
+        "| stalled readers | heap in use | ping, median | ping, longest | honest run, set-up to last row |");
     page.line("|---|---|---|---|---|");
     stalled(1000, 256, page);
     page.write("service-slow-readers.md");
@@ -114,8 +115,7 @@ class SlowReadersTest {
   }
 
   /** Opens cursors over finished runs; returns their references. */
-  private static List<String> cursors(ServiceOrb orb, MechSim session, int count)
-      throws Exception {
+  private static List<String> cursors(ServiceOrb orb, MechSim session, int count) throws Exception {
     List<String> cursors = new ArrayList<>();
     while (cursors.size() < count) {
       IMechSimRemote run = session.createSimulation(LONG, null);
@@ -157,14 +157,12 @@ class SlowReadersTest {
     Arrays.sort(millis);
     long start = System.nanoTime();
     MechSim session = service.createSession("honest", "", null);
-    session.loadModel(
-        new ModelFile("p.xml", Files.readAllBytes(Runs.PENDULUM)), new ModelFile[0]);
+    session.loadModel(new ModelFile("p.xml", Files.readAllBytes(Runs.PENDULUM)), new ModelFile[0]);
     IMechSimRemote run = session.createSimulation(new NameValue[0], null);
     run.start();
     toEnd(run.openResults(new String[0]));
     double seconds = (System.nanoTime() - start) * 1e-9;
     session.destroy();
-    return new Seen(
-        millis[PINGS / 2], millis[PINGS - 1], seconds, server.inside().heapBytes());
+    return new Seen(millis[PINGS / 2], millis[PINGS - 1], seconds, server.inside().heapBytes());
   }
 }

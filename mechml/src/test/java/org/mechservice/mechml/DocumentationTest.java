@@ -85,7 +85,7 @@ class DocumentationTest {
 
   /** Returns the examples of each element, as the guide's last table lists them. */
   private static Map<String, List<String>> examplesOfElements() throws IOException {
-    String table = guide().split("## Every element at work")[1].split("\n## ")[0];
+    String table = guide().split("## Every element at work", 2)[1].split("\n## ", 2)[0];
     Map<String, List<String>> files = new TreeMap<>();
     for (MatchResult row : ROW.matcher(table).results().toList()) {
       List<String> linked = LINK.matcher(row.group(2)).results().map(l -> l.group(1)).toList();
@@ -127,10 +127,8 @@ class DocumentationTest {
     Map<String, Set<String>> attributes = new TreeMap<>();
     ELEMENT.matcher(grammar).results().forEach(e -> attributes.put(e.group(1), new TreeSet<>()));
     for (MatchResult list : LIST.matcher(grammar).results().toList()) {
-      ATTRIBUTE
-          .matcher(list.group(2))
-          .results()
-          .forEach(a -> attributes.get(list.group(1)).add(a.group(1)));
+      Set<String> ofElement = attributes.computeIfAbsent(list.group(1), name -> new TreeSet<>());
+      ATTRIBUTE.matcher(list.group(2)).results().forEach(a -> ofElement.add(a.group(1)));
     }
     return attributes;
   }
