@@ -1,6 +1,7 @@
 package org.mechservice.orb;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
@@ -73,15 +74,40 @@ public class InboundSocketFactory implements ServerSocketFactory, Configurable {
 
   private static final class Accepted extends Socket {
     private final InboundConnections connections;
+    private @Nullable ReplyQueue replies;
 
     Accepted(InboundConnections connections) {
       this.connections = connections;
     }
 
     @Override
-    public synchronized void close() throws IOException {
+    public OutputStream getOutputStream() throws IOException {
+      synchronized (connections) {
+        if (replies == null) {
+          replies = new ReplyQueue(this, super.getOutputStream(), connections.room());
+        }
+        return replies;
+      }
+    }
+
+    private @Nullable ReplyQueue replies() {
+      synchronized (connections) {
+        return replies;
+      }
+    }
+
+    @Override
+    @SuppressWarnings("UnsynchronizedOverridesSynchronized") // must not wait for who waits for us
+    public void close() throws IOException {
       connections.remove(this);
+      ReplyQueue last = replies();
+      if (last != null && !isClosed()) {
+        last.finish();
+      }
       super.close();
+      if (last != null) {
+        last.abandon();
+      }
     }
   }
 }

@@ -36,9 +36,9 @@ record FetchedModel(
    *
    * @throws JarRefusedException if they do not fit this client or each other
    */
-  static FetchedModel load(BuiltJar modelJar, byte[] runtimeJar) {
-    FetchedJar model = FetchedJar.unpack(modelJar.bytes(), "the model JAR");
-    FetchedJar runtime = FetchedJar.unpack(runtimeJar, "the runtime JAR");
+  static FetchedModel load(BuiltJar modelJar, byte[] runtimeJar, JarCache cache) {
+    FetchedJar model = FetchedJar.unpack(modelJar.bytes(), "the model JAR", cache);
+    FetchedJar runtime = FetchedJar.unpack(runtimeJar, "the runtime JAR", cache);
     requireSameApi(model);
     FetchedClasses classes = new FetchedClasses(List.of(model, runtime));
     try {

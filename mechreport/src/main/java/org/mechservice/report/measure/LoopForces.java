@@ -28,9 +28,7 @@ public final class LoopForces {
     residual = names.indexOf("constraint.position");
     residualRate = names.indexOf("constraint.velocity");
     multipliers =
-        IntStream.range(0, names.size())
-            .filter(i -> names.get(i).contains(".lambda"))
-            .toArray();
+        IntStream.range(0, names.size()).filter(i -> names.get(i).contains(".lambda")).toArray();
   }
 
   /**

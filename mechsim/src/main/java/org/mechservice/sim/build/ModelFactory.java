@@ -259,8 +259,8 @@ public final class ModelFactory {
     return ModelJars.standalone(model, mechmlSha256);
   }
 
-  /** Returns the solver, packed once per process. */
+  /** Returns the solver of this process, packed. */
   public static PackedJar runtimeJar() {
-    return RuntimeJar.packed();
+    return RuntimeJar.current().jar();
   }
 }

@@ -60,6 +60,28 @@ public final class StateCoordinates {
     return velocityOfPosition[position];
   }
 
+  /**
+   * Marks the velocities whose positions are marked: all three of a set of Euler parameters if one
+   * of the four is.
+   *
+   * @param positions the first nq count; not modified
+   * @param velocities nv; overwritten
+   */
+  public void velocitiesOf(boolean[] positions, boolean[] velocities) {
+    for (int i = 0; i < velocityOfPosition.length; i++) {
+      if (velocityOfPosition[i] >= 0) {
+        velocities[velocityOfPosition[i]] = positions[i];
+      }
+    }
+    for (int b = 0; b < ballPosition.length; b++) {
+      boolean any = false;
+      for (int i = ballPosition[b]; i < ballPosition[b] + 4; i++) {
+        any |= positions[i];
+      }
+      Arrays.fill(velocities, ballVelocity[b], ballVelocity[b] + 3, any);
+    }
+  }
+
   /** Returns how many sets of Euler parameters the state holds. */
   public int ballCount() {
     return ballPosition.length;

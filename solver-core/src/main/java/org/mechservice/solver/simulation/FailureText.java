@@ -1,5 +1,7 @@
 package org.mechservice.solver.simulation;
 
+import java.util.Locale;
+import java.util.Optional;
 import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.DirectedForces;
 import org.mechservice.solver.api.ExplicitModel;
@@ -133,20 +135,26 @@ final class FailureText {
   }
 
   /** Explains an event after which no state closes the loops. */
-  static Failure eventOpensLoops(double t, String event) {
+  static Failure eventOpensLoops(double t, String event, Optional<Defects.Defect> why) {
     return atEvent(
         "N-014",
         "The loops cannot be closed after what the event sets.",
         t,
-        event,
+        why.map(defect -> event + ", " + defect.part()).orElse(event),
         "Set values that the mechanism can take.");
   }
 
   /** Explains an event that sets a state which the loops have another value for. */
-  static Failure eventContradictsLoops(double t, String event, String state) {
+  static Failure eventContradictsLoops(
+      double t, String event, String state, double given, double wanted) {
     return atEvent(
         "N-014",
-        "The loops give state \"" + state + "\" another value than the event sets.",
+        String.format(
+            Locale.ROOT,
+            "The loops give state \"%s\" another value, %.6g, than the event sets, %.6g.",
+            state,
+            given,
+            wanted),
         t,
         event,
         "Set as many coordinates as the mechanism has degrees of freedom, to values that fit.");
