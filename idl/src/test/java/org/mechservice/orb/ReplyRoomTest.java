@@ -45,7 +45,7 @@ class ReplyRoomTest {
     }
 
     @Override
-    public void close() {
+    public synchronized void close() {
       closed.countDown();
     }
   }

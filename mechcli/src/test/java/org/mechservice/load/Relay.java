@@ -33,6 +33,7 @@ final class Relay implements AutoCloseable {
   private int connections;
   private boolean answered;
 
+  @SuppressWarnings("ArrayRecordComponent") // handed on, never changed
   private record Chunk(byte[] bytes, long due) {}
 
   /**

@@ -12,24 +12,19 @@ import org.mechservice.solver.integration.IntegratorSettings.Mode;
  * <p>One step is told by {@link #step}: it tries a step of size h and order k until the iteration
  * converges and the error test passes, accepts it, and chooses k and h anew.
  */
-abstract class BackwardMethod implements Integrator {
+abstract class BackwardMethod extends SteppingIntegrator {
   /** Reduction of a step whose iteration did not converge although the derivatives were new. */
   private static final double UNSOLVED_REDUCTION = 0.3;
 
   /** Part of the tolerances for systems with algebraic components. */
   private static final double ALGEBRAIC_PART = 1.0 / 3;
 
-  /** Settings with the tolerances of the error test, and these relative to those asked for. */
-  private final IntegratorSettings settings;
-
-  private final double toleranceFactor;
   private final BackwardFormulas formulas;
   private final Mode mode;
   private final MaximumNorm norm = new MaximumNorm();
   private final StepsToEnd bounds = new StepsToEnd();
   private final BackwardOrderControl control;
   private final JumpWatch jumps = new JumpWatch();
-  private final Progress progress = new Progress();
 
   /** Relative tolerance of the norm. */
   private double relativeTolerance;
@@ -68,10 +63,8 @@ abstract class BackwardMethod implements Integrator {
   /**
    * @throws IllegalArgumentException if a setting is out of range
    */
-  BackwardMethod(IntegratorSettings settings, BackwardFormulas formulas) {
-    settings.requireUsable();
-    this.settings = settings.working();
-    toleranceFactor = settings.toleranceFactor();
+  BackwardMethod(IntegratorSettings settings, Progress progress, BackwardFormulas formulas) {
+    super(settings, progress);
     this.formulas = formulas;
     mode = settings.mode();
     control = new BackwardOrderControl(formulas, mode == Mode.TUNED);
@@ -97,6 +90,7 @@ abstract class BackwardMethod implements Integrator {
   /** Begins a problem. */
   final StepResult begin(StepEquations equations, double t0, double[] y0, double tEnd) {
     prepare(equations, t0, tEnd);
+    beginProgress(t0);
     restarted = false;
     return beginAt(t0, y0, settings.initialStep());
   }
@@ -118,7 +112,10 @@ abstract class BackwardMethod implements Integrator {
     }
     norm.begin(relativeTolerance, absoluteTolerances, equations.manifold());
     bounds.begin(t0, tEnd, settings.maxStep());
-    progress.begin(t0, n, settings.relativeTolerance());
+  }
+
+  private void beginProgress(double t0) {
+    progress.begin(t0, equations.manifold().dimension(), settings.relativeTolerance());
   }
 
   @Override
@@ -131,6 +128,26 @@ abstract class BackwardMethod implements Integrator {
     StepResult result = beginAnew(t, y);
     this.longestFirstStep = longestFirstStep;
     return result;
+  }
+
+  /** Takes a problem over that another method has begun. */
+  final StepResult takeOver(OdeSystem system, double t, double[] y, double tEnd) {
+    double t0 = progress.start();
+    prepare(explicit(system, t0, tEnd), t0, tEnd);
+    return takeOver(t, y);
+  }
+
+  @Override
+  final StepResult takeOver(double t, double[] y) {
+    equations.breakpoints().passUpTo(t);
+    progress.beginAgain(t);
+    restarted = false;
+    return beginAt(t, y, 0);
+  }
+
+  /** Returns how fast the solution can change, by the Jacobian formed last. */
+  final double fastestRate() {
+    return equations.fastestRate(norm);
   }
 
   private StepResult beginAnew(double t, double[] y) {
@@ -189,11 +206,6 @@ abstract class BackwardMethod implements Integrator {
       sizes[l] = Double.isFinite(size) ? size : sizes[l];
     }
     return sizes;
-  }
-
-  /** Returns the settings. */
-  final IntegratorSettings settings() {
-    return settings;
   }
 
   /** Returns the norm that errors are judged by. */
@@ -357,20 +369,9 @@ abstract class BackwardMethod implements Integrator {
       control.restart();
     }
     begun = false;
-    scaleUnitGroups();
+    equations.manifold().restoreUnitGroups(differences.state(), differences);
     if (equations.manifold().accepted(triedTime, differences.state())) {
       equations.demandNew();
-    }
-  }
-
-  /** Scales groups of norm one back, with their history. */
-  private void scaleUnitGroups() {
-    Manifold manifold = equations.manifold();
-    for (int group = 0; group < manifold.unitGroupCount(); group++) {
-      double factor = manifold.unitFactor(group, differences.state());
-      if (factor != 1) {
-        differences.scale(manifold.unitGroupStart(group), manifold.unitGroupSize(group), factor);
-      }
     }
   }
 
@@ -411,26 +412,6 @@ abstract class BackwardMethod implements Integrator {
   }
 
   @Override
-  public final double time() {
-    return progress.time();
-  }
-
-  @Override
-  public final double previousTime() {
-    return progress.previousTime();
-  }
-
-  @Override
-  public final double stepSize() {
-    return progress.stepSize();
-  }
-
-  @Override
-  public final int order() {
-    return progress.order();
-  }
-
-  @Override
   public final void interpolate(double t, double[] y, double[] yDot) {
     progress.requireInLastStep(t);
     boolean atStart = progress.order() == 0;
@@ -468,6 +449,7 @@ abstract class BackwardMethod implements Integrator {
     state.require("number of unknowns", n);
     if (state.restoring()) {
       prepare(posed, t0, end);
+      beginProgress(t0);
       control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER), false);
       startDue = false;
       begun = false;
@@ -494,13 +476,13 @@ abstract class BackwardMethod implements Integrator {
   }
 
   @Override
-  public final IntegrationStatistics statistics() {
-    double part = relativeTolerance / settings.relativeTolerance();
-    return equations.statistics(progress, toleranceFactor * part);
+  final long evaluations() {
+    return equations.evaluations();
   }
 
   @Override
-  public final IntegrationFailure failure() {
-    return progress.failure();
+  public final IntegrationStatistics statistics() {
+    double part = relativeTolerance / settings.relativeTolerance();
+    return equations.statistics(progress, toleranceFactor * part);
   }
 }

@@ -1,6 +1,7 @@
 package org.mechservice.solver.integration;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.mechservice.solver.integration.EventFunctions.Reaction;
@@ -414,6 +415,16 @@ public final class EventIntegration implements ResidualIntegrator {
   @Override
   public IntegrationStatistics statistics() {
     return integrator.statistics();
+  }
+
+  @Override
+  public List<MethodChange> methodChanges() {
+    return integrator.methodChanges();
+  }
+
+  @Override
+  public long methodChangeCount() {
+    return integrator.methodChangeCount();
   }
 
   @Override

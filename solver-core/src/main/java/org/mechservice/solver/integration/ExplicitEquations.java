@@ -185,6 +185,11 @@ final class ExplicitEquations extends StepEquations {
   }
 
   @Override
+  double normOfDerivatives(ErrorNorm norm) {
+    return jacobian.norm(norm);
+  }
+
+  @Override
   IterationRules sparingRules() {
     return IterationRules.SPARING;
   }

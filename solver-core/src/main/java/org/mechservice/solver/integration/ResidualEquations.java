@@ -246,6 +246,11 @@ final class ResidualEquations extends StepEquations {
   }
 
   @Override
+  double normOfDerivatives(ErrorNorm norm) {
+    return 0;
+  }
+
+  @Override
   IterationRules sparingRules() {
     return IterationRules.LEARNING;
   }

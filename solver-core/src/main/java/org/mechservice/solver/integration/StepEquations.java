@@ -28,6 +28,11 @@ abstract class StepEquations {
 
   private double factoredHGamma;
 
+  /** Norm of the derivatives, once asked for. */
+  private double fastestRate;
+
+  private boolean rateKnown;
+
   private int notFiniteComponent = -1;
   private long linearisations;
   private long factorisations;
@@ -146,12 +151,25 @@ abstract class StepEquations {
     wanted = false;
     current = true;
     linearisations++;
+    rateKnown = false;
     if (attempt == Attempt.PASSED) {
       outdate();
     } else {
       notFiniteComponent = notFiniteInDerivatives();
     }
     return attempt;
+  }
+
+  /** Returns ‖∂f/∂y‖ as formed last; 0 if nothing is known of it. */
+  abstract double normOfDerivatives(ErrorNorm norm);
+
+  /** Returns how fast the solution can change at most, ‖∂f/∂y‖ as formed last. */
+  final double fastestRate(ErrorNorm norm) {
+    if (!rateKnown) {
+      fastestRate = normOfDerivatives(norm);
+      rateKnown = true;
+    }
+    return fastestRate;
   }
 
   /** Returns the rules that spare most without losing accuracy. */
@@ -322,6 +340,8 @@ abstract class StepEquations {
     linearisations = state.integer(linearisations);
     factorisations = state.integer(factorisations);
     solutions = state.integer(solutions);
+    fastestRate = state.number(fastestRate);
+    rateKnown = state.flag(rateKnown);
     newton.transfer(state);
     transferDerivatives(state);
     if (state.restoring() && factored) {
