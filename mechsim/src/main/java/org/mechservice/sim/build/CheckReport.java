@@ -15,6 +15,7 @@ import org.mechservice.sim.scene.LoopAnalysis;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.sim.scene.RoadmapEntry;
 import org.mechservice.sim.scene.SceneAnalysis;
+import org.mechservice.sim.scene.StiffnessForecast;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -65,6 +66,7 @@ public record CheckReport(
       InertiaCheck.of(mechanism, model.settings().run().tStart()).ifPresent(findings::add);
     }
     findings.addAll(loops.findings());
+    StiffnessForecast.of(mechanism, model.settings().run()).ifPresent(findings::add);
     try {
       return new CheckReport(
           model, scene, loops, findings, Optional.of(generation(model, scene)), "");

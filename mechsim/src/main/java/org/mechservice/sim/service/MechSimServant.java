@@ -1,7 +1,9 @@
 package org.mechservice.sim.service;
 
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -39,6 +41,7 @@ import org.mechservice.sim.build.GeneratedModel;
 import org.mechservice.sim.build.ModelFactory;
 import org.mechservice.sim.build.PackedJar;
 import org.mechservice.sim.build.user.UserFile;
+import org.mechservice.sim.scene.StiffnessForecast;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.simulation.SolverVersion;
 import org.slf4j.Logger;
@@ -98,10 +101,19 @@ final class MechSimServant implements MechSimOperations {
       times.addTreating(System.nanoTime() - start);
       loaded = Optional.of(read);
       generateAhead(read);
-      return Wire.diagnostics(read.model().warnings());
+      return warnings(read).toArray(Diagnostic[]::new);
     } catch (MechmlException e) {
       throw Refusal.model(e.diagnostics());
     }
+  }
+
+  /** What the reader noticed, and whether the run of the file will take very many steps. */
+  private static List<Diagnostic> warnings(LoadedModel read) {
+    List<Diagnostic> warnings = new ArrayList<>(List.of(Wire.diagnostics(read.model().warnings())));
+    StiffnessForecast.of(read.model().mechanism(), read.model().settings().run())
+        .map(Wire::warning)
+        .ifPresent(warnings::add);
+    return warnings;
   }
 
   private void requireAllowedSize(ModelFile mechml, ModelFile[] userFiles) throws LimitExceeded {

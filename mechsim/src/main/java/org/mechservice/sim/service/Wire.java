@@ -8,6 +8,7 @@ import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.Severity;
 import org.mechservice.idl.StepTried;
+import org.mechservice.sim.scene.Finding;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Variable;
 
@@ -28,6 +29,17 @@ final class Wire {
         };
     return new Diagnostic(
         level, said.code(), said.message(), said.file(), said.path(), said.line(), said.column());
+  }
+
+  static Diagnostic warning(Finding found) {
+    return new Diagnostic(
+        Severity.SEV_WARNING,
+        found.code(),
+        found.text(),
+        found.origin().file(),
+        "",
+        found.origin().line(),
+        0);
   }
 
   static Diagnostic information(String code, String text) {
