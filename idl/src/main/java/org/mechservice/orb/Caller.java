@@ -9,9 +9,10 @@ import org.mechservice.idl.NotAuthorized;
  *
  * @param certificate what he has shown; empty: the connection is not encrypted, so he is on this
  *     machine
+ * @param address where his connection comes from, {@code address:port}; empty: this process
  */
-public record Caller(Optional<X509Certificate> certificate) {
-  private static final Caller THIS_MACHINE = new Caller(Optional.empty());
+public record Caller(Optional<X509Certificate> certificate, String address) {
+  private static final Caller THIS_MACHINE = new Caller(Optional.empty(), "");
   private static final ThreadLocal<Caller> CURRENT = ThreadLocal.withInitial(() -> THIS_MACHINE);
 
   /** Returns who makes the call that this thread works on. */
@@ -19,8 +20,12 @@ public record Caller(Optional<X509Certificate> certificate) {
     return CURRENT.get();
   }
 
-  static void isNow(Optional<X509Certificate> certificate) {
-    CURRENT.set(certificate.isPresent() ? new Caller(certificate) : THIS_MACHINE);
+  static void isNow(Caller caller) {
+    CURRENT.set(caller);
+  }
+
+  static Caller inThisProcess() {
+    return THIS_MACHINE;
   }
 
   /**
@@ -32,9 +37,14 @@ public record Caller(Optional<X509Certificate> certificate) {
     return certificate.map(TlsIdentity::nameOf).orElse(claimed);
   }
 
+  /** Returns the role his certificate names; without one, {@code local}. */
+  public String roleName() {
+    return certificate.map(shown -> Role.of(shown).unit()).orElse("local");
+  }
+
   /** Returns whether the caller may act in a role. Who is on this machine may do everything. */
   public boolean may(Role role) {
-    return certificate.map(shown -> Role.of(shown) == role).orElse(true);
+    return certificate.map(shown -> Role.of(shown).includes(role)).orElse(true);
   }
 
   /**

@@ -1,5 +1,6 @@
 package org.mechservice.orb;
 
+import java.net.Socket;
 import java.security.cert.X509Certificate;
 import java.util.Optional;
 import javax.net.ssl.SSLPeerUnverifiedException;
@@ -41,17 +42,26 @@ public final class CallerInterceptor extends LocalObject
 
   @Override
   public void receive_request_service_contexts(ServerRequestInfo request) {
-    Caller.isNow(certificate(((ServerRequestInfoImpl) request).getConnection()));
+    ReplyRoom.made();
+    Caller.isNow(callerAt(((ServerRequestInfoImpl) request).getConnection()));
   }
 
-  private static Optional<X509Certificate> certificate(GIOPConnection connection) {
-    if (connection == null
-        || !(connection.getTransport() instanceof IIOPConnection over)
-        || !(over.getSocket() instanceof SSLSocket socket)) {
-      return Optional.empty();
+  private static Caller callerAt(GIOPConnection connection) {
+    if (connection == null || !(connection.getTransport() instanceof IIOPConnection over)) {
+      return Caller.inThisProcess();
     }
+    Socket socket = over.getSocket();
+    String address = socket.getInetAddress().getHostAddress() + ":" + socket.getPort();
+    return new Caller(
+        socket instanceof SSLSocket encrypted
+            ? Optional.of(certificate(encrypted))
+            : Optional.empty(),
+        address);
+  }
+
+  private static X509Certificate certificate(SSLSocket socket) {
     try {
-      return Optional.of((X509Certificate) socket.getSession().getPeerCertificates()[0]);
+      return (X509Certificate) socket.getSession().getPeerCertificates()[0];
     } catch (SSLPeerUnverifiedException e) {
       // Such connections are not accepted.
       throw (org.omg.CORBA.NO_PERMISSION)
@@ -66,17 +76,17 @@ public final class CallerInterceptor extends LocalObject
 
   @Override
   public void send_reply(ServerRequestInfo request) {
-    // The next call of this thread notes its own caller.
+    ReplyRoom.made();
   }
 
   @Override
   public void send_exception(ServerRequestInfo request) {
-    // The next call of this thread notes its own caller.
+    ReplyRoom.made();
   }
 
   @Override
   public void send_other(ServerRequestInfo request) {
-    // The next call of this thread notes its own caller.
+    ReplyRoom.made();
   }
 
   @Override

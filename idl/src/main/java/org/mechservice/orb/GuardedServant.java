@@ -7,8 +7,10 @@ import java.lang.reflect.Proxy;
 import java.util.Arrays;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
+import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.ServerFailure;
 import org.omg.CORBA.INTERNAL;
+import org.omg.CORBA.NO_PERMISSION;
 import org.omg.CORBA.SystemException;
 import org.omg.CORBA.UserException;
 import org.slf4j.Logger;
@@ -22,6 +24,7 @@ import org.slf4j.LoggerFactory;
  */
 public final class GuardedServant implements InvocationHandler {
   private static final Logger LOG = LoggerFactory.getLogger(GuardedServant.class);
+  private static final Object[] NONE = {};
 
   /** What comes before every call. */
   public interface Before {
@@ -33,12 +36,29 @@ public final class GuardedServant implements InvocationHandler {
     void call() throws UserException;
   }
 
-  private final Object servant;
-  private final Before called;
+  /** Decides who may call what. */
+  public interface Gate {
+    /**
+     * Lets a call through.
+     *
+     * @throws UserException if the caller may not make it; the operation must know the exception
+     */
+    void pass(Method operation) throws UserException;
 
-  private GuardedServant(Object servant, Before called) {
+    /**
+     * Hears that a call was refused, here or by the servant itself.
+     *
+     * @param arguments of the call
+     */
+    void refused(Method operation, Object[] arguments, NotAuthorized refusal);
+  }
+
+  private final Object servant;
+  private final Gate gate;
+
+  private GuardedServant(Object servant, Gate gate) {
     this.servant = servant;
-    this.called = called;
+    this.gate = gate;
   }
 
   /**
@@ -48,21 +68,50 @@ public final class GuardedServant implements InvocationHandler {
    * @param called runs before every call; renews a lease, for instance
    */
   public static <T> T of(Class<T> operations, T servant, Before called) {
+    return of(
+        operations,
+        servant,
+        new Gate() {
+          @Override
+          public void pass(Method operation) throws UserException {
+            called.call();
+          }
+
+          @Override
+          public void refused(Method operation, Object[] arguments, NotAuthorized refusal) {
+            // Nobody asked to hear of it.
+          }
+        });
+  }
+
+  /**
+   * Returns the servant, guarded.
+   *
+   * @param operations the operations interface of the IDL compiler
+   * @param gate asked before every call
+   */
+  public static <T> T of(Class<T> operations, T servant, Gate gate) {
     return operations.cast(
         Proxy.newProxyInstance(
             operations.getClassLoader(),
             new Class<?>[] {operations},
-            new GuardedServant(servant, called)));
+            new GuardedServant(servant, gate)));
   }
 
   @Override
   public @Nullable Object invoke(Object proxy, Method method, Object @Nullable [] arguments)
       throws UserException {
     try {
-      called.call();
+      gate.pass(method);
       return method.invoke(servant, arguments);
+    } catch (NotAuthorized refusal) {
+      gate.refused(method, arguments == null ? NONE : arguments, refusal);
+      throw refused(method, refusal);
     } catch (InvocationTargetException e) {
       Throwable thrown = e.getCause() == null ? e : e.getCause();
+      if (thrown instanceof NotAuthorized refusal) {
+        gate.refused(method, arguments == null ? NONE : arguments, refusal);
+      }
       if (thrown instanceof UserException expected) {
         throw expected;
       }
@@ -73,6 +122,14 @@ public final class GuardedServant implements InvocationHandler {
     } catch (IllegalAccessException e) {
       throw incident(method, e);
     }
+  }
+
+  /** Where the contract knows no refusal, the caller learns from the ORB that there is one. */
+  private static NotAuthorized refused(Method method, NotAuthorized refusal) {
+    if (Arrays.asList(method.getExceptionTypes()).contains(NotAuthorized.class)) {
+      return refusal;
+    }
+    throw new NO_PERMISSION(refusal.code);
   }
 
   private static UserException incident(Method method, Throwable thrown) {

@@ -9,6 +9,8 @@ public enum Role {
   CLIENT("client"),
   /** Serves clients, and registers at servers as a host. */
   SERVER("server"),
+  /** Sees everything an administrator sees, and changes nothing. */
+  MONITOR("monitor"),
   /** May ask and change everything. */
   ADMIN("admin");
 
@@ -21,6 +23,18 @@ public enum Role {
   /** Returns the organisational unit that means it. */
   public String unit() {
     return unit;
+  }
+
+  /**
+   * Returns whether who has this role may act in another: administrators see what monitors see, and
+   * all but monitors may run simulations.
+   */
+  public boolean includes(Role other) {
+    return switch (other) {
+      case CLIENT -> this != MONITOR;
+      case MONITOR -> this == MONITOR || this == ADMIN;
+      case SERVER, ADMIN -> this == other;
+    };
   }
 
   /** Returns the role a certificate names; a certificate that names none is a client's. */

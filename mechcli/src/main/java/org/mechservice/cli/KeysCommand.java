@@ -40,6 +40,14 @@ final class KeysCommand implements Callable<Integer> {
   private List<String> clients = List.of("client");
 
   @Option(
+      names = "--monitor",
+      paramLabel = "NAME",
+      description =
+          "Somebody who sees what administrators see and changes nothing; may be given several"
+              + " times (default: monitor).")
+  private List<String> monitors = List.of("monitor");
+
+  @Option(
       names = "--admin",
       paramLabel = "NAME",
       description = "An administrator; may be given several times (default: admin).")
@@ -55,6 +63,7 @@ final class KeysCommand implements Callable<Integer> {
     }
     hosts.forEach(names -> keys.server(List.of(names.split(",", -1))));
     clients.forEach(name -> keys.user(name, Role.CLIENT));
+    monitors.forEach(name -> keys.user(name, Role.MONITOR));
     admins.forEach(name -> keys.user(name, Role.ADMIN));
     keys.made().forEach(spec.commandLine().getOut()::println);
     return ExitStatus.DONE;

@@ -2,12 +2,14 @@ package org.mechservice.client;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.jar.Attributes;
 import java.util.jar.JarInputStream;
 import java.util.zip.ZipEntry;
+import org.mechservice.solver.pack.KeptClasses;
 import org.mechservice.solver.pack.PackedClasses;
 
 /** The content of a JAR whose hash was checked; what is loaded is what was checked. */
@@ -23,25 +25,44 @@ final class FetchedJar {
   /**
    * Unpacks a JAR in memory.
    *
+   * @param cache keeps classes that are packed together, which take long to unpack
    * @throws JarRefusedException if it cannot be read
    */
-  static FetchedJar unpack(byte[] jar, String what) {
+  static FetchedJar unpack(byte[] jar, String what, JarCache cache) {
     Map<String, byte[]> entries = new HashMap<>();
     try (JarInputStream in = new JarInputStream(new ByteArrayInputStream(jar))) {
+      Attributes manifest =
+          in.getManifest() == null ? new Attributes() : in.getManifest().getMainAttributes();
       ZipEntry entry = in.getNextEntry();
       while (entry != null) {
+        byte[] content = in.readAllBytes();
         if (entry.getName().equals(PackedClasses.ENTRY)) {
-          entries.putAll(PackedClasses.unpack(in.readAllBytes()));
+          entries.putAll(classes(content, manifest, cache));
         } else if (!entry.isDirectory()) {
-          entries.put(entry.getName(), in.readAllBytes());
+          entries.put(entry.getName(), content);
         }
         entry = in.getNextEntry();
       }
-      Attributes manifest =
-          in.getManifest() == null ? new Attributes() : in.getManifest().getMainAttributes();
       return new FetchedJar(manifest, entries);
-    } catch (IOException e) {
+    } catch (IOException | UncheckedIOException e) {
       throw new JarRefusedException("S-036", what + " is no JAR: " + e.getMessage());
+    }
+  }
+
+  /** The hash is the JAR's own word, and the JAR was checked. */
+  private static Map<String, byte[]> classes(byte[] packed, Attributes manifest, JarCache cache)
+      throws IOException {
+    String sha256 = manifest.getValue(PackedClasses.KEPT_SHA_256);
+    return sha256 == null
+        ? PackedClasses.unpack(packed)
+        : KeptClasses.read(cache.unpacked(sha256, () -> unpacked(packed)));
+  }
+
+  private static byte[] unpacked(byte[] packed) {
+    try {
+      return KeptClasses.write(PackedClasses.unpack(packed));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
   }
 

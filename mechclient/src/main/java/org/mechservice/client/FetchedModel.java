@@ -36,9 +36,9 @@ record FetchedModel(
    *
    * @throws JarRefusedException if they do not fit this client or each other
    */
-  static FetchedModel load(BuiltJar modelJar, byte[] runtimeJar) {
-    FetchedJar model = FetchedJar.unpack(modelJar.bytes(), "the model JAR");
-    FetchedJar runtime = FetchedJar.unpack(runtimeJar, "the runtime JAR");
+  static FetchedModel load(BuiltJar modelJar, byte[] runtimeJar, JarCache cache) {
+    FetchedJar model = FetchedJar.unpack(modelJar.bytes(), "the model JAR", cache);
+    FetchedJar runtime = FetchedJar.unpack(runtimeJar, "the runtime JAR", cache);
     requireSameApi(model);
     FetchedClasses classes = new FetchedClasses(List.of(model, runtime));
     try {
@@ -95,11 +95,13 @@ record FetchedModel(
 
   /**
    * @param columns column groups asked for; empty: those its file selects
+   * @param strict whether the first warning ends the run
    */
-  LocalRun prepare(Optional<Set<ColumnGroup>> columns, Map<String, Object> facts) {
+  LocalRun prepare(Optional<Set<ColumnGroup>> columns, boolean strict, Map<String, Object> facts) {
     ModelSource source = newSource();
     Model model = source.model();
-    RunRequest request = new RunRequest(model.description().defaults(), columns.orElse(shown));
+    RunRequest request =
+        new RunRequest(model.description().defaults(), columns.orElse(shown), strict);
     return new LocalRun(source, model, solver, sha256, request, facts);
   }
 }

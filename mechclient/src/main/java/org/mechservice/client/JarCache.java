@@ -10,9 +10,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Keeps fetched JARs by their SHA-256, so that each is fetched once. What is handed out has just
- * been checked against its hash: a file that was changed is fetched again, a download that does not
- * fit is refused and not kept.
+ * Keeps fetched JARs, and what they hold packed, by their SHA-256, so that each is fetched and
+ * unpacked once. What is handed out has just been checked against its hash: a file that was changed
+ * is fetched again, a download that does not fit is refused and not kept.
  */
 public final class JarCache {
   private static final Logger LOG = LoggerFactory.getLogger(JarCache.class);
@@ -45,17 +45,32 @@ public final class JarCache {
    * @throws JarRefusedException if what was downloaded is not what was announced
    */
   byte[] get(String sha256, Supplier<byte[]> download) {
+    return get(sha256, ".jar", "the runtime JAR", download);
+  }
+
+  /**
+   * Returns what a JAR holds packed, from the cache if it was unpacked before.
+   *
+   * @param sha256 hash of what is unpacked, as the checked JAR tells it
+   * @param unpack unpacks it
+   * @throws JarRefusedException if what was unpacked is not what was announced
+   */
+  byte[] unpacked(String sha256, Supplier<byte[]> unpack) {
+    return get(sha256, ".classes", "what the runtime JAR holds", unpack);
+  }
+
+  private byte[] get(String sha256, String suffix, String what, Supplier<byte[]> source) {
     if (!Sha256.isHash(sha256)) {
-      throw new JarRefusedException("S-036", "\"" + sha256 + "\" is no SHA-256 of a JAR");
+      throw new JarRefusedException("S-036", "\"" + sha256 + "\" is no SHA-256 of " + what);
     }
-    Path file = folder.resolve(sha256 + ".jar");
+    Path file = folder.resolve(sha256 + suffix);
     byte[] kept = read(file);
     if (Sha256.of(kept).equals(sha256)) {
       return kept;
     }
-    byte[] fetched = Sha256.verified(download.get(), sha256, "the runtime JAR");
-    keep(file, fetched);
-    return fetched;
+    byte[] made = Sha256.verified(source.get(), sha256, what);
+    keep(file, made);
+    return made;
   }
 
   private static byte[] read(Path file) {

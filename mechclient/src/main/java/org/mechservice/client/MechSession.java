@@ -267,7 +267,7 @@ public final class MechSession implements AutoCloseable {
     byte[] runtimeJar = connection.cache().get(modelJar.runtimeSha256(), () -> fetch(modelJar));
     verifyRuntime(runtimeJar);
     double fetchSeconds = watch.lap();
-    FetchedModel fetched = FetchedModel.load(modelJar, runtimeJar);
+    FetchedModel fetched = FetchedModel.load(modelJar, runtimeJar, connection.cache());
     double total = openSeconds + loadSeconds + fetchSeconds + watch.lap();
     Map<String, Object> facts = new LinkedHashMap<>();
     boolean stepwise = said.value.length == 0;
@@ -281,7 +281,7 @@ public final class MechSession implements AutoCloseable {
     facts.put("modelJarBytes", (long) modelJar.bytes().length);
     facts.put("modelClassBytes", modelJar.modelClassBytes());
     facts.put("runtimeJarBytes", (long) runtimeJar.length);
-    return fetched.prepare(options.columnGroups(), facts);
+    return fetched.prepare(options.columnGroups(), options.isStrict(), facts);
   }
 
   /**
@@ -295,7 +295,7 @@ public final class MechSession implements AutoCloseable {
     BuiltJar modelJar = compile(options, new NameValueSeqHolder(new NameValue[0]));
     byte[] runtimeJar = connection.cache().get(modelJar.runtimeSha256(), () -> fetch(modelJar));
     verifyRuntime(runtimeJar);
-    return new LocalModel(modelJar, FetchedModel.load(modelJar, runtimeJar));
+    return new LocalModel(modelJar, FetchedModel.load(modelJar, runtimeJar, connection.cache()));
   }
 
   /**

@@ -8,16 +8,19 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.IntStream;
 import org.mechservice.client.BuiltJar;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.ModelSummary;
 import org.mechservice.client.ServiceException;
+import org.mechservice.client.SimulationOptions;
 import org.mechservice.report.measure.Campaign;
 import org.mechservice.report.measure.Effort;
 import org.mechservice.report.measure.FreshStart;
 import org.mechservice.report.measure.Journal;
 import org.mechservice.report.measure.Judge;
+import org.mechservice.report.measure.LoopForces;
 import org.mechservice.report.measure.MethodRunner;
 import org.mechservice.report.measure.Point;
 import org.mechservice.report.measure.Progress;
@@ -33,6 +36,7 @@ import org.mechservice.report.method.Method;
 import org.mechservice.report.method.MethodList;
 import org.mechservice.report.method.ModelProblem;
 import org.mechservice.report.page.ScenePage;
+import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.RunSettings;
 
@@ -72,6 +76,8 @@ public final class ModelReport {
     SceneFindings found = measure(String.valueOf(file.getFileName()));
     Path page = folder.resolve(baseName(found.file()) + ".html");
     Files.writeString(page, ScenePage.of(found), StandardCharsets.UTF_8);
+    Path diagram = folder.resolve(baseName(found.file()) + ".svg");
+    Files.writeString(diagram, ScenePage.diagram(found), StandardCharsets.UTF_8);
     return page;
   }
 
@@ -95,7 +101,8 @@ public final class ModelReport {
     if (judge.reference().isPresent()) {
       Reference reference = judge.reference().get();
       try (Journal journal = Journal.open(folder.resolve(csv), purpose(file));
-          MethodRunner runner = new MethodRunner(reference, distance, judge.grid())) {
+          MethodRunner runner =
+              new MethodRunner(reference, distance, judge.grid(), loops(candidates))) {
         new Campaign(runner, journal, effort, progress).run(candidates);
         points = Point.of(journal.runs());
         shares.putAll(shares(candidates, points, runner));
@@ -119,6 +126,16 @@ public final class ModelReport {
         effort,
         csv,
         Machine.facts());
+  }
+
+  /** What tells residuals and multipliers of the scene's loops; empty for an open chain. */
+  private Optional<LoopForces> loops(List<Candidate> candidates) {
+    Method first = candidates.get(0).method();
+    if (first.closure().equals(Method.OPEN)) {
+      return Optional.empty();
+    }
+    SimulationOptions options = MethodList.options(first).columns(Set.of(ColumnGroup.CONSTRAINTS));
+    return LoopForces.of(session.fetchModel(options).newModel());
   }
 
   private static ExplicitModel explicit(Candidate candidate) {

@@ -29,7 +29,7 @@ final class FarmLimits {
   }
 
   /**
-   * Sets limits everywhere.
+   * Sets limits everywhere; on a host that does not answer now, as soon as it does.
    *
    * @throws InvalidOption if one of them is unknown or makes no sense; none is set then
    */
@@ -40,7 +40,7 @@ final class FarmLimits {
         set.put(limit.name, limit);
       }
     }
-    directory.askAll(
+    directory.tellAll(
         host -> {
           host.setLimits(values);
           return true;

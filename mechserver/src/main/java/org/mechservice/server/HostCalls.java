@@ -1,17 +1,18 @@
 package org.mechservice.server;
 
 import java.time.Duration;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.MechSimHostOperations;
 import org.omg.CORBA.COMM_FAILURE;
@@ -30,11 +31,6 @@ final class HostCalls implements AutoCloseable {
     T ask(MechSimHostOperations host) throws UserException;
   }
 
-  /** Something a host is asked that depends on what is known of it. */
-  interface QuestionToKnown<T> {
-    T ask(MechSimHostOperations host, KnownHost known) throws UserException;
-  }
-
   /**
    * What came of a call.
    *
@@ -44,7 +40,11 @@ final class HostCalls implements AutoCloseable {
    * @param connectionLost whether the host cannot be connected to
    */
   record Answer<T>(
-      Optional<T> value, Optional<UserException> refusal, String failure, boolean connectionLost) {}
+      Optional<T> value, Optional<UserException> refusal, String failure, boolean connectionLost) {
+    private static <T> Answer<T> of(T value) {
+      return new Answer<>(Optional.of(value), Optional.empty(), "", false);
+    }
+  }
 
   private final Duration longest;
   private final ExecutorService threads = Executors.newCachedThreadPool(named("host-call"));
@@ -66,33 +66,76 @@ final class HostCalls implements AutoCloseable {
 
   /** Asks one host. */
   <T> Answer<T> ask(MechSimHostOperations host, Question<T> question) {
-    return await(threads.submit(() -> question.ask(host)), System.nanoTime() + longest.toNanos());
-  }
-
-  /** Asks many hosts at once; the waits do not add up. */
-  <T> Map<KnownHost, Answer<T>> askAll(List<KnownHost> hosts, QuestionToKnown<T> question) {
-    Map<KnownHost, Future<T>> asked = new LinkedHashMap<>();
-    for (KnownHost host : hosts) {
-      asked.put(host, threads.submit(() -> question.ask(host.host(), host)));
-    }
-    long deadline = System.nanoTime() + longest.toNanos();
-    Map<KnownHost, Answer<T>> answers = new LinkedHashMap<>();
-    asked.forEach((host, future) -> answers.put(host, await(future, deadline)));
-    return answers;
-  }
-
-  private <T> Answer<T> await(Future<T> future, long deadline) {
+    Future<T> answer = threads.submit(() -> question.ask(host));
     try {
-      T value = future.get(Math.max(0, deadline - System.nanoTime()), TimeUnit.NANOSECONDS);
-      return new Answer<>(Optional.of(value), Optional.empty(), "", false);
+      return Answer.of(answer.get(longest.toNanos(), TimeUnit.NANOSECONDS));
     } catch (TimeoutException e) {
-      return silent("no answer within " + longest.toMillis() * 1e-3 + " s", false);
+      return silent(late(longest), false);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return silent("the server is closing", false);
     } catch (ExecutionException e) {
       return failed(e.getCause());
     }
+  }
+
+  /** Returns what is said of a host that has not answered for so long. */
+  static String late(Duration wait) {
+    return "no answer within " + wait.toMillis() * 1e-3 + " s";
+  }
+
+  /**
+   * Asks a host without waiting for it.
+   *
+   * @param then told in a thread of this what came of it
+   * @return done when {@code then} has been told
+   */
+  <T> Future<?> begin(KnownHost host, Question<T> question, BiConsumer<KnownHost, Answer<T>> then) {
+    long askedAt = host.asked();
+    return threads.submit(
+        () -> {
+          Answer<T> answer;
+          try {
+            answer = Answer.of(question.ask(host.host()));
+          } catch (UserException | RuntimeException e) {
+            answer = failed(e);
+          } finally {
+            host.waitsNoMore(askedAt);
+          }
+          then.accept(host, answer);
+        });
+  }
+
+  private record Answered<T>(KnownHost host, Answer<T> answer) {}
+
+  /**
+   * Asks many hosts at once until one has an answer.
+   *
+   * @param failed told of those that gave none at all
+   */
+  <T> Optional<T> askUntilOneAnswers(
+      List<KnownHost> hosts, Question<T> question, BiConsumer<KnownHost, Answer<T>> failed) {
+    BlockingQueue<Answered<T>> answers = new LinkedBlockingQueue<>();
+    for (KnownHost host : hosts) {
+      Future<?> unused =
+          begin(host, question, (from, answer) -> answers.add(new Answered<>(from, answer)));
+    }
+    long deadline = System.nanoTime() + longest.toNanos();
+    try {
+      for (int i = 0; i < hosts.size(); i++) {
+        Answered<T> next = answers.poll(deadline - System.nanoTime(), TimeUnit.NANOSECONDS);
+        if (next == null) {
+          break;
+        } else if (next.answer().value().isPresent()) {
+          return next.answer().value();
+        } else if (!next.answer().failure().isEmpty()) {
+          failed.accept(next.host(), next.answer());
+        }
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    return Optional.empty();
   }
 
   private static <T> Answer<T> failed(@Nullable Throwable thrown) {

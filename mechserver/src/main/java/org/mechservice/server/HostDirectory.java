@@ -4,22 +4,28 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.Deque;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import org.mechservice.idl.HostLoad;
 import org.mechservice.idl.HostStatus;
 import org.mechservice.idl.MechSimHostOperations;
+import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServiceEvent;
+import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.OutboundAllowList;
 import org.mechservice.sim.service.Happening;
 import org.mechservice.sim.service.Journal;
+import org.omg.CORBA.SystemException;
+import org.omg.CORBA.UserException;
 
 /**
  * The hosts of a server. Drops those that do not renew or cannot be connected to any more, and
@@ -28,11 +34,15 @@ import org.mechservice.sim.service.Journal;
 final class HostDirectory implements AutoCloseable {
   private static final int DROPPED_KEPT = 20;
   private static final int EVENTS_AT_ONCE = 1000;
+  private static final int READ_AT_ONCE = 8;
+
+  /** How old what is known of runs that go on may become. */
+  private static final long LIST_AGE_NANOS = TimeUnit.SECONDS.toNanos(2);
 
   private final ServerTuning tuning;
   private final OutboundAllowList outbound;
   private final Journal journal;
-  private final LostRuns lostRuns;
+  private final RunBook runs;
   private final HostCalls calls;
   private final Map<String, KnownHost> hosts = new ConcurrentHashMap<>();
   private final Deque<KnownHost> dropped = new ArrayDeque<>();
@@ -43,14 +53,14 @@ final class HostDirectory implements AutoCloseable {
     this.tuning = tuning;
     this.outbound = outbound;
     this.journal = journal;
-    lostRuns = new LostRuns(journal);
+    runs = new RunBook(journal);
     calls = new HostCalls(tuning.hostAnswer());
     long period = tuning.hostCheck().toMillis();
     var unused = clock.scheduleWithFixedDelay(this::check, period, period, TimeUnit.MILLISECONDS);
   }
 
-  LostRuns lostRuns() {
-    return lostRuns;
+  RunBook runs() {
+    return runs;
   }
 
   HostCalls calls() {
@@ -84,55 +94,137 @@ final class HostDirectory implements AutoCloseable {
   }
 
   /** What a host tells when it is asked how it is. */
-  private record News(HostLoad load, List<ServiceEvent> events) {}
+  private record News(
+      HostLoad load, List<ServiceEvent> events, Optional<SimSummary[]> runs, long askedAt) {}
 
-  /** Asks all hosts for their load and what happened, at once; returns those that answered. */
-  List<KnownHost> refresh() {
-    long askedAt = System.nanoTime();
-    Map<KnownHost, News> news =
-        askAll((host, known) -> new News(host.getLoad(), eventsOf(host, known)));
-    news.forEach(
-        (host, said) -> {
-          host.answered(said.load(), askedAt);
-          takeOver(host, said.events());
-        });
-    return List.copyOf(news.keySet());
+  /**
+   * Asks all hosts for their load, what happened and their runs, and waits for a moment. A host
+   * that owes an answer already is not waited for: of it, what it said last is known.
+   */
+  void refresh() {
+    List<Future<?>> asked = new ArrayList<>();
+    for (KnownHost host : all()) {
+      if (host.reachable() && !host.owesAnAnswer(tuning.hostWait())) {
+        asked.add(calls.begin(host, question(host, /* withRuns= */ true), this::told));
+      }
+    }
+    long deadline = System.nanoTime() + tuning.hostWait().toNanos();
+    for (Future<?> answer : asked) {
+      await(answer, deadline);
+    }
+    noteSilent();
   }
 
-  private static List<ServiceEvent> eventsOf(MechSimHostOperations host, KnownHost known) {
-    return List.of(host.events(known.lastEvent(), EVENTS_AT_ONCE, 0));
+  private static void await(Future<?> answer, long deadline) {
+    try {
+      answer.get(Math.max(0, deadline - System.nanoTime()), TimeUnit.NANOSECONDS);
+    } catch (TimeoutException e) {
+      // What it said last will do.
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } catch (ExecutionException e) {
+      GuardedServant.record("the answer of a host", e);
+    }
   }
 
-  private void takeOver(KnownHost host, List<ServiceEvent> events) {
-    synchronized (host) { // two may have asked at once
-      for (ServiceEvent event : events) {
-        if (event.seqNo > host.lastEvent()) {
-          host.tookOver(event.seqNo);
-          journal.retell(event);
-          lostRuns.follow(event);
-        }
+  private HostCalls.Question<News> question(KnownHost known, boolean withRuns) {
+    return host -> {
+      tellOwed(host, known);
+      long askedAt = System.nanoTime();
+      HostLoad load = host.getLoad();
+      List<ServiceEvent> events = List.of(host.events(known.lastEvent(), EVENTS_AT_ONCE, 0));
+      boolean list =
+          withRuns
+              || events.stream().anyMatch(event -> !event.simId.isEmpty())
+              || runs.outdated(known.name(), load.running, LIST_AGE_NANOS);
+      return new News(
+          load, events, list ? Optional.of(host.listSimulations()) : Optional.empty(), askedAt);
+    };
+  }
+
+  private static void tellOwed(MechSimHostOperations host, KnownHost known) throws UserException {
+    for (HostCalls.Question<?> owed : known.hearsNow()) {
+      try {
+        var unused = owed.ask(host);
+      } catch (SystemException e) {
+        known.mustHear(owed);
+        throw e;
       }
     }
   }
 
-  /** Asks all hosts at once; who cannot be connected to is dropped. */
-  <T> Map<KnownHost, T> askAll(HostCalls.Question<T> question) {
-    return askAll((host, known) -> question.ask(host));
+  private News follow(KnownHost host) throws UserException {
+    News news = question(host, /* withRuns= */ false).ask(host.host());
+    readOn(host);
+    return news;
   }
 
-  private <T> Map<KnownHost, T> askAll(HostCalls.QuestionToKnown<T> question) {
-    Map<KnownHost, T> answers = new LinkedHashMap<>();
-    calls
-        .askAll(all(), question)
-        .forEach(
-            (host, answer) -> {
-              if (answer.value().isPresent()) {
-                answers.put(host, answer.value().get());
-              } else {
-                failed(host, answer.failure(), answer.connectionLost());
-              }
-            });
-    return answers;
+  private void told(KnownHost host, HostCalls.Answer<News> answer) {
+    if (answer.value().isPresent()) {
+      News news = answer.value().get();
+      host.answered(news.load(), news.askedAt());
+      takeOver(host, news);
+    } else {
+      failed(host, answer.failure(), answer.connectionLost());
+    }
+  }
+
+  private void takeOver(KnownHost host, News news) {
+    synchronized (host) { // two may have asked at once
+      if (host.isDropped()) {
+        return;
+      }
+      for (ServiceEvent event : news.events()) {
+        if (event.seqNo > host.lastEvent()) {
+          host.tookOver(event.seqNo);
+          journal.retell(event);
+          runs.follow(event);
+        }
+      }
+      news.runs().ifPresent(listed -> runs.listed(host.name(), listed, news.askedAt()));
+    }
+  }
+
+  /** Reads what became of some runs while their host can still be asked. */
+  private void readOn(KnownHost host) throws UserException {
+    for (String simId : runs.unread(host.name(), READ_AT_ONCE)) {
+      try {
+        runs.read(host.host().showSimulation(simId));
+      } catch (NotFound e) {
+        // Its client has destroyed it already.
+      }
+    }
+  }
+
+  /** Asks all hosts that are not silent at once, until one has an answer. */
+  <T> Optional<T> search(HostCalls.Question<T> question) {
+    return calls.askUntilOneAnswers(
+        all().stream().filter(KnownHost::reachable).toList(),
+        question,
+        (host, answer) -> failed(host, answer.failure(), answer.connectionLost()));
+  }
+
+  /** Tells all hosts something at once; those that do not answer now hear of it later. */
+  void tellAll(HostCalls.Question<Boolean> message) {
+    List<Future<?>> told = new ArrayList<>();
+    for (KnownHost host : all()) {
+      if (host.reachable()) {
+        told.add(
+            calls.begin(
+                host,
+                message,
+                (to, answer) -> {
+                  if (!answer.failure().isEmpty()) {
+                    to.mustHear(message);
+                    failed(to, answer.failure(), answer.connectionLost());
+                  }
+                }));
+      } else {
+        host.mustHear(message);
+      }
+    }
+    long deadline = System.nanoTime() + tuning.hostAnswer().toNanos();
+    told.forEach(answer -> await(answer, deadline));
   }
 
   /** Notes that a host did not answer; one that cannot be connected to is dropped. */
@@ -141,6 +233,23 @@ final class HostDirectory implements AutoCloseable {
     if (connectionLost && !host.own()) {
       drop(host, "its connection failed: " + why);
     }
+  }
+
+  private void noteSilent() {
+    for (KnownHost host : all()) {
+      if (host.reachable() && host.owesAnAnswer(tuning.hostAnswer())) {
+        host.silent(HostCalls.late(tuning.hostAnswer()));
+      }
+    }
+  }
+
+  /** Returns what silent hosts there are, for people who look for something; empty: none. */
+  String silentHosts() {
+    List<String> silent =
+        all().stream().filter(host -> !host.reachable()).map(KnownHost::name).toList();
+    return silent.isEmpty()
+        ? ""
+        : "; it may be on " + String.join(", ", silent) + ", which does not answer: try again";
   }
 
   private void drop(KnownHost host, String why) {
@@ -156,7 +265,7 @@ final class HostDirectory implements AutoCloseable {
       journal.tell(
           Happening.warning("host-lost", "S-019", "host " + host.name() + " dropped: " + why)
               .onHost(host.name()));
-      lostRuns.lostWith(host.name());
+      runs.goneWith(host.name(), "was lost");
     }
   }
 
@@ -164,8 +273,10 @@ final class HostDirectory implements AutoCloseable {
   void signOff(KnownHost host) {
     if (hosts.remove(host.name(), host)) {
       outbound.forbid(host.endpoint().host(), host.endpoint().port());
+      host.dropped("it signed off");
       journal.tell(
           Happening.info("host-left", "host " + host.name() + " signed off").onHost(host.name()));
+      runs.goneWith(host.name(), "signed off");
     }
   }
 
@@ -178,14 +289,17 @@ final class HostDirectory implements AutoCloseable {
     return statuses;
   }
 
+  /** Never waits for a host: one that hangs holds up none of the others. */
   private void check() {
     try {
+      noteSilent();
       for (KnownHost host : all()) {
         if (host.expired(tuning.hostLease())) {
           drop(host, "it has not renewed for " + tuning.hostLease().toMillis() * 1e-3 + " s");
+        } else if (!host.owesAnAnswer(tuning.hostCheck())) {
+          var unused = calls.begin(host, asked -> follow(host), this::told);
         }
       }
-      refresh();
     } catch (RuntimeException e) {
       GuardedServant.record("the clock of the hosts", e);
     }

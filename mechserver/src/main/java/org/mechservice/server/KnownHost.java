@@ -1,8 +1,12 @@
 package org.mechservice.server;
 
+import static java.time.temporal.ChronoUnit.SECONDS;
+
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import org.mechservice.idl.HostInfo;
 import org.mechservice.idl.HostLoad;
@@ -28,6 +32,9 @@ final class KnownHost {
   private boolean reachable = true;
   private boolean dropped;
   private String text = "";
+  private long answeredAt = System.currentTimeMillis();
+  private final Deque<Long> unanswered = new ArrayDeque<>();
+  private final Deque<HostCalls.Question<?>> owed = new ArrayDeque<>();
 
   /**
    * @param host how it is asked
@@ -55,6 +62,36 @@ final class KnownHost {
 
   Endpoint endpoint() {
     return endpoint;
+  }
+
+  /** Notes that it is asked something; returns when, by {@link System#nanoTime}. */
+  synchronized long asked() {
+    long now = System.nanoTime();
+    unanswered.addLast(now);
+    return now;
+  }
+
+  /** Notes that a question has ended, with an answer or without. */
+  synchronized void waitsNoMore(long askedAt) {
+    unanswered.removeFirstOccurrence(askedAt);
+  }
+
+  /** Returns whether a question has been waiting for an answer for so long. */
+  synchronized boolean owesAnAnswer(Duration since) {
+    Long oldest = unanswered.peekFirst();
+    return oldest != null && System.nanoTime() - oldest >= since.toNanos();
+  }
+
+  /** Notes what it must be told as soon as it answers again. */
+  synchronized void mustHear(HostCalls.Question<?> later) {
+    owed.addLast(later);
+  }
+
+  /** Returns what it must be told, once. */
+  synchronized List<HostCalls.Question<?>> hearsNow() {
+    List<HostCalls.Question<?>> all = List.copyOf(owed);
+    owed.clear();
+    return all;
   }
 
   synchronized void renew() {
@@ -85,6 +122,7 @@ final class KnownHost {
     reachable = true;
     text = "";
     lastSeen = System.currentTimeMillis();
+    answeredAt = lastSeen;
     // Sessions placed before are in what it said.
     while (!placedAt.isEmpty() && placedAt.peekFirst() - askedAt < 0) {
       placedAt.removeFirst();
@@ -110,8 +148,22 @@ final class KnownHost {
   synchronized void silent(String why) {
     if (!dropped) {
       reachable = false;
-      text = why;
+      text = "silent since " + Instant.ofEpochMilli(answeredAt).truncatedTo(SECONDS) + ": " + why;
     }
+  }
+
+  /** Returns whether it answers. */
+  synchronized boolean reachable() {
+    return reachable;
+  }
+
+  /** Returns why it does not answer; empty if it does. */
+  synchronized String trouble() {
+    return text;
+  }
+
+  synchronized boolean isDropped() {
+    return dropped;
   }
 
   /** Notes that the host was dropped, for good. */

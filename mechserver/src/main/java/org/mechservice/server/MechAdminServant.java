@@ -54,7 +54,8 @@ final class MechAdminServant implements MechAdminOperations {
 
   @Override
   public ServerStatus getStatus() {
-    List<HostLoad> loads = directory.refresh().stream().map(KnownHost::load).toList();
+    directory.refresh();
+    List<HostLoad> loads = directory.all().stream().map(KnownHost::load).toList();
     Runtime machine = Runtime.getRuntime();
     return new ServerStatus(
         server.getInfo(),
@@ -79,12 +80,15 @@ final class MechAdminServant implements MechAdminOperations {
 
   @Override
   public SimSummary[] listSimulations(int offset, int maxCount, IntHolder total) {
-    List<SimSummary> all = new ArrayList<>();
-    directory
-        .askAll(MechSimHostOperations::listSimulations)
-        .values()
-        .forEach(ofHost -> all.addAll(List.of(ofHost)));
-    all.addAll(directory.lostRuns().summaries());
+    directory.refresh();
+    RunBook runs = directory.runs();
+    List<SimSummary> all = new ArrayList<>(runs.ofGoneHosts());
+    for (KnownHost host : directory.all()) {
+      all.addAll(
+          host.reachable()
+              ? runs.of(host.name())
+              : runs.of(host.name(), "host " + host.name() + " is " + host.trouble()));
+    }
     all.sort(
         Comparator.comparingLong((SimSummary sim) -> sim.createdAt)
             .thenComparing(sim -> sim.simId));
@@ -95,15 +99,48 @@ final class MechAdminServant implements MechAdminOperations {
         .toArray(SimSummary[]::new);
   }
 
+  /** What is gone or does not answer is shown as it was known last. */
   @Override
   public SimDetail showSimulation(String simId) throws NotFound {
-    return directory.askAll(host -> host.showSimulation(simId)).values().stream()
-        .findFirst()
-        .orElseThrow(() -> noSimulation(simId));
+    Optional<SimDetail> now = askHostOf(simId, host -> host.showSimulation(simId));
+    now.ifPresent(directory.runs()::read);
+    return now.or(() -> lastKnown(simId)).orElseThrow(() -> noSimulation(simId));
   }
 
-  private static NotFound noSimulation(String simId) {
-    return Refusal.notFound("there is no simulation " + simId + " on a host that answers");
+  private Optional<SimDetail> lastKnown(String simId) {
+    Optional<SimDetail> last = directory.runs().lastKnown(simId);
+    last.ifPresent(
+        detail ->
+            directory
+                .find(detail.summary.hostName)
+                .filter(host -> !host.reachable())
+                .ifPresent(
+                    host ->
+                        detail.summary =
+                            RunBook.copy(
+                                detail.summary,
+                                "host "
+                                    + host.name()
+                                    + " is "
+                                    + host.trouble()
+                                    + "; last known: "
+                                    + detail.summary.text)));
+    return last;
+  }
+
+  /** Asks the host that has a run; if it is not known which one has, all that answer. */
+  private <T> Optional<T> askHostOf(String simId, HostCalls.Question<T> question) {
+    Optional<KnownHost> known = directory.runs().hostOf(simId).flatMap(directory::find);
+    if (known.isEmpty()) {
+      return directory.search(question);
+    }
+    return known.get().reachable()
+        ? directory.calls().ask(known.get().host(), question).value()
+        : Optional.empty();
+  }
+
+  private NotFound noSimulation(String simId) {
+    return Refusal.notFound("there is no simulation " + simId + directory.silentHosts());
   }
 
   @Override
@@ -121,11 +158,18 @@ final class MechAdminServant implements MechAdminOperations {
     if (hostName.isEmpty()) {
       return journal.since(since, maxCount);
     }
-    return directory
-        .calls()
-        .ask(require(hostName).host(), host -> host.logs(since, maxCount))
+    return ask(require(hostName), host -> host.logs(since, maxCount))
         .value()
         .orElseThrow(() -> silent(hostName));
+  }
+
+  /** Who is silent is not waited for. */
+  private <T> HostCalls.Answer<T> ask(KnownHost host, HostCalls.Question<T> question)
+      throws NotFound {
+    if (!host.reachable()) {
+      throw silent(host.name());
+    }
+    return directory.calls().ask(host.host(), question);
   }
 
   private KnownHost require(String hostName) throws NotFound {
@@ -137,17 +181,18 @@ final class MechAdminServant implements MechAdminOperations {
   @Override
   public void killSimulation(String simId, String reason) throws NotFound {
     Optional<Boolean> killed =
-        directory
-            .askAll(
-                host -> {
-                  host.killSimulation(simId, reason);
-                  return true;
-                })
-            .values()
-            .stream()
-            .findFirst();
+        askHostOf(
+            simId,
+            host -> {
+              host.killSimulation(simId, reason);
+              return true;
+            });
     if (killed.isEmpty()) {
-      throw noSimulation(simId);
+      throw directory
+          .runs()
+          .fateOf(simId)
+          .map(Refusal::notFound)
+          .orElseGet(() -> noSimulation(simId));
     }
   }
 
@@ -156,15 +201,20 @@ final class MechAdminServant implements MechAdminOperations {
     if (hostName.isEmpty()) {
       return limits.inForce().toLimits();
     }
-    return directory
-        .calls()
-        .ask(require(hostName).host(), MechSimHostOperations::getLimits)
+    return ask(require(hostName), MechSimHostOperations::getLimits)
         .value()
         .orElseThrow(() -> silent(hostName));
   }
 
-  private static NotFound silent(String hostName) {
-    return Refusal.notFound("host " + hostName + " does not answer");
+  private NotFound silent(String hostName) {
+    String since =
+        directory
+            .find(hostName)
+            .map(KnownHost::trouble)
+            .filter(trouble -> !trouble.isEmpty())
+            .map(trouble -> "; " + trouble)
+            .orElse("");
+    return Refusal.notFound("host " + hostName + " does not answer" + since);
   }
 
   @Override
@@ -174,14 +224,12 @@ final class MechAdminServant implements MechAdminOperations {
       return;
     }
     HostCalls.Answer<Boolean> answer =
-        directory
-            .calls()
-            .ask(
-                require(hostName).host(),
-                host -> {
-                  host.setLimits(values);
-                  return true;
-                });
+        ask(
+            require(hostName),
+            host -> {
+              host.setLimits(values);
+              return true;
+            });
     if (answer.refusal().isPresent() && answer.refusal().get() instanceof InvalidOption refusal) {
       throw refusal;
     } else if (answer.value().isEmpty()) {
@@ -232,10 +280,8 @@ final class MechAdminServant implements MechAdminOperations {
       return;
     }
     boolean done =
-        directory
-            .calls()
-            .ask(
-                require(hostName).host(),
+        ask(
+                require(hostName),
                 host -> {
                   if (drain) {
                     host.drain();

@@ -11,10 +11,8 @@ import org.mechservice.idl.MechAdminPOATie;
 import org.mechservice.idl.MechServerOperations;
 import org.mechservice.idl.MechServerPOATie;
 import org.mechservice.idl.MechSimHostOperations;
-import org.mechservice.orb.Caller;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.ListenAddress;
-import org.mechservice.orb.Role;
 import org.mechservice.orb.ServiceKey;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.sim.host.SimHost;
@@ -43,6 +41,7 @@ public final class MechServerProcess implements AutoCloseable {
     Journal journal = new Journal("server", event -> audit.ifPresent(log -> log.write(event)));
     directory = new HostDirectory(tuning, orb.outbound(), journal);
     LimitsInForce limits = new LimitsInForce(settings.host().limits());
+    orb.allowConnections(limits.now().connectionsAtAll());
     Placement placement = new Placement(directory, settings.placement());
     server = new MechServerServant(settings.name(), directory, placement, limits);
     ownHost =
@@ -60,7 +59,8 @@ public final class MechServerProcess implements AutoCloseable {
     FarmLimits farmLimits = new FarmLimits(limits, directory);
     publish(
         new MechAdminServant(server, directory, placement, farmLimits, journal, this::shutDown),
-        new HostRegistryServant(orb, directory, farmLimits));
+        new HostRegistryServant(orb, directory, farmLimits),
+        new Denials(journal));
     Metrics figures = new Metrics(directory, server);
     metrics =
         settings
@@ -70,23 +70,19 @@ public final class MechServerProcess implements AutoCloseable {
     journal.tell(Happening.info("server-started", "server " + settings.name() + " has started"));
   }
 
-  private void publish(MechAdminServant admin, HostRegistryServant registry) {
+  private void publish(MechAdminServant admin, HostRegistryServant registry, Denials denials) {
     orb.publish(
         Map.of(
             ServiceKey.SERVER,
-            new MechServerPOATie(GuardedServant.of(MechServerOperations.class, server, () -> {})),
+            new MechServerPOATie(
+                GuardedServant.of(MechServerOperations.class, server, Rights.toSimulate(denials))),
             ServiceKey.REGISTRY,
             new HostRegistryPOATie(
-                GuardedServant.of(
-                    HostRegistryOperations.class,
-                    registry,
-                    () -> Caller.current().require(Role.SERVER))),
+                GuardedServant.of(HostRegistryOperations.class, registry, Rights.toServe(denials))),
             ServiceKey.ADMIN,
             new MechAdminPOATie(
                 GuardedServant.of(
-                    MechAdminOperations.class,
-                    admin,
-                    () -> Caller.current().require(Role.ADMIN)))));
+                    MechAdminOperations.class, admin, Rights.toAdministrate(denials)))));
   }
 
   /**

@@ -1,6 +1,5 @@
 package org.mechservice.server;
 
-import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.API_VERSION;
@@ -86,24 +85,25 @@ final class MechServerServant implements MechServerOperations {
 
   @Override
   public MechSim findSession(String sessionId) throws NotFound {
-    Optional<MechSim> found =
-        directory.askAll(host -> host.findSession(sessionId)).values().stream().findFirst();
-    return found.orElseThrow(() -> Refusal.notFound("there is no session " + sessionId));
+    return directory
+        .search(host -> host.findSession(sessionId))
+        .orElseThrow(
+            () -> Refusal.notFound("there is no session " + sessionId + directory.silentHosts()));
   }
 
   @Override
   public IMechSimRemote findSimulation(String simId) throws NotFound {
-    Optional<IMechSimRemote> found =
-        directory.askAll(host -> host.findSimulation(simId)).values().stream().findFirst();
-    return found.orElseThrow(() -> Refusal.notFound(whatBecameOf(simId)));
+    return directory
+        .search(host -> host.findSimulation(simId))
+        .orElseThrow(() -> Refusal.notFound(whatBecameOf(simId)));
   }
 
   private String whatBecameOf(String simId) {
     return directory
-        .lostRuns()
+        .runs()
         .fateOf(simId)
         .map(fate -> simId + ": " + fate + "; if the host comes back with its folder, try again")
-        .orElse("there is no simulation " + simId + " on a host that answers");
+        .orElseGet(() -> "there is no simulation " + simId + directory.silentHosts());
   }
 
   @Override

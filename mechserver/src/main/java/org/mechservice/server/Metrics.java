@@ -29,7 +29,8 @@ final class Metrics {
 
   /** Returns all figures. */
   String text() {
-    List<KnownHost> hosts = directory.refresh();
+    directory.refresh();
+    List<KnownHost> hosts = directory.all().stream().filter(KnownHost::reachable).toList();
     StringBuilder text = new StringBuilder();
     Runtime machine = Runtime.getRuntime();
     one(text, "draining", "whether new sessions are refused", server.draining() ? 1 : 0);
@@ -120,9 +121,10 @@ final class Metrics {
   /** Returns whether sessions can be opened, and if not, why. */
   MetricsEndpoint.Health health() {
     Optional<String> trouble = Optional.empty();
+    directory.refresh();
     if (server.draining()) {
       trouble = Optional.of("the server is being emptied");
-    } else if (directory.refresh().stream().noneMatch(KnownHost::open)) {
+    } else if (directory.all().stream().noneMatch(KnownHost::open)) {
       trouble = Optional.of("no host takes sessions");
     }
     return new MetricsEndpoint.Health(trouble.isEmpty(), trouble.orElse("ok") + "\n");

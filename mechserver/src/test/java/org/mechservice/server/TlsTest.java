@@ -2,7 +2,6 @@ package org.mechservice.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.lang.reflect.Proxy;
 import java.net.Inet4Address;
@@ -28,7 +27,6 @@ import org.mechservice.idl.JarInfoHolder;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
-import org.mechservice.idl.NotAuthorized;
 import org.mechservice.orb.DetachedSignature;
 import org.mechservice.orb.Role;
 import org.mechservice.orb.ServiceOrb;
@@ -138,25 +136,6 @@ class TlsTest {
         said = String.valueOf(heard.poll(1, TimeUnit.MINUTES));
       }
     }
-  }
-
-  @Test
-  void onlyAdminsAdministrate() throws Exception {
-    try (ServiceOrb alice = ServiceOrb.client(identity("alice"));
-        ServiceOrb root = ServiceOrb.client(identity("root"))) {
-      NotAuthorized refusal =
-          catchThrowableOfType(
-              NotAuthorized.class, () -> alice.connectAdmin(server.url()).getStatus());
-      assertThat(refusal.code).isEqualTo("S-153");
-      assertThat(refusal.text).contains("\"alice\" is no admin's");
-      assertThat(root.connectAdmin(server.url()).getStatus().hosts).isEqualTo(2);
-    }
-  }
-
-  @Test
-  void onlyServersRegisterHosts() {
-    assertThatThrownBy(() -> SimHostProcess.start(hostSettings("intruder", "alice")))
-        .hasMessageStartingWith("S-153 the certificate of \"alice\" is no server's");
   }
 
   @Test

@@ -13,10 +13,9 @@ import java.util.Optional;
  * @param reference empty if there is none
  * @param grid output times that meet it
  * @param said how it came about, and what is doubtful, one sentence each
- * @param doubtful whether the reader must be warned
+ * @param doubt what the reader must be warned of, in one sentence; empty if nothing
  */
-public record Judge(
-    Optional<Reference> reference, RunGrid grid, List<String> said, boolean doubtful) {
+public record Judge(Optional<Reference> reference, RunGrid grid, List<String> said, String doubt) {
   /** Beyond this floor nothing can be said about eight digits. */
   private static final double CUT = 1e-9;
 
@@ -29,8 +28,18 @@ public record Judge(
   /** A floor above this, at a time that is kept all the same, is a warning. */
   private static final double USEFUL = 1e-7;
 
+  /**
+   * Codes on two formulations that differ from a reference by so many times what they differ by.
+   */
+  private static final double OUTLIER = 1e3;
+
   public Judge {
     said = List.copyOf(said);
+  }
+
+  /** Returns whether the reader must be warned. */
+  public boolean doubtful() {
+    return !doubt.isEmpty();
   }
 
   /**
@@ -73,8 +82,8 @@ public record Judge(
     return new Judge(
         Optional.empty(),
         grid,
-        List.of("No reference code solved the scene in its time, so errors are not known."),
-        true);
+        List.of(),
+        "No reference code solved the scene in its time, so errors are not known.");
   }
 
   private static Judge join(
@@ -98,17 +107,45 @@ public record Judge(
     } else {
       said.add("None of the codes of this report solved the scene in its time.");
     }
-    Reference reference =
-        new Reference(published.times(), published.states(), floor, floor, amplification, said);
-    return apart > AGREES
-        ? new Judge(Optional.of(reference), grid, said, true)
-        : cut(reference, grid);
+    if (apart > AGREES) {
+      return disagreeing(published, made.orElseThrow(), apart, grid);
+    }
+    return cut(
+        new Reference(published.times(), published.states(), floor, floor, amplification, said),
+        grid);
+  }
+
+  /** Two codes on two formulations against one file: they are believed if they agree. */
+  private static Judge disagreeing(
+      PublishedReference published, Reference made, double apart, RunGrid grid) {
+    boolean outlier = made.worstFloor() * OUTLIER < apart;
+    String doubt =
+        String.format(
+            Locale.ROOT,
+            outlier
+                ? "The reference that comes with the product under this name differs by %.1e from"
+                    + " two codes that agree to %.1e on two formulations: it belongs to another"
+                    + " scene, or is wrong. Errors are those against the two codes."
+                : "The reference that comes with the product differs by %.1e from the codes of"
+                    + " this report, which are known to %.1e: one of them is wrong.",
+            apart,
+            made.worstFloor());
+    Reference shipped =
+        new Reference(
+            published.times(),
+            published.states(),
+            published.floor(),
+            published.floor(),
+            made.amplification(),
+            List.of("Reference: the one that comes with the product. " + published.how() + "."));
+    Judge kept = cut(outlier ? made : shipped, grid);
+    return new Judge(kept.reference(), kept.grid(), kept.said(), doubt);
   }
 
   /** Keeps the times at which the reference can tell errors that matter, but two at least. */
   private static Judge cut(Reference reference, RunGrid grid) {
     int count = reference.times().length;
-    while (count > 2 && reference.floor()[count - 1] > CUT) {
+    while (count > 2 && unknownAt(reference, count - 1) > CUT) {
       count--;
     }
     List<String> said = new ArrayList<>(reference.sources());
@@ -116,21 +153,37 @@ public record Judge(
       said.add(
           String.format(
               Locale.ROOT,
-              "The interval is cut at %.4g s: later the reference is not known to 1e-9.",
-              reference.times()[count - 1]));
+              "The interval is cut at %.4g s: at the next time the reference is known to %.1e only"
+                  + "%s, and errors of 1e-9 could not be told.",
+              reference.times()[count - 1],
+              unknownAt(reference, count),
+              grownTo(reference, count)));
     }
     Reference kept = reference.upTo(count);
-    boolean doubtful = kept.worstFloor() > USEFUL || disagree(reference);
-    if (doubtful) {
-      said.add(
+    String doubt = "";
+    if (kept.worstFloor() > USEFUL || disagree(reference)) {
+      doubt =
           String.format(
               Locale.ROOT,
               "The reference is doubtful: its codes differ by up to %.1e, more than rounding"
                   + " explains. Smaller errors mean nothing.",
-              reference.worstFloor()));
+              reference.worstFloor());
     }
     RunGrid shorter = new RunGrid(grid.start(), grid.step(), grid.row(kept.end()) + 1);
-    return new Judge(Optional.of(kept), shorter, said, doubtful);
+    return new Judge(Optional.of(kept), shorter, said, doubt);
+  }
+
+  /** The floor, or what a unit in the last place of the start has grown to if that is more. */
+  private static double unknownAt(Reference reference, int time) {
+    double grown = reference.amplification().map(all -> all[time] * Math.ulp(1.0) / 2).orElse(0.0);
+    return Math.max(reference.floor()[time], grown);
+  }
+
+  private static String grownTo(Reference reference, int time) {
+    return reference
+        .amplification()
+        .map(all -> String.format(Locale.ROOT, " (a change of the start grows %.2g×)", all[time]))
+        .orElse("");
   }
 
   /** Whether codes differ where they should not, by far more than a motion amplifies rounding. */

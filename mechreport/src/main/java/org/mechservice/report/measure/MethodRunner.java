@@ -4,7 +4,11 @@ import com.sun.management.ThreadMXBean;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.management.ManagementFactory;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledFuture;
@@ -30,6 +34,7 @@ public final class MethodRunner implements AutoCloseable {
   private final Reference reference;
   private final StateDistance distance;
   private final RunGrid grid;
+  private final Optional<LoopForces> loops;
   private final ScheduledExecutorService watch =
       Executors.newSingleThreadScheduledExecutor(
           task -> {
@@ -42,9 +47,19 @@ public final class MethodRunner implements AutoCloseable {
    * @param grid output times; they meet those of the reference
    */
   public MethodRunner(Reference reference, StateDistance distance, RunGrid grid) {
+    this(reference, distance, grid, Optional.empty());
+  }
+
+  /**
+   * @param grid output times; they meet those of the reference
+   * @param loops tells residuals and multipliers of closed loops
+   */
+  public MethodRunner(
+      Reference reference, StateDistance distance, RunGrid grid, Optional<LoopForces> loops) {
     this.reference = reference;
     this.distance = distance;
     this.grid = grid;
+    this.loops = loops;
   }
 
   /**
@@ -54,15 +69,20 @@ public final class MethodRunner implements AutoCloseable {
    * @param limitSeconds processor time after which the run is stopped, s
    */
   public MeasuredRun run(Candidate candidate, double tolerance, int round, double limitSeconds) {
-    return run(candidate, candidate.models().get(), tolerance, round, limitSeconds);
+    Model model = candidate.models().get();
+    return run(candidate, model, new RunControl(), tolerance, round, limitSeconds);
   }
 
   /** Runs a method once on a model given. */
   MeasuredRun run(
-      Candidate candidate, Model model, double tolerance, int round, double limitSeconds) {
+      Candidate candidate,
+      Model model,
+      RunControl control,
+      double tolerance,
+      int round,
+      double limitSeconds) {
     RunSettings settings = settings(candidate, tolerance);
     Rows rows = new Rows(grid, settings.tEnd());
-    RunControl control = new RunControl();
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     ScheduledFuture<?> alarm = stopAfter(limitSeconds, control, threads);
     long bytes = threads.getCurrentThreadAllocatedBytes();
@@ -130,8 +150,23 @@ public final class MethodRunner implements AutoCloseable {
         report.evaluations(),
         report.jacobians(),
         report.factorisations(),
-        cause.isEmpty() ? errors(rows) : MeasuredRun.Errors.NONE,
-        drift(report));
+        cause.isEmpty() ? errors(rows, round == 0) : MeasuredRun.Errors.NONE,
+        drift(report),
+        limits(report));
+  }
+
+  /** Rejected steps by joint: a state is named after its joint, with q or v behind a point. */
+  private static Map<String, Long> limits(RunReport report) {
+    Map<String, Long> byJoint = new TreeMap<>();
+    for (RunReport.Limit limit : report.limits()) {
+      String joint = limit.state().replaceFirst("\\.[qv](\\[\\d+])?$", "");
+      byJoint.merge(joint, limit.inaccurate() + limit.unsolved(), Long::sum);
+    }
+    Map<String, Long> mostFirst = new LinkedHashMap<>();
+    byJoint.entrySet().stream()
+        .sorted(Map.Entry.<String, Long>comparingByValue().reversed())
+        .forEach(limit -> mostFirst.put(limit.getKey(), limit.getValue()));
+    return mostFirst;
   }
 
   private static String cause(Outcome outcome, double limitSeconds) {
@@ -149,7 +184,8 @@ public final class MethodRunner implements AutoCloseable {
     return drift == 0 ? 0 : drift / scale;
   }
 
-  private MeasuredRun.Errors errors(Rows rows) {
+  /** Loops are looked at in one run only: the others are there for their time. */
+  private MeasuredRun.Errors errors(Rows rows, boolean withLoops) {
     double atEnd = 0;
     double positions = 0;
     double velocities = 0;
@@ -162,7 +198,20 @@ public final class MethodRunner implements AutoCloseable {
       velocities = Math.max(velocities, ofVelocities);
       atEnd = Math.max(ofPositions, ofVelocities);
     }
-    return new MeasuredRun.Errors(atEnd, Math.max(positions, velocities), positions, velocities);
+    double multipliers = Double.NaN;
+    double residual = Double.NaN;
+    if (withLoops && loops.isPresent()) {
+      multipliers = 0;
+      residual = 0;
+      for (int i = 0; i < reference.times().length; i++) {
+        double t = reference.times()[i];
+        double[] y = rows.at(t);
+        residual = Math.max(residual, loops.get().residual(t, y));
+        multipliers = Math.max(multipliers, loops.get().distance(t, y, reference.states()[i]));
+      }
+    }
+    return new MeasuredRun.Errors(
+        atEnd, Math.max(positions, velocities), positions, velocities, multipliers, residual);
   }
 
   @Override

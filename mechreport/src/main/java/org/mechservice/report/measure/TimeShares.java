@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.RunControl;
 
 /**
  * What a run spends its time on: the model's methods are timed through a proxy, whose own cost per
@@ -24,6 +25,7 @@ public record TimeShares(Map<Part, Double> parts, double tolerance) {
 
   /** What time goes to. */
   public enum Part {
+    START_UP("start-up", ""),
     EVALUATIONS("evaluations", "derivative residual consistent"),
     JACOBIAN("Jacobian", "linearise"),
     FACTORISATION("factorisation", "factor"),
@@ -42,7 +44,7 @@ public record TimeShares(Map<Part, Double> parts, double tolerance) {
 
     /** Returns the part's colour on the page. */
     public String css() {
-      return "-" + name().toLowerCase(java.util.Locale.ROOT);
+      return "-" + name().toLowerCase(java.util.Locale.ROOT).replace('_', '-');
     }
 
     /** Returns the part's name on the page. */
@@ -70,7 +72,7 @@ public record TimeShares(Map<Part, Double> parts, double tolerance) {
       Model proxy = watched.proxy();
       // Wall-clock time, as of the parts: to ask for processor time in every call would cost more.
       long started = System.nanoTime();
-      runner.run(candidate, proxy, tolerance, 0, limitSeconds);
+      runner.run(candidate, proxy, watched.control(started), tolerance, 1, limitSeconds);
       seconds = (System.nanoTime() - started) * 1e-9;
     }
     return new TimeShares(watched.shares(seconds), tolerance);
@@ -81,6 +83,7 @@ public record TimeShares(Map<Part, Double> parts, double tolerance) {
     private final Map<Part, Long> nanos = new EnumMap<>(Part.class);
     private long calls;
     private int depth;
+    private boolean underWay;
 
     Watched(Model model) {
       this.model = model;
@@ -97,6 +100,21 @@ public record TimeShares(Map<Part, Double> parts, double tolerance) {
               Model.class.getClassLoader(),
               interfaces.toArray(Class<?>[]::new),
               (self, method, arguments) -> call(method, arguments));
+    }
+
+    /** What comes before the first step is start-up, whatever is called in it. */
+    RunControl control(long began) {
+      return new RunControl() {
+        @Override
+        public boolean proceed(double time, double stepSize, int order, long steps) {
+          if (!underWay) {
+            underWay = true;
+            nanos.clear();
+            nanos.put(Part.START_UP, System.nanoTime() - began);
+          }
+          return super.proceed(time, stepSize, order, steps);
+        }
+      };
     }
 
     private static void collect(Class<?> type, Set<Class<?>> into) {

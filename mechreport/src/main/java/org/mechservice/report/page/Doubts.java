@@ -27,27 +27,51 @@ public final class Doubts {
   public static List<String> of(SceneFindings found) {
     List<String> doubts = new ArrayList<>();
     if (found.judge().doubtful()) {
-      List<String> said = found.judge().said();
-      doubts.add(said.get(said.size() - 1));
+      doubts.add(found.judge().doubt());
     }
-    for (Method method : found.methods()) {
+    List<Method> straying =
+        found.methods().stream()
+            .filter(method -> !converges(found.pointsOf(method.name()), found.floor()))
+            .toList();
+    if (straying.size() > 1 && straying.size() == found.methods().size()) {
+      return allStray(doubts, found);
+    }
+    for (Method method : straying) {
       List<Point> points = found.pointsOf(method.name());
-      if (!converges(points, found.floor())) {
-        Point first = firstCompleted(points);
-        Point last = lastCompleted(points);
-        doubts.add(
-            method.name()
-                + " does not converge: from tolerance "
-                + Html.tolerance(first.tolerance())
-                + " to "
-                + Html.tolerance(last.tolerance())
-                + " its error goes from "
-                + Html.error(first.error())
-                + " to "
-                + Html.error(last.error())
-                + ".");
-      }
+      Point first = firstCompleted(points);
+      Point last = lastCompleted(points);
+      doubts.add(
+          method.name()
+              + " does not converge: from tolerance "
+              + Html.tolerance(first.tolerance())
+              + " to "
+              + Html.tolerance(last.tolerance())
+              + " its error goes from "
+              + Html.error(first.error())
+              + " to "
+              + Html.error(last.error())
+              + ".");
     }
+    return doubts;
+  }
+
+  /** Methods that all miss the reference speak against the reference. */
+  private static List<String> allStray(List<String> doubts, SceneFindings found) {
+    double least = Double.POSITIVE_INFINITY;
+    double most = 0;
+    for (Method method : found.methods()) {
+      double error = lastCompleted(found.pointsOf(method.name())).error();
+      least = Math.min(least, error);
+      most = Math.max(most, error);
+    }
+    doubts.add(
+        "No method converges to the reference: at their tightest tolerances all "
+            + found.methods().size()
+            + " stay "
+            + Html.error(least)
+            + " to "
+            + Html.error(most)
+            + " away. Reference and model do not belong together.");
     return doubts;
   }
 

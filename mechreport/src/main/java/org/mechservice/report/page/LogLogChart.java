@@ -24,8 +24,16 @@ final class LogLogChart {
    * @param label written beside it; may be empty
    * @param hover shown when pointed at
    * @param grey whether it means nothing
+   * @param low lower end of its spread along x
+   * @param high upper end
    */
-  record Mark(double x, double y, String label, String hover, boolean grey) {}
+  record Mark(
+      double x, double y, String label, String hover, boolean grey, double low, double high) {
+    /** A point without a spread. */
+    Mark(double x, double y, String label, String hover, boolean grey) {
+      this(x, y, label, hover, grey, x, x);
+    }
+  }
 
   /**
    * A curve.
@@ -253,6 +261,9 @@ final class LogLogChart {
   private void point(StringBuilder svg, CurveStyle style, Mark mark) {
     double x = px(mark.x());
     double y = py(mark.y());
+    if (px(mark.high()) - px(mark.low()) > MARK) {
+      line(svg, "spread", px(mark.low()), y, px(mark.high()), y);
+    }
     svg.append("<path class=\"mark").append(mark.grey() ? " grey" : "").append("\" d=\"");
     svg.append(style.outline(x, y, MARK));
     svg.append("\" data-t=\"").append(Html.escape(mark.hover())).append("\"/>");

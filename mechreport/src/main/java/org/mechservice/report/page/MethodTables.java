@@ -160,28 +160,31 @@ final class MethodTables {
     boolean energy =
         found.points().stream().anyMatch(point -> !Double.isNaN(point.first().energyDrift()));
     boolean implicit = found.points().stream().anyMatch(point -> point.first().jacobians() > 0);
+    boolean loops =
+        found.points().stream().anyMatch(point -> !Double.isNaN(point.first().errors().residual()));
     StringBuilder html = new StringBuilder();
     html.append("<details><summary>All points</summary><div class=\"wide\"><table>");
     html.append("<tr><th>method<th>asked<th>error<th>÷ asked<th>at the end<th>positions");
-    html.append("<th>velocities").append(energy ? "<th>energy drift" : "");
+    html.append("<th>velocities").append(loops ? "<th>multipliers<th>loops open, m" : "");
+    html.append(energy ? "<th>energy drift" : "");
     html.append("<th>steps<th>rejected<th>evaluations");
     html.append(implicit ? "<th>Jacobians<th>factorisations" : "");
     html.append("<th>time<th>quartiles<th>runs<th>allocated");
     for (Method method : found.methods()) {
       for (Point point : found.pointsOf(method.name())) {
         html.append("\n<tr>").append(name(method));
-        html.append(row(point, energy, implicit));
+        html.append(row(point, loops, energy, implicit));
       }
     }
     return html.append("</table></div></details>").toString();
   }
 
-  private String row(Point point, boolean energy, boolean implicit) {
+  private String row(Point point, boolean loops, boolean energy, boolean implicit) {
     var run = point.first();
     StringBuilder row = new StringBuilder();
     row.append("<td>").append(Html.tolerance(point.tolerance()));
     if (!point.completed()) {
-      int columns = 12 + (energy ? 1 : 0) + (implicit ? 2 : 0);
+      int columns = 12 + (loops ? 2 : 0) + (energy ? 1 : 0) + (implicit ? 2 : 0);
       return row.append("<td class=\"text failed\" colspan=\"")
           .append(columns)
           .append("\">")
@@ -196,6 +199,10 @@ final class MethodTables {
     row.append("<td>").append(Html.error(run.errors().atEnd()));
     row.append("<td>").append(Html.error(run.errors().ofPositions()));
     row.append("<td>").append(Html.error(run.errors().ofVelocities()));
+    if (loops) {
+      row.append("<td>").append(Html.error(run.errors().ofMultipliers()));
+      row.append("<td>").append(Html.error(run.errors().residual()));
+    }
     if (energy) {
       row.append("<td>").append(Html.error(run.energyDrift()));
     }

@@ -28,6 +28,16 @@ public final class PageFrame {
         + "</script></body></html>\n";
   }
 
+  /** Returns a diagram as a file of its own, with the colours of the pages. */
+  static String svg(String diagram) {
+    return diagram.replaceFirst(
+        "<svg class=\"chart\"([^>]*)>",
+        java.util.regex.Matcher.quoteReplacement("<svg xmlns=\"http://www.w3.org/2000/svg\"")
+            + "$1 class=\"chart\"><style>"
+            + java.util.regex.Matcher.quoteReplacement(resource("page.css"))
+            + "</style><rect width=\"100%\" height=\"100%\" style=\"fill:var(--page)\"/>");
+  }
+
   /** Returns a text with what HTML would take for markup escaped. */
   public static String escaped(String text) {
     return Html.escape(text);

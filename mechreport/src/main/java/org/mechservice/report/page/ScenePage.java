@@ -46,6 +46,7 @@ public final class ScenePage {
       failures();
     }
     spectrum();
+    add(new LimitsTable(found).html());
     if (!found.points().isEmpty()) {
       add(new MethodTables(found, styles).points());
     }
@@ -92,18 +93,32 @@ public final class ScenePage {
   private void diagrams() {
     add("<section><h2>Error against run time</h2>");
     add(legend());
-    add(chart("run time, s (processor, median)", Point::seconds));
+    add(
+        "<p class=\"note\">The number at a point is the exponent of the tolerance asked for; the"
+            + " line through it spans the quartiles of its times where that is wider than the mark."
+            + "</p>");
+    add(timeChart());
     add("<h2>Error against evaluations</h2>");
     add(
         chart(
             "evaluations of right-hand side or residual",
-            point -> (double) point.first().evaluations()));
+            point -> (double) point.first().evaluations(),
+            false));
     add("<h2>Error achieved against tolerance asked for</h2>");
     add(
         "<p class=\"note\">On the line the error is the tolerance; between the dotted lines (0.01"
             + " to 100) the tolerance is honest.</p>");
     add(honesty());
     add("</section>");
+  }
+
+  private String timeChart() {
+    return chart("run time, s (processor, median)", Point::seconds, true);
+  }
+
+  /** Returns the diagram of error over run time as an SVG file of its own. */
+  public static String diagram(SceneFindings found) {
+    return PageFrame.svg(new ScenePage(found).timeChart());
   }
 
   private String legend() {
@@ -126,15 +141,15 @@ public final class ScenePage {
     return legend.append("</p>").toString();
   }
 
-  private String chart(String xTitle, ToDoubleFunction<Point> x) {
+  private String chart(String xTitle, ToDoubleFunction<Point> x, boolean timed) {
     LogLogChart chart = new LogLogChart(xTitle, "largest error over time").floor(found.floor());
     for (Method method : found.methods()) {
-      chart.add(curve(method, x));
+      chart.add(curve(method, x, timed));
     }
     return chart.svg();
   }
 
-  private LogLogChart.Curve curve(Method method, ToDoubleFunction<Point> x) {
+  private LogLogChart.Curve curve(Method method, ToDoubleFunction<Point> x, boolean timed) {
     List<LogLogChart.Mark> marks = new ArrayList<>();
     List<LogLogChart.Mark> failures = new ArrayList<>();
     for (Point point : found.pointsOf(method.name())) {
@@ -147,7 +162,9 @@ public final class ScenePage {
                 Math.max(point.error(), 1e-17),
                 label(point),
                 hover(method, point),
-                point.error() <= found.floor()));
+                point.error() <= found.floor(),
+                timed ? point.lowSeconds() : x.applyAsDouble(point),
+                timed ? point.highSeconds() : x.applyAsDouble(point)));
       }
     }
     return new LogLogChart.Curve(styles.of(method), marks, failures);

@@ -114,7 +114,7 @@ public final class StabilityReport {
       ExtremeCase wanted, List<Candidate> candidates, ExplicitModel model, StateDistance distance) {
     RunGrid grid = wholeRun(model);
     if (wanted.judge() != ExtremeCase.JudgedBy.REFERENCE) {
-      return new Judge(Optional.empty(), grid, List.of(), false);
+      return new Judge(Optional.empty(), grid, List.of(), "");
     }
     Map<String, ReferenceMaker.Source> sources = new LinkedHashMap<>();
     for (Candidate candidate : candidates) {

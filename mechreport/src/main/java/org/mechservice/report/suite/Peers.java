@@ -16,7 +16,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** SciPy's integrators on the same problems, where Python and SciPy are installed. */
+/**
+ * Integrators of SciPy and SUNDIALS on the same problems, where Python has them. Its equations are
+ * evaluated in Python, so only their number is comparable, not the time.
+ */
 final class Peers {
   private static final String SCRIPT = "/org/mechservice/report/suite/peers.py";
 
@@ -92,6 +95,7 @@ final class Peers {
             Double.parseDouble(fields[3]),
             Long.parseLong(fields[4]),
             Long.parseLong(fields[5]),
+            Double.NaN,
             ""));
   }
 

@@ -20,6 +20,7 @@ import org.mechservice.orb.Role;
  *   ca/        the authority; its key signs all others and is needed to make more, nowhere else
  *   server/    a folder per identity, which is all that a process needs: --tls keys/server
  *   client/
+ *   monitor/
  *   admin/
  * </pre>
  *

@@ -15,6 +15,7 @@ import org.mechservice.sim.build.dynamics.EnergyEquations;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.build.dynamics.PoseEquations;
 import org.mechservice.sim.build.dynamics.PowerEquations;
+import org.mechservice.sim.build.dynamics.ResidualDerivatives;
 import org.mechservice.sim.build.dynamics.ResidualEquations;
 import org.mechservice.sim.build.emit.AnalysisTask;
 import org.mechservice.sim.build.emit.CompactClass;
@@ -141,8 +142,12 @@ public final class ModelFactory {
             ? CompositeInertiaEquations.derive(links)
             : ArticulatedBodyEquations.derive(links);
     Optional<Program> residual =
-        choice.formulation().equals("RR")
+        choice.formulation().startsWith("RR")
             ? Optional.of(ResidualEquations.derive(links))
+            : Optional.empty();
+    Optional<ResidualDerivatives.Derived> derivatives =
+        choice.formulation().equals("RR-JF")
+            ? Optional.of(ResidualDerivatives.derive(links))
             : Optional.empty();
     List<Omission> leftOut = LeftOut.of(scene, links, options, derivative);
     ModelClass written =
@@ -151,13 +156,14 @@ public final class ModelFactory {
             description(mechanism, choice, options),
             derivative,
             residual,
+            derivatives,
             EnergyEquations.derive(links),
             options.columns().contains(ColumnGroup.BODIES)
                 ? Optional.of(PoseEquations.derive(links))
                 : Optional.empty(),
             PowerEquations.power(links),
             forceValues(links, options),
-            notes(choice, derivative, residual, leftOut));
+            notes(choice, derivative, residual, derivatives, leftOut));
     Set<ColumnGroup> further = DataColumns.of(model, options, true);
     return new GeneratedModel(
         ModelPlan.of(written),
@@ -193,6 +199,7 @@ public final class ModelFactory {
       FormulationChoice choice,
       Program derivative,
       Optional<Program> residual,
+      Optional<ResidualDerivatives.Derived> derivatives,
       List<Omission> leftOut) {
     List<String> notes = new ArrayList<>();
     notes.add("Formulation " + choice.formulation() + " (" + choice.reason() + ").");
@@ -200,6 +207,8 @@ public final class ModelFactory {
         derivative.operationCount()
             + " additions, multiplications and divisions give the derivative of the state.");
     residual.ifPresent(program -> notes.add(program.operationCount() + " give the residual."));
+    derivatives.ifPresent(
+        derived -> notes.add(derived.program().operationCount() + " give its derivatives."));
     StringBuilder list = new StringBuilder("Left out:");
     String separator = " ";
     for (Omission omission : leftOut) {
@@ -259,8 +268,8 @@ public final class ModelFactory {
     return ModelJars.standalone(model, mechmlSha256);
   }
 
-  /** Returns the solver, packed once per process. */
+  /** Returns the solver of this process, packed. */
   public static PackedJar runtimeJar() {
-    return RuntimeJar.packed();
+    return RuntimeJar.current().jar();
   }
 }

@@ -26,13 +26,11 @@ final class ModelJars {
   static PackedJar model(CompiledModel model, String mechmlSha256) {
     Map<String, String> manifest = manifest(model, mechmlSha256);
     ReproducibleJar jar = new ReproducibleJar(manifest).addClasses(model.classFiles());
-    ReachableClasses.from(model.classFiles(), SolverFiles.lean())
-        .forEach(
-            (path, classFile) -> {
-              if (!RuntimeJar.has(path)) {
-                jar.add(path, classFile);
-              }
-            });
+    RuntimeJar runtime = RuntimeJar.current();
+    // What the runtime JAR has reaches nothing beyond it.
+    ReachableClasses.from(
+            model.classFiles(), path -> runtime.has(path) ? null : SolverFiles.lean(path))
+        .forEach(jar::add);
     return packed(model, mechmlSha256, jar, "", model.generated().className(), manifest);
   }
 
@@ -44,10 +42,10 @@ final class ModelJars {
     String launcher = Launcher.class.getName();
     manifest.put("Main-Class", launcher);
     manifest.putAll(manifest(model, mechmlSha256));
-    SortedMap<String, byte[]> solver = ReachableClasses.from(own, SolverFiles.lean());
+    SortedMap<String, byte[]> solver = ReachableClasses.from(own, SolverFiles::lean);
     ReproducibleJar jar = new ReproducibleJar(manifest).addClasses(own);
     String launcherFile = launcher.replace('.', '/') + ".class";
-    jar.add(launcherFile, Objects.requireNonNull(SolverFiles.lean().get(launcherFile)));
+    jar.add(launcherFile, Objects.requireNonNull(SolverFiles.lean(launcherFile)));
     jar.add(Launcher.SOLVER, SolidClasses.of(mainClass, solver));
     return packed(model, mechmlSha256, jar, "-standalone", launcher, manifest);
   }

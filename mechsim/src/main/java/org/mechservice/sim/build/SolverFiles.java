@@ -3,6 +3,7 @@ package org.mechservice.sim.build;
 import java.util.Collections;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 import org.mechservice.sim.build.jar.LeanClass;
 import org.mechservice.sim.build.javac.SolverClasses;
 
@@ -20,11 +21,19 @@ final class SolverFiles {
     return Holder.LEAN;
   }
 
+  /** Returns one of the files, or null if there is no such file. */
+  static byte @Nullable [] lean(String path) {
+    byte[] file = SolverClasses.files().get(path);
+    return file == null ? null : lean(path, file);
+  }
+
   private static SortedMap<String, byte[]> makeLean() {
     SortedMap<String, byte[]> lean = new TreeMap<>();
-    SolverClasses.files()
-        .forEach(
-            (path, bytes) -> lean.put(path, path.endsWith(".class") ? LeanClass.of(bytes) : bytes));
+    SolverClasses.files().forEach((path, file) -> lean.put(path, lean(path, file)));
     return Collections.unmodifiableSortedMap(lean);
+  }
+
+  private static byte[] lean(String path, byte[] file) {
+    return path.endsWith(".class") ? LeanClass.of(file) : file;
   }
 }

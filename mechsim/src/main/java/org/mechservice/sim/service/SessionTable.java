@@ -25,6 +25,7 @@ import org.mechservice.idl.MechSimPOATie;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.SimDetail;
+import org.mechservice.idl.SimEvent;
 import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.ActiveObject;
@@ -55,6 +56,7 @@ public final class SessionTable implements AutoCloseable {
   private final Map<String, Entry> sessions = new ConcurrentHashMap<>();
   private final Admission admission;
   private final AtomicLong opened = new AtomicLong();
+  private final CheckReports checkReports = new CheckReports();
 
   /**
    * Opens a table, with the runs an earlier process has left in the folder.
@@ -237,11 +239,15 @@ public final class SessionTable implements AutoCloseable {
       for (SimulationRun run : session.runs()) {
         if (run.simId().equals(simId)) {
           long leaseEnd = System.currentTimeMillis() + session.leaseLeftMillis();
-          return Optional.of(RunDetail.of(run.afterwards(), leaseEnd, session.events().of(simId)));
+          return Optional.of(detail(run.afterwards(), leaseEnd, session.events().of(simId)));
         }
       }
     }
-    return host.store().known(simId).map(run -> RunDetail.of(run, 0, List.of()));
+    return host.store().known(simId).map(run -> detail(run, 0, List.of()));
+  }
+
+  private SimDetail detail(EndedRun run, long until, List<SimEvent> events) {
+    return RunDetail.of(run, until, checkReports.of(run.identity()), events);
   }
 
   /**
@@ -277,6 +283,7 @@ public final class SessionTable implements AutoCloseable {
   private void tick() {
     try {
       HostLimits limits = host.limits().now();
+      host.orb().allowConnections(limits.connectionsAtAll());
       for (Session session : allSessions()) {
         if (session.leaseLeftMillis() < 0) {
           expire(session, "was not renewed and has ended");

@@ -159,6 +159,11 @@ class ModelJarsTest {
     return Objects.requireNonNull(entries(ModelFactory.runtimeJar()).get(PackedClasses.ENTRY));
   }
 
+  /** Unpacks the classes of a runtime JAR. */
+  static SortedMap<String, byte[]> classesOf(PackedJar runtime) throws IOException {
+    return PackedClasses.unpack(Objects.requireNonNull(entries(runtime).get(PackedClasses.ENTRY)));
+  }
+
   /** Written anew, a class has its constants in the order of their use: then bytes can be equal. */
   @Test
   void packingLeavesTheSolversCodeAsItIs() throws IOException {

@@ -331,6 +331,19 @@ final class Completion {
     return others;
   }
 
+  /**
+   * Takes note of a state to which an event has led; the choice of coordinates stays.
+   *
+   * @param closed whether the loops are closed there
+   */
+  void jumped(double t, double[] y, boolean closed) {
+    differentiate(t, y);
+    loops.move(motion, t);
+    remember(y);
+    ofVelocities.chooseBetter(loops.jacobian, loops.width(), Double.POSITIVE_INFINITY);
+    watch.jumped(t, closed);
+  }
+
   private static boolean renew(Partition partition, double[] matrix, int stride) {
     double pivot = partition.smallestPivot(matrix, stride);
     return partition.chooseBetter(matrix, stride, BETTER * pivot);

@@ -21,7 +21,7 @@ import org.mechservice.solver.linear.LinearSolver;
  */
 public final class LinearisedProjectionModel extends ResidualProjectionModel
     implements LinearisedModel {
-  private final ResidualJacobian jacobian;
+  final ResidualJacobian jacobian;
   private final TreeIteration iteration;
 
   /** Choices, J and position equations at the state of the last linearisation. */
@@ -32,11 +32,16 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
   private final double[] loopJacobian;
   private final double[] positionMatrix;
 
-  private final double[] lambda;
+  /** λ at the state of the last linearisation. */
+  final double[] lambda;
+
   private final double[] wrench;
   private final double[] tau;
   private final double[] full;
-  private final double[] reduced;
+
+  /** The matrix of an implicit step, f × f. */
+  final double[] reduced;
+
   private final double[] right;
   private final double[] carried;
   private final double[] dependent;

@@ -1,6 +1,7 @@
 package org.mechservice.solver.closure;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -12,6 +13,7 @@ import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.api.StateJumps;
 import org.mechservice.solver.closure.LoopFinding.Kind;
 import org.mechservice.solver.dynamics.WorldMotion;
 import org.mechservice.solver.force.UserForceSource;
@@ -19,7 +21,7 @@ import org.mechservice.solver.mechanism.Body;
 
 /** What models of closed loops have in common. */
 abstract class LoopModel
-    implements ExplicitModel, Energies, PowerInput, BodyPoses, Defects, RunNotes {
+    implements ExplicitModel, Energies, PowerInput, BodyPoses, Defects, RunNotes, StateJumps {
   /** Notes kept at most of a kind; a wheel that turns for long makes many. */
   private static final int MOST_NOTES = 50;
 
@@ -30,6 +32,7 @@ abstract class LoopModel
   private final Map<Kind, Integer> noted = new EnumMap<>(Kind.class);
   private final double[] derivative;
   private Optional<Reactions> reactions = Optional.empty();
+  private Optional<LoopProjection> afterJumps = Optional.empty();
   private Optional<Defect> defect = Optional.empty();
 
   LoopModel(ClosedMechanism closed, UserForceSource userForces) {
@@ -91,6 +94,23 @@ abstract class LoopModel
   public final Defect lastDefect() {
     return defect.orElseThrow(() -> new IllegalStateException("no evaluation has failed"));
   }
+
+  @Override
+  public final boolean jump(double t, double[] y, boolean[] set) {
+    boolean[] positionSet = new boolean[work.nv];
+    work.coordinates.velocitiesOf(set, positionSet);
+    boolean[] velocitySet = Arrays.copyOfRange(set, work.nq, work.nq + work.nv);
+    if (afterJumps.isEmpty()) {
+      afterJumps = Optional.of(LoopProjection.holding(work));
+    }
+    boolean closed = afterJumps.get().jump(t, y, positionSet, velocitySet);
+    work.place(t, y);
+    jumped(t, y, closed);
+    return closed;
+  }
+
+  /** Takes note of a state after a jump, at which the work is placed, and of whether it closes. */
+  abstract void jumped(double t, double[] y, boolean closed);
 
   /**
    * Evaluates multipliers and reactions.

@@ -1,11 +1,12 @@
 package org.mechservice.solver.closure;
 
+import java.util.Arrays;
 import org.mechservice.solver.linear.Cholesky;
 
 /**
  * Moves positions and velocities onto the loops by the least change in the metric of the mass
- * matrix (NUMERICS §3): what an impulse along the constraints does to velocities. Workspace of one
- * thread.
+ * matrix (NUMERICS §3): what an impulse along the constraints does to velocities. Coordinates may
+ * be held meanwhile, each by an equation of its own. Workspace of one thread.
  */
 final class LoopProjection {
   /** Residual over its size, or rate over the speed, below which a state is left alone. */
@@ -15,6 +16,12 @@ final class LoopProjection {
   private static final double NEARLY = 1e-11;
 
   private static final int ITERATIONS = 12;
+
+  /** The same from wherever an event has left the positions. */
+  private static final int ITERATIONS_AFTER_JUMP = 60;
+
+  /** No coordinate moves further in one of them, rad or lengths of the mechanism. */
+  private static final double LONGEST_STEP = 0.4;
 
   /** Beyond half a radian the positions found may be those of another assembly. */
   private static final double TOO_FAR = 0.5;
@@ -29,19 +36,34 @@ final class LoopProjection {
   private final PenaltySettings settings;
   private final AugmentedEquations equations;
   private final double[] rows;
+
+  /** Velocities that must not change, if any can be held. */
+  private final boolean[] held;
+
   private final double[] none;
   private final double[] offset;
   private final double[] change;
 
   LoopProjection(ClosedTree work, PenaltySettings settings) {
+    this(work, settings, false);
+  }
+
+  /** Returns one that can hold coordinates. */
+  static LoopProjection holding(ClosedTree work) {
+    return new LoopProjection(work, PenaltySettings.DEFAULT, true);
+  }
+
+  private LoopProjection(ClosedTree work, PenaltySettings settings, boolean holds) {
     this.work = work;
     this.settings = settings;
+    held = new boolean[holds ? work.nv : 0];
+    int count = work.loops.count() + held.length;
     equations =
         new AugmentedEquations(
-            work.loops.count(), work.nv, AugmentedEquations.Factors.of(new Cholesky(work.nv)));
-    rows = new double[work.loops.count() * work.nv];
+            count, work.nv, AugmentedEquations.Factors.of(new Cholesky(work.nv)));
+    rows = new double[count * work.nv];
     none = new double[work.nv];
-    offset = new double[work.loops.count()];
+    offset = new double[count];
     change = new double[work.nv];
   }
 
@@ -54,6 +76,9 @@ final class LoopProjection {
   int factor() {
     work.formMass();
     work.loops.scaledRows(rows, work.nv);
+    for (int k = 0; k < held.length; k++) {
+      rows[(work.loops.count() + k) * work.nv + k] = held[k] ? 1 / work.units.velocities[k] : 0;
+    }
     return equations.factor(work.mass, rows, settings.stiffness() * largestInertia());
   }
 
@@ -70,6 +95,46 @@ final class LoopProjection {
   /** Moves positions, then velocities; returns whether both obey the loops. */
   boolean project(double t, double[] y) {
     return projectPositions(t, y) && projectVelocities(t, y, OTHER_BRANCH);
+  }
+
+  /**
+   * Closes the loops after a jump: first with some velocities and their positions held, then, for
+   * what that has left, with all free.
+   *
+   * @param positionSet velocities whose positions are held
+   * @param velocitySet velocities that are held
+   * @return whether the state obeys the loops
+   */
+  boolean jump(double t, double[] y, boolean[] positionSet, boolean[] velocitySet) {
+    System.arraycopy(positionSet, 0, held, 0, held.length);
+    closePositions(t, y);
+    System.arraycopy(velocitySet, 0, held, 0, held.length);
+    projectVelocities(t, y, Double.POSITIVE_INFINITY);
+    Arrays.fill(held, false);
+    return closePositions(t, y) && projectVelocities(t, y, Double.POSITIVE_INFINITY);
+  }
+
+  /** Newton's method in steps of limited length. */
+  private boolean closePositions(double t, double[] y) {
+    double before = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < ITERATIONS_AFTER_JUMP; i++) {
+      work.place(t, y);
+      double residual = work.loops.largestResidual();
+      if (residual <= CLOSED || (residual <= NEARLY && residual > 0.5 * before)) {
+        return true;
+      }
+      if (factor() >= 0) {
+        return false;
+      }
+      before = residual;
+      solve(work.loops.value);
+      double largest = largestChange();
+      if (!Double.isFinite(largest)) {
+        return false;
+      }
+      work.coordinates.move(y, 0, change, 0, Math.min(1, LONGEST_STEP / largest));
+    }
+    return false;
   }
 
   private boolean projectPositions(double t, double[] y) {
@@ -125,7 +190,7 @@ final class LoopProjection {
   }
 
   private void solve(double[] residual) {
-    for (int row = 0; row < offset.length; row++) {
+    for (int row = 0; row < work.loops.count(); row++) {
       offset[row] = residual[row] / work.loops.size(row);
     }
     equations.solve(none, offset, change, 0);

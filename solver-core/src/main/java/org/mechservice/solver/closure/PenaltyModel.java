@@ -98,6 +98,12 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
   }
 
   @Override
+  final void jumped(double t, double[] y, boolean closed) {
+    partition.choose(work.loops.jacobian, work.loops.width());
+    watch.jumped(t, closed);
+  }
+
+  @Override
   public final Optional<Defect> obstacle() {
     return watch.obstacle();
   }

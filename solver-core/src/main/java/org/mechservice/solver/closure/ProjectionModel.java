@@ -58,6 +58,11 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
     return other;
   }
 
+  @Override
+  final void jumped(double t, double[] y, boolean closed) {
+    completion.jumped(t, y, closed);
+  }
+
   private String independentNames() {
     List<Variable> states = description().states();
     return IntStream.range(0, states.size())

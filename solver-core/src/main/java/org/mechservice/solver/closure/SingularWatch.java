@@ -124,6 +124,19 @@ final class SingularWatch {
     return rowBefore;
   }
 
+  /**
+   * Takes a state to which an event has led, where the loops are placed and in which the partition
+   * has looked for a choice: what lies between it and the last one was not passed.
+   *
+   * @param closed whether the loops are closed there
+   */
+  void jumped(double t, boolean closed) {
+    tried(closed);
+    largest = Math.max(largest, partition.bestPivot());
+    keep(t, partition.bestPivot() / largest);
+    report();
+  }
+
   /** Takes note of an accepted state, at which the partition looked for a better choice. */
   void accepted(double t) {
     largest = Math.max(largest, partition.bestPivot());

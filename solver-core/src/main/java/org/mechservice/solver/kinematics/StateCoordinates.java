@@ -1,6 +1,9 @@
 package org.mechservice.solver.kinematics;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.spatial.EulerParameters;
 
@@ -19,28 +22,39 @@ public final class StateCoordinates {
 
   /** Reads the layout of a mechanism's state. */
   public StateCoordinates(Mechanism mechanism) {
-    velocityCount = mechanism.velocityCount();
-    velocityOfPosition = new int[mechanism.positionCount()];
+    this(
+        IntStream.range(0, mechanism.joints().size())
+            .filter(j -> !mechanism.isDriven(j))
+            .mapToObj(j -> mechanism.joints().get(j).type())
+            .toList());
+  }
+
+  /**
+   * Lays out a state.
+   *
+   * @param types of the joints that have states, in their order
+   */
+  public StateCoordinates(List<JointType> types) {
+    velocityOfPosition = new int[types.stream().mapToInt(JointType::positionCount).sum()];
     int balls = 0;
-    int[] positions = new int[mechanism.joints().size()];
-    int[] velocities = new int[positions.length];
-    for (int j = 0; j < positions.length; j++) {
-      if (mechanism.isDriven(j)) {
-        continue;
+    int[] positions = new int[types.size()];
+    int[] velocities = new int[types.size()];
+    int position = 0;
+    int velocity = 0;
+    for (JointType type : types) {
+      int end = position + type.positionCount();
+      if (type.hasEulerParameters()) {
+        positions[balls] = position;
+        velocities[balls++] = velocity;
+        Arrays.fill(velocityOfPosition, position, position + 4, -1);
+        position += 4;
+        velocity += 3;
       }
-      int at = mechanism.positionOffset(j);
-      int first = 0;
-      if (mechanism.joints().get(j).type().hasEulerParameters()) {
-        positions[balls] = at;
-        velocities[balls++] = mechanism.velocityOffset(j);
-        first = 4;
-        Arrays.fill(velocityOfPosition, at, at + first, -1);
-      }
-      int surplus = first == 0 ? 0 : 1;
-      for (int i = first; i < mechanism.joints().get(j).type().positionCount(); i++) {
-        velocityOfPosition[at + i] = mechanism.velocityOffset(j) + i - surplus;
+      while (position < end) {
+        velocityOfPosition[position++] = velocity++;
       }
     }
+    velocityCount = velocity;
     ballPosition = Arrays.copyOf(positions, balls);
     ballVelocity = Arrays.copyOf(velocities, balls);
   }
@@ -58,6 +72,28 @@ public final class StateCoordinates {
   /** Returns the velocity that is the rate of a position, or -1 for an Euler parameter. */
   public int velocityOf(int position) {
     return velocityOfPosition[position];
+  }
+
+  /**
+   * Marks the velocities whose positions are marked: all three of a set of Euler parameters if one
+   * of the four is.
+   *
+   * @param positions the first nq count; not modified
+   * @param velocities nv; overwritten
+   */
+  public void velocitiesOf(boolean[] positions, boolean[] velocities) {
+    for (int i = 0; i < velocityOfPosition.length; i++) {
+      if (velocityOfPosition[i] >= 0) {
+        velocities[velocityOfPosition[i]] = positions[i];
+      }
+    }
+    for (int b = 0; b < ballPosition.length; b++) {
+      boolean any = false;
+      for (int i = ballPosition[b]; i < ballPosition[b] + 4; i++) {
+        any |= positions[i];
+      }
+      Arrays.fill(velocities, ballVelocity[b], ballVelocity[b] + 3, any);
+    }
   }
 
   /** Returns how many sets of Euler parameters the state holds. */

@@ -9,6 +9,9 @@ public final class PackedClasses {
   /** Name of the entry of a JAR that holds packed classes. */
   public static final String ENTRY = "META-INF/mech.classes";
 
+  /** Attribute of a JAR's manifest: hash of the classes in the form of {@link KeptClasses}. */
+  public static final String KEPT_SHA_256 = "Mech-Classes-SHA-256";
+
   private static final String SUFFIX = ".class";
   private static final int MAJOR_VERSION = 6;
 

@@ -1,10 +1,13 @@
 package org.mechservice.solver.simulation;
 
+import java.util.Locale;
+import java.util.Optional;
 import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.DirectedForces;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.integration.IntegrationFailure;
 
 /** Says in the words of mechanics why a run could not go on. */
@@ -133,20 +136,26 @@ final class FailureText {
   }
 
   /** Explains an event after which no state closes the loops. */
-  static Failure eventOpensLoops(double t, String event) {
+  static Failure eventOpensLoops(double t, String event, Optional<Defects.Defect> why) {
     return atEvent(
         "N-014",
         "The loops cannot be closed after what the event sets.",
         t,
-        event,
+        why.map(defect -> event + ", " + defect.part()).orElse(event),
         "Set values that the mechanism can take.");
   }
 
   /** Explains an event that sets a state which the loops have another value for. */
-  static Failure eventContradictsLoops(double t, String event, String state) {
+  static Failure eventContradictsLoops(
+      double t, String event, String state, double given, double wanted) {
     return atEvent(
         "N-014",
-        "The loops give state \"" + state + "\" another value than the event sets.",
+        String.format(
+            Locale.ROOT,
+            "The loops give state \"%s\" another value, %.6g, than the event sets, %.6g.",
+            state,
+            given,
+            wanted),
         t,
         event,
         "Set as many coordinates as the mechanism has degrees of freedom, to values that fit.");
@@ -154,6 +163,18 @@ final class FailureText {
 
   private static Failure atEvent(String code, String cause, double t, String event, String advice) {
     return new Failure(code, cause, t, 0, 0, event, advice);
+  }
+
+  /** Explains a warning that ends a strict run. */
+  static Failure ofStrict(RunNotes.Note warning) {
+    return new Failure(
+        warning.code(),
+        warning.text(),
+        warning.time(),
+        0,
+        0,
+        "",
+        "The run is strict, so this ends it; leave out --strict to go on all the same.");
   }
 
   /** Repeats what the model itself had to say. */

@@ -13,6 +13,7 @@ import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.ModelState;
 import org.mechservice.solver.api.ProjectedStates;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.StateJumps;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.integration.Integrator;
 import org.mechservice.solver.integration.PiecewiseSystem;
@@ -118,6 +119,17 @@ public abstract class ModelEquations implements UnitGroups, PiecewiseSystem, Sav
       return loops.complete(t, y);
     }
     return !(model instanceof ProjectedStates loops) || loops.project(t, y);
+  }
+
+  /**
+   * Closes the loops after an event.
+   *
+   * @param y unknowns; overwritten
+   * @param set whether the event set each of them; not modified
+   * @return false if the loops cannot be closed
+   */
+  final boolean closeLoopsAfterJump(double t, double[] y, boolean[] set) {
+    return model instanceof StateJumps loops ? loops.jump(t, y, set) : closeLoops(t, y);
   }
 
   /** Takes the times at which the equations jump. */

@@ -1,7 +1,9 @@
 package org.mechservice.solver.simulation;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.Failure;
@@ -29,6 +31,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   private final ModelEquations equations;
   private final String[] names;
   private final double[] wanted;
+  private final boolean[] set;
   private final double[] energy = new double[2];
   private final List<Occurrence> told = new ArrayList<>();
   private final List<Double> dueRows = new ArrayList<>();
@@ -43,10 +46,17 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     this.equations = equations;
     names = events.kinds().stream().map(ModelEvents.Kind::name).toArray(String[]::new);
     wanted = new double[equations.dimension()];
+    set = new boolean[wanted.length];
   }
 
-  /** An event that has happened. */
-  private record Occurrence(int event, double time) {}
+  /**
+   * An event that has happened.
+   *
+   * @param energy by which it has changed the energy, with those at the same time, J; NaN if there
+   *     is nothing to say
+   * @param byLoops the part of that which closing the loops again has changed, J; likewise
+   */
+  private record Occurrence(int event, double time, double energy, double byLoops) {}
 
   @Override
   Integrator watch(Integrator integrator) {
@@ -103,7 +113,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     latest = event;
     count++;
     if (told.size() < MOST_TOLD) {
-      told.add(new Occurrence(event, t));
+      told.add(new Occurrence(event, t, Double.NaN, Double.NaN));
     }
   }
 
@@ -117,17 +127,33 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
       }
     }
     System.arraycopy(y, 0, wanted, 0, y.length);
-    if (!equations.closeLoops(t, y)) {
-      return fail(FailureText.eventOpensLoops(t, part()));
+    double open = energy(t, y);
+    for (int l = 0; l < y.length; l++) {
+      set[l] = isSet(l, occurred);
+    }
+    if (!equations.closeLoopsAfterJump(t, y, set)) {
+      return fail(FailureText.eventOpensLoops(t, part(), equations.obstacle()));
     }
     for (int l = 0; l < y.length; l++) {
       boolean kept = Math.abs(y[l] - wanted[l]) <= KEPT * (1 + Math.abs(wanted[l]));
-      if (!kept && isSet(l, occurred)) {
-        return fail(FailureText.eventContradictsLoops(t, part(), equations.name(l)));
+      if (!kept && set[l]) {
+        return fail(
+            FailureText.eventContradictsLoops(t, part(), equations.name(l), y[l], wanted[l]));
       }
     }
-    work += energy(t, y) - before;
+    double after = energy(t, y);
+    work += after - before;
+    tellEnergy(after - before, Arrays.equals(y, wanted) ? Double.NaN : after - open);
     return true;
+  }
+
+  /** Adds to the event told last what it did to the energy. */
+  private void tellEnergy(double change, double byLoops) {
+    int last = told.size() - 1;
+    if (count == told.size() && equations.model() instanceof Energies) {
+      Occurrence one = told.get(last);
+      told.set(last, new Occurrence(one.event(), one.time(), change, byLoops));
+    }
   }
 
   private boolean isSet(int component, boolean[] occurred) {
@@ -183,7 +209,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   List<Note> notes() {
     List<Note> notes = new ArrayList<>();
     for (Occurrence one : told) {
-      String text = "Event \"" + names[one.event()] + "\"" + what(one.event());
+      String text = "Event \"" + names[one.event()] + "\"" + what(one.event()) + energy(one) + ".";
       notes.add(new Note("N-012", one.time(), false, text));
     }
     if (count > told.size()) {
@@ -196,10 +222,22 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
 
   private String what(int event) {
     return switch (events.kinds().get(event).action()) {
-      case STOP -> " ends the run.";
-      case RECORD -> " is recorded.";
-      case SET -> " changes the state.";
+      case STOP -> " ends the run";
+      case RECORD -> " is recorded";
+      case SET -> " changes the state";
     };
+  }
+
+  private static String energy(Occurrence one) {
+    if (Double.isNaN(one.energy())) {
+      return "";
+    }
+    String change = String.format(Locale.ROOT, "; the energy changes by %.4g J", one.energy());
+    return Double.isNaN(one.byLoops())
+        ? change
+        : change
+            + String.format(
+                Locale.ROOT, ", of that by %.4g J when the loops are closed again", one.byLoops());
   }
 
   @Override
@@ -211,8 +249,13 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     latest = state.integer(latest);
     int size = state.integer(told.size());
     for (int i = 0; i < size; i++) {
-      Occurrence one = i < told.size() ? told.get(i) : new Occurrence(0, 0);
-      Occurrence carried = new Occurrence(state.integer(one.event()), state.number(one.time()));
+      Occurrence one = i < told.size() ? told.get(i) : new Occurrence(0, 0, 0, 0);
+      Occurrence carried =
+          new Occurrence(
+              state.integer(one.event()),
+              state.number(one.time()),
+              state.number(one.energy()),
+              state.number(one.byLoops()));
       if (state.restoring()) {
         told.add(carried);
       }

@@ -74,6 +74,30 @@ final class Evaluation {
     return a;
   }
 
+  /** Solves for a zero of the residual of RR, with its mass matrix by recursion. */
+  double[] byResidual() {
+    int[] noPairs = {};
+    TreePattern pattern = new TreePattern(tree, noPairs);
+    ResidualJacobian jacobian = new ResidualJacobian(motion, pattern);
+    motion.accelerationSweep(new double[nv]);
+    jacobian.evaluate(wrench);
+    jacobian.finish();
+    TreeIteration iteration = new TreeIteration(tree, pattern, jacobian);
+    iteration.setState(y);
+    require(iteration.factor(0));
+    double[] a = new double[nv];
+    double[] change = new double[nq + nv];
+    for (int i = 0; i < 2; i++) {
+      System.arraycopy(residual(a), 0, change, nq, nv);
+      Arrays.fill(change, 0, nq, 0);
+      iteration.solve(change);
+      for (int k = 0; k < nv; k++) {
+        a[k] -= change[nq + k];
+      }
+    }
+    return a;
+  }
+
   private static void require(int singular) {
     if (singular >= 0) {
       throw new IllegalStateException("singular at velocity " + singular);

@@ -9,15 +9,12 @@ import java.util.stream.LongStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.ArrayRealVector;
 import org.apache.commons.math3.linear.LUDecomposition;
-import org.apache.commons.math3.linear.MatrixUtils;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.RealVector;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.mechanism.RandomTrees;
-import org.mechservice.solver.spatial.EulerParameters;
 
 /** The n equations of an implicit step against the 2n they are reduced from. */
 class TreeIterationTest {
@@ -56,93 +53,20 @@ class TreeIterationTest {
     }
 
     private RealMatrix whole(ResidualJacobian jacobian) {
-      int nq = at.nq;
-      int nv = at.nv;
-      RealMatrix a = MatrixUtils.createRealMatrix(Math.max(1, nq + nv), Math.max(1, nq + nv));
-      RealMatrix k = dense(jacobian.byPosition()).multiply(tangentOfPositions());
-      RealMatrix c = dense(jacobian.byVelocity());
-      double[] m = new double[nv * nv];
+      double[] m = new double[at.nv * at.nv];
       jacobian.mass().toDense(m);
-      for (int i = 0; i < nv; i++) {
-        for (int j = 0; j < nq; j++) {
-          a.setEntry(nq + i, j, hGamma * k.getEntry(i, j));
-        }
-        for (int j = 0; j < nv; j++) {
-          a.setEntry(nq + i, nq + j, m[nv * i + j] + hGamma * c.getEntry(i, j));
-        }
-      }
-      RealMatrix g = rates(false);
-      RealMatrix n = rates(true);
-      for (int i = 0; i < nq; i++) {
-        for (int j = 0; j < nq; j++) {
-          a.setEntry(i, j, (i == j ? 1 : 0) - hGamma * g.getEntry(i, j));
-        }
-        for (int j = 0; j < nv; j++) {
-          a.setEntry(i, nq + j, -hGamma * n.getEntry(i, j));
-        }
-      }
-      return a;
+      return new WholeStep(at.coordinates, at.y)
+          .matrix(
+              WholeStep.square(m, at.nv),
+              dense(jacobian.byVelocity()),
+              dense(jacobian.byPosition()),
+              hGamma);
     }
 
     private RealMatrix dense(TreeSquare square) {
       double[] elements = new double[at.nv * at.nv];
       square.toDense(elements);
-      RealMatrix m = MatrixUtils.createRealMatrix(Math.max(1, at.nv), Math.max(1, at.nv));
-      for (int i = 0; i < at.nv; i++) {
-        for (int j = 0; j < at.nv; j++) {
-          m.setEntry(i, j, elements[at.nv * i + j]);
-        }
-      }
-      return m;
-    }
-
-    /** ∂(N v)/∂q, or N: both linear, so columns are images of unit vectors. */
-    private RealMatrix rates(boolean byVelocity) {
-      StateCoordinates coordinates = at.coordinates;
-      int columns = byVelocity ? at.nv : at.nq;
-      RealMatrix m = MatrixUtils.createRealMatrix(Math.max(1, at.nq), Math.max(1, columns));
-      double[] rate = new double[at.nq];
-      double[] unit = new double[columns];
-      for (int j = 0; j < columns; j++) {
-        unit[j] = 1;
-        if (byVelocity) {
-          coordinates.rates(at.y, 0, unit, 0, rate, 0);
-        } else {
-          coordinates.rates(unit, 0, at.y, at.nq, rate, 0);
-        }
-        for (int i = 0; i < at.nq; i++) {
-          boolean ofVelocity = coordinates.velocityOf(i) >= 0;
-          m.setEntry(i, j, ofVelocity && !byVelocity ? 0 : rate[i]);
-        }
-        unit[j] = 0;
-      }
-      return m;
-    }
-
-    /** The small rotation that a change of Euler parameters is: 2 vec(de ∘ e⁻¹). */
-    private RealMatrix tangentOfPositions() {
-      RealMatrix t = MatrixUtils.createRealMatrix(Math.max(1, at.nv), Math.max(1, at.nq));
-      for (int i = 0; i < at.nq; i++) {
-        if (at.coordinates.velocityOf(i) >= 0) {
-          t.setEntry(at.coordinates.velocityOf(i), i, 1);
-        }
-      }
-      for (int ball = 0; ball < at.coordinates.ballCount(); ball++) {
-        int p = at.coordinates.ballPosition(ball);
-        int k = at.coordinates.ballVelocity(ball);
-        double square = Math.pow(EulerParameters.norm(at.y, p), 2);
-        // 4 Nᵀ / |e|², since N has orthogonal columns of length |e| / 2
-        double[] rate = new double[4];
-        for (int c = 0; c < 3; c++) {
-          double[] unit = new double[3];
-          unit[c] = 1;
-          EulerParameters.rate(at.y, p, unit, 0, rate, 0);
-          for (int i = 0; i < 4; i++) {
-            t.setEntry(k + c, p + i, 4 * rate[i] / square);
-          }
-        }
-      }
-      return t;
+      return WholeStep.square(elements, at.nv);
     }
   }
 
@@ -151,17 +75,10 @@ class TreeIterationTest {
   void matrixIsTheSchurComplementOfTheWhole(long seed) {
     for (double hGamma : new double[] {1e-3, 0.1, 2}) {
       Step step = new Step(seed, hGamma);
-      int nq = step.at.nq;
-      int nv = step.at.nv;
-      if (nv == 0) {
+      if (step.at.nv == 0) {
         continue;
       }
-      RealMatrix kqq = step.whole.getSubMatrix(0, nq - 1, 0, nq - 1);
-      RealMatrix kqv = step.whole.getSubMatrix(0, nq - 1, nq, nq + nv - 1);
-      RealMatrix kvq = step.whole.getSubMatrix(nq, nq + nv - 1, 0, nq - 1);
-      RealMatrix kvv = step.whole.getSubMatrix(nq, nq + nv - 1, nq, nq + nv - 1);
-      RealMatrix eliminated = new LUDecomposition(kqq).getSolver().solve(kqv);
-      RealMatrix schur = kvv.subtract(kvq.multiply(eliminated));
+      RealMatrix schur = WholeStep.schurComplement(step.whole, step.at.nq);
       RealMatrix reduced = step.dense(step.iteration.matrix());
       double error = reduced.subtract(schur).getFrobeniusNorm();
       assertThat(error).isLessThanOrEqualTo(1e-12 * schur.getFrobeniusNorm());

@@ -46,6 +46,11 @@ final class AppliedForces {
     this.formulas = new StateFormulas(expressions, mechanism, joints, points, kinematics);
   }
 
+  /** Returns where links are and how they move. */
+  LinkKinematics kinematics() {
+    return kinematics;
+  }
+
   /**
    * Derives the forces, in file order, and what they do.
    *

@@ -130,26 +130,26 @@ public record CompactClass(
   }
 
   private void constructor(ClassWriter file) {
-    MethodVisitor code = begin(file, Opcodes.ACC_PUBLIC, "<init>", NOTHING_TO_VOID);
+    MethodVisitor code = ClassMethods.begin(file, Opcodes.ACC_PUBLIC, "<init>", NOTHING_TO_VOID);
     code.visitVarInsn(Opcodes.ALOAD, 0);
     arguments().forEach(code::visitLdcInsn);
     String texts = ("L" + TEXT + ";").repeat(arguments().size());
     code.visitMethodInsn(
         Opcodes.INVOKESPECIAL, Type.getInternalName(base()), "<init>", "(" + texts + ")V", false);
-    end(code, Opcodes.RETURN);
+    ClassMethods.end(code, Opcodes.RETURN);
   }
 
   private void bare(ClassWriter file) {
-    MethodVisitor code = begin(file, Opcodes.ACC_PROTECTED, "bare", BARE);
+    MethodVisitor code = ClassMethods.begin(file, Opcodes.ACC_PROTECTED, "bare", BARE);
     code.visitTypeInsn(Opcodes.NEW, internal(generated));
     code.visitInsn(Opcodes.DUP);
     code.visitMethodInsn(
         Opcodes.INVOKESPECIAL, internal(generated), "<init>", NOTHING_TO_VOID, false);
-    end(code, Opcodes.ARETURN);
+    ClassMethods.end(code, Opcodes.ARETURN);
   }
 
   private void texts(ClassWriter file) {
-    MethodVisitor code = begin(file, Opcodes.ACC_PROTECTED, "texts", "()" + TEXTS);
+    MethodVisitor code = ClassMethods.begin(file, Opcodes.ACC_PROTECTED, "texts", "()" + TEXTS);
     List<String> texts = model.texts();
     code.visitLdcInsn(texts.size());
     code.visitTypeInsn(Opcodes.ANEWARRAY, TEXT);
@@ -159,18 +159,6 @@ public record CompactClass(
       code.visitLdcInsn(texts.get(i));
       code.visitInsn(Opcodes.AASTORE);
     }
-    end(code, Opcodes.ARETURN);
-  }
-
-  private static MethodVisitor begin(ClassWriter file, int access, String name, String descriptor) {
-    MethodVisitor code = file.visitMethod(access, name, descriptor, null, null);
-    code.visitCode();
-    return code;
-  }
-
-  private static void end(MethodVisitor code, int returnInstruction) {
-    code.visitInsn(returnInstruction);
-    code.visitMaxs(0, 0);
-    code.visitEnd();
+    ClassMethods.end(code, Opcodes.ARETURN);
   }
 }

@@ -45,6 +45,7 @@ final class ModelSource {
             p ->
                 source.line(
                     "private final double[] forces = new double[" + plan.forceCount() + "];"));
+    construct();
     describe();
     method(plan.start(), List.of("Arrays.fill(y, 0.0);"), List.of());
     plan.programs().forEach(part -> method(part, List.of(), List.of()));
@@ -53,6 +54,18 @@ final class ModelSource {
     plan.forces().ifPresent(this::forces);
     plan.directedForces().ifPresent(this::directedForce);
     return source.close().toString();
+  }
+
+  private void construct() {
+    List<String> arguments = plan.base().arguments();
+    if (!arguments.isEmpty()) {
+      source.blank().open("public " + plan.simpleName() + "()");
+      source.line(
+          arguments.stream()
+              .map(JavaText::literal)
+              .collect(Collectors.joining(", ", "super(", ");")));
+      source.close();
+    }
   }
 
   private void header(boolean angles) {
@@ -65,6 +78,9 @@ final class ModelSource {
       imports.add("org.mechservice.solver.spatial.SinCos");
     }
     plan.interfaces().forEach(type -> imports.add(type.getName()));
+    if (plan.base().type() != Object.class) {
+      imports.add(plan.base().type().getName());
+    }
     if (plan.poses().isPresent() || plan.forces().isPresent()) {
       imports.add("java.util.List");
     }
@@ -79,6 +95,9 @@ final class ModelSource {
     source.open(
         "public final class "
             + plan.simpleName()
+            + (plan.base().type() == Object.class
+                ? ""
+                : " extends " + plan.base().type().getSimpleName())
             + " implements "
             + plan.interfaces().stream()
                 .map(Class::getSimpleName)

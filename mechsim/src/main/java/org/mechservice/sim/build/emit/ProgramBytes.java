@@ -39,13 +39,11 @@ final class ProgramBytes {
     Parameters parameters = Parameters.ofInstance(head, className, workspace);
     String descriptor = Parameters.descriptor(head.arguments(), "[D", head.returnsResult());
     MethodVisitor code =
-        classFile.visitMethod(
+        ClassMethods.begin(
+            classFile,
             head.isPublic() ? Opcodes.ACC_PUBLIC : Opcodes.ACC_PRIVATE,
             head.name(),
-            descriptor,
-            null,
-            null);
-    code.visitCode();
+            descriptor);
     if (workspace) {
       code.visitVarInsn(Opcodes.ALOAD, 0);
       code.visitFieldInsn(Opcodes.GETFIELD, className, Parameters.WORKSPACE, "[D");
@@ -160,13 +158,11 @@ final class ProgramBytes {
       MethodPlan part = plan.methods().get(i);
       Parameters parameters = Parameters.ofPart(head, arguments, workspace);
       MethodVisitor code =
-          classFile.visitMethod(
+          ClassMethods.begin(
+              classFile,
               Opcodes.ACC_PRIVATE | Opcodes.ACC_STATIC,
               head.name() + (i + 1),
-              Parameters.descriptor(arguments, partRest(), part.checks()),
-              null,
-              null);
-      code.visitCode();
+              Parameters.descriptor(arguments, partRest(), part.checks()));
       LocalSlots locals = new LocalSlots(part, parameters.end());
       MethodBytes body = new MethodBytes(code, head, parameters, locals);
       StackCode.tell(part, body);

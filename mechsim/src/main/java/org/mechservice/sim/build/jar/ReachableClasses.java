@@ -6,6 +6,8 @@ import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.Type;
 
@@ -15,11 +17,11 @@ public final class ReachableClasses {
   private static final int NAME_AND_TYPE = 12;
   private static final int METHOD_TYPE = 16;
 
-  private final SortedMap<String, byte[]> available;
+  private final Function<String, byte @Nullable []> available;
   private final SortedMap<String, byte[]> reached = new TreeMap<>();
   private final Deque<byte[]> open = new ArrayDeque<>();
 
-  private ReachableClasses(SortedMap<String, byte[]> available) {
+  private ReachableClasses(Function<String, byte @Nullable []> available) {
     this.available = available;
   }
 
@@ -27,11 +29,11 @@ public final class ReachableClasses {
    * Returns the class files reached, by path.
    *
    * @param roots class files to start from, by any name; not among the result
-   * @param available class files by path, such as {@code org/mechservice/solver/api/Model.class};
-   *     not modified
+   * @param available gives the class file of a path, such as {@code
+   *     org/mechservice/solver/api/Model.class}, or null for classes that are not to be reached
    */
   public static SortedMap<String, byte[]> from(
-      SortedMap<String, byte[]> roots, SortedMap<String, byte[]> available) {
+      SortedMap<String, byte[]> roots, Function<String, byte @Nullable []> available) {
     ReachableClasses reachable = new ReachableClasses(available);
     reachable.open.addAll(roots.values());
     while (!reachable.open.isEmpty()) {
@@ -43,8 +45,12 @@ public final class ReachableClasses {
   private void follow(byte[] classFile) {
     for (String name : namesIn(classFile)) {
       String path = name + ".class";
-      byte[] named = available.get(path);
-      if (named != null && reached.putIfAbsent(path, named) == null) {
+      if (reached.containsKey(path)) {
+        continue;
+      }
+      byte[] named = available.apply(path);
+      if (named != null) {
+        reached.put(path, named);
         open.add(named);
       }
     }
