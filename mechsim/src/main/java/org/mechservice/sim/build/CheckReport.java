@@ -112,9 +112,7 @@ public record CheckReport(
 
   /** Returns the number of degrees of freedom: by rank if it is known, else by count. */
   public int degreesOfFreedom() {
-    return loops.isJudged()
-        ? scene.degreesOfFreedom() - loops.independent()
-        : freedomsByCount();
+    return loops.isJudged() ? scene.degreesOfFreedom() - loops.independent() : freedomsByCount();
   }
 
   /** Returns the report for people, lines separated by line feeds. */
