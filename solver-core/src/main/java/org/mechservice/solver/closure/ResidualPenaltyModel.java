@@ -68,6 +68,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   private final double[] ofPosition;
   private final double[] mu;
   private double hGamma;
+  private double regular;
   private int singular;
 
   /**
@@ -253,8 +254,10 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
       }
       largest = Math.max(largest, normal[i * m + i]);
     }
+    // loops between bodies that cannot move have nothing but zeros
+    regular = REGULAR_PART * (largest > 0 ? largest : 1);
     for (int i = 0; i < m; i++) {
-      normal[i * m + i] += REGULAR_PART * largest;
+      normal[i * m + i] += regular;
     }
     singular = 0;
     return m == 0 || gram.factor(normal) < 0;
@@ -272,6 +275,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     }
     System.arraycopy(change, 0, right, 0, n);
     equations.solve(right, ofVelocity, velocity, 0);
+    withoutRepetitions(equations.multipliers);
     System.arraycopy(velocity, 0, change, 0, n);
     correctPositions(change);
     iteration.expand(r);
@@ -294,6 +298,20 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
       for (int row = 0; row < m; row++) {
         mu[row] += lambda[row];
       }
+    }
+    withoutRepetitions(mu);
+  }
+
+  /**
+   * Takes out of multipliers what pushes nothing: G (G + ε)⁻¹ with G = J U² Jᵀ. Predicted states
+   * lie off the loops, where equations that repeat others contradict them by a little; the penalty
+   * would make of that multipliers that grow without bound, and away from the loops they push.
+   */
+  private void withoutRepetitions(double[] multipliers) {
+    System.arraycopy(multipliers, 0, lambda, 0, m);
+    gram.solve(lambda, 0);
+    for (int row = 0; row < m; row++) {
+      multipliers[row] -= regular * lambda[row];
     }
   }
 
