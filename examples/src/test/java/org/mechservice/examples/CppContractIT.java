@@ -72,7 +72,8 @@ class CppContractIT {
       client.awaitThat("the registry", () -> client.stdout().contains("ready"));
       String servers = "127.0.0.1:" + registryPort;
       try (var host =
-          terminal.startMech("simhost", "--server", servers, "--listen", "127.0.0.1:0", "--name", "far")) {
+          terminal.startMech(
+              "simhost", "--server", servers, "--listen", "127.0.0.1:0", "--name", "far")) {
         Terminal.Ended ended = client.awaitEnd().orFail();
         assertThat(host.stdout()).contains("127.0.0.1:");
         assertThat(ended.stdout().lines().filter(line -> line.contains(".")))

@@ -83,6 +83,11 @@ final class SimulateCommand implements Callable<Integer> {
 
   @Mixin private CheckpointOptions checkpoints = new CheckpointOptions();
 
+  @Option(
+      names = "--strict",
+      description = "Take warnings for errors, those of the model's file and those of the run.")
+  private boolean strict;
+
   @Option(names = "--quiet", description = "Print nothing but errors.")
   private boolean quiet;
 
@@ -101,7 +106,7 @@ final class SimulateCommand implements Callable<Integer> {
         Service service = Service.open(server);
         MechSession session = service.connection().openSession(host)) {
       List<ModelMessage> warnings = session.loadModel(model, userCode.folder());
-      if (!quiet) {
+      if (!quiet && !strict) {
         warnings.forEach(warning -> err().println(warning));
       }
       RunNews news = new RunNews();
@@ -125,7 +130,8 @@ final class SimulateCommand implements Callable<Integer> {
     options = relativeTolerance.map(options::relativeTolerance).orElse(options);
     options = absoluteTolerance.map(options::absoluteTolerances).orElse(options);
     options = endTime.map(options::endTime).orElse(options);
-    return outputStep.map(options::outputStep).orElse(options);
+    options = outputStep.map(options::outputStep).orElse(options);
+    return strict ? options.strict() : options;
   }
 
   private int simulate(PreparedRun run, RunNews news, ResultFiles files, CheckpointStore store)

@@ -166,6 +166,8 @@ class HostileBytesTest {
       }
       slowloris(server.port(), slow, valid, () -> assertServes(session, alone));
       note(page, "a byte now and then, or none", slow, server, before);
+      announced(server.port(), slow, () -> assertServes(session, alone));
+      note(page, "large lengths announced at once, nothing follows", slow, server, before);
       assertThat(server.messages()).doesNotContain("OutOfMemoryError");
     }
   }
@@ -262,6 +264,23 @@ class HostileBytesTest {
         for (int i = 0; i < count; i += 2) { // the others never say anything
           drip(open.get(i), valid.get(i % valid.size()), sent);
         }
+      }
+      meanwhile.run();
+    } finally {
+      for (Socket socket : open) {
+        socket.close();
+      }
+    }
+  }
+
+  /** Every one of them announces as much as a message may have. */
+  private static void announced(int port, int count, Check meanwhile) throws Exception {
+    List<Socket> open = new ArrayList<>();
+    try {
+      for (int i = 0; i < count; i++) {
+        Socket socket = new Socket(InetAddress.getLoopbackAddress(), port);
+        open.add(socket);
+        socket.getOutputStream().write(Giop.header(0, 30 << 20));
       }
       meanwhile.run();
     } finally {
