@@ -18,6 +18,7 @@ import org.mechservice.report.measure.Progress;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.Method;
 import org.mechservice.report.method.MethodList;
+import org.mechservice.report.stability.ExtremeCase;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Outcome;
@@ -81,6 +82,14 @@ public final class Bench {
   <T> T with(String text, Function<MechSession, T> use) {
     try (MechSession session = sessions.get()) {
       session.loadModel("study.xml", text.getBytes(StandardCharsets.UTF_8));
+      return use.apply(session);
+    }
+  }
+
+  /** Loads a scene of the suite and does something with it. */
+  <T> T with(ExtremeCase wanted, Function<MechSession, T> use) {
+    try (MechSession session = sessions.get()) {
+      session.loadModel(wanted.file(), wanted.content());
       return use.apply(session);
     }
   }
