@@ -42,6 +42,7 @@ public final class CallerInterceptor extends LocalObject
 
   @Override
   public void receive_request_service_contexts(ServerRequestInfo request) {
+    ReplyRoom.made();
     Caller.isNow(callerAt(((ServerRequestInfoImpl) request).getConnection()));
   }
 
@@ -75,17 +76,17 @@ public final class CallerInterceptor extends LocalObject
 
   @Override
   public void send_reply(ServerRequestInfo request) {
-    // The next call of this thread notes its own caller.
+    ReplyRoom.made();
   }
 
   @Override
   public void send_exception(ServerRequestInfo request) {
-    // The next call of this thread notes its own caller.
+    ReplyRoom.made();
   }
 
   @Override
   public void send_other(ServerRequestInfo request) {
-    // The next call of this thread notes its own caller.
+    ReplyRoom.made();
   }
 
   @Override

@@ -24,6 +24,9 @@ final class InboundConnections {
 
   private final String id = UUID.randomUUID().toString();
   private final Set<Socket> open = new HashSet<>();
+  private final ReplyRoom room = new ReplyRoom();
+  private final RequestRoom requests = new RequestRoom();
+  private int most = Integer.MAX_VALUE;
   private boolean closed;
 
   InboundConnections() {
@@ -42,10 +45,25 @@ final class InboundConnections {
     return id;
   }
 
-  /** Takes a connection in; when all have been closed, it is closed at once. */
+  /** Returns the memory for answers to those connected. */
+  ReplyRoom room() {
+    return room;
+  }
+
+  /** Returns the memory for large messages from those connected. */
+  RequestRoom requests() {
+    return requests;
+  }
+
+  /** Sets how many connections there may be; those there are stay. */
+  synchronized void allow(int connections) {
+    most = connections;
+  }
+
+  /** Takes a connection in; one too many, or when all have been closed, is closed at once. */
   void add(Socket connection) throws IOException {
     synchronized (this) {
-      if (!closed) {
+      if (!closed && open.size() < most) {
         open.add(connection);
         return;
       }
@@ -76,5 +94,6 @@ final class InboundConnections {
       }
     }
     BY_ID.remove(id);
+    room.close();
   }
 }

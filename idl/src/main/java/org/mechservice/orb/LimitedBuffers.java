@@ -19,6 +19,8 @@ public final class LimitedBuffers implements BufferManagerFactory {
    */
   static final int MAX_MESSAGE_BYTES = 32 << 20;
 
+  private static final int LARGEST_KEPT_BYTES = 1 << 16;
+
   @Override
   public IBufferManager newSingletonBufferManager(Configuration configuration) {
     return new Limited(configuration);
@@ -37,13 +39,21 @@ public final class LimitedBuffers implements BufferManagerFactory {
     @Override
     public byte[] getBuffer(int size) {
       requireAllowed(size);
-      return super.getBuffer(size);
+      return size > LARGEST_KEPT_BYTES ? new byte[size] : super.getBuffer(size);
     }
 
     @Override
     public byte[] getExpandedBuffer(int size) {
       requireAllowed(size);
-      return super.getBuffer(Math.min(2 * size, MAX_MESSAGE_BYTES));
+      return getBuffer(Math.min(2 * size, MAX_MESSAGE_BYTES));
+    }
+
+    /** The ORB keeps used buffers by the dozen, for each size; of large ones that is too many. */
+    @Override
+    public void returnBuffer(byte[] buffer, boolean grown) {
+      if (buffer.length <= LARGEST_KEPT_BYTES) {
+        super.returnBuffer(buffer, grown);
+      }
     }
 
     private static void requireAllowed(int size) {

@@ -69,9 +69,11 @@ final class OrbProperties {
       properties.setProperty("OAPort", Integer.toString(address.port()));
     }
     properties.setProperty("jacorb.connection.client.pending_reply_timeout", "5000");
-    properties.setProperty("jacorb.connection.server.max_receptor_threads", "300");
+    // Each connection has a thread that reads; how many there may be is up to InboundConnections.
+    properties.setProperty("jacorb.connection.server.max_receptor_threads", "100000");
     properties.setProperty("jacorb.connection.server.timeout", IDLE_TIMEOUT_MILLIS);
-    properties.setProperty("jacorb.poa.thread_pool_max", "64");
+    // As many calls may wait for rows or events at once; a thread ends when it is not needed.
+    properties.setProperty("jacorb.poa.thread_pool_max", "1000");
     properties.setProperty("jacorb.poa.queue_max", "1000");
     return properties;
   }

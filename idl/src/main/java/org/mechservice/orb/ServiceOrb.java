@@ -277,6 +277,16 @@ public final class ServiceOrb implements AutoCloseable {
     return peers.inbound().count();
   }
 
+  /** Sets how many connections others may open at once; one too many is closed at once. */
+  public void allowConnections(int most) {
+    peers.inbound().allow(most);
+  }
+
+  /** Returns the memory for answers to calls from others. */
+  public ReplyRoom replyRoom() {
+    return peers.inbound().room();
+  }
+
   /** Returns where this ORB listens, or listened before it was closed. */
   public Endpoint endpoint() {
     return adapters.endpoint();

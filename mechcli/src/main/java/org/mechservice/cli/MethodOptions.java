@@ -25,7 +25,7 @@ final class MethodOptions {
       names = "--integrator",
       paramLabel = "auto|ode113|DE|ode15s|ode15sR",
       hideParamSyntax = true,
-      description = "Integration method: auto, ode113, DE, ode15s or ode15sR.")
+      description = "Integration method: auto, ode113, DE, ode15s, ode15sR or switching.")
   private String integrator = "";
 
   @Option(

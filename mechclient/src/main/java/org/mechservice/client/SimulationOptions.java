@@ -103,8 +103,8 @@ public final class SimulationOptions {
   }
 
   /**
-   * Chooses the integrator: {@code auto}, {@code ode113}, {@code DE}, {@code ode15s} or {@code
-   * ode15sR}.
+   * Chooses the integrator: {@code auto}, {@code ode113}, {@code DE}, {@code ode15s}, {@code
+   * ode15sR}, or {@code switching}, which is ode113 and, where the motion is stiff, ode15s.
    */
   public SimulationOptions integrator(String name) {
     return with(OPT_INTEGRATOR.value, name);

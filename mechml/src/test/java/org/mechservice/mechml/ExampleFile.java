@@ -1,10 +1,12 @@
 package org.mechservice.mechml;
 
+import java.io.InputStream;
 import java.io.StringReader;
 import java.io.StringWriter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import javax.xml.parsers.DocumentBuilder;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.transform.TransformerFactory;
 import javax.xml.transform.dom.DOMSource;
@@ -58,6 +60,15 @@ record ExampleFile(String text) {
     return DocumentBuilderFactory.newInstance()
         .newDocumentBuilder()
         .parse(new InputSource(new StringReader(xml)));
+  }
+
+  /** Returns the root of a file; its grammar is not looked for. */
+  static Element parse(InputStream xml) throws Exception {
+    try (xml) {
+      DocumentBuilder builder = DocumentBuilderFactory.newInstance().newDocumentBuilder();
+      builder.setEntityResolver((name, place) -> new InputSource(new StringReader("")));
+      return builder.parse(xml).getDocumentElement();
+    }
   }
 
   private static List<Element> elements(Element parent) {

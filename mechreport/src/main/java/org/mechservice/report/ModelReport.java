@@ -12,9 +12,9 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import org.mechservice.client.BuiltJar;
 import org.mechservice.client.MechSession;
-import org.mechservice.client.SimulationOptions;
 import org.mechservice.client.ModelSummary;
 import org.mechservice.client.ServiceException;
+import org.mechservice.client.SimulationOptions;
 import org.mechservice.report.measure.Campaign;
 import org.mechservice.report.measure.Effort;
 import org.mechservice.report.measure.FreshStart;
@@ -101,7 +101,8 @@ public final class ModelReport {
     if (judge.reference().isPresent()) {
       Reference reference = judge.reference().get();
       try (Journal journal = Journal.open(folder.resolve(csv), purpose(file));
-          MethodRunner runner = new MethodRunner(reference, distance, judge.grid(), loops(candidates))) {
+          MethodRunner runner =
+              new MethodRunner(reference, distance, judge.grid(), loops(candidates))) {
         new Campaign(runner, journal, effort, progress).run(candidates);
         points = Point.of(journal.runs());
         shares.putAll(shares(candidates, points, runner));
@@ -133,8 +134,7 @@ public final class ModelReport {
     if (first.closure().equals(Method.OPEN)) {
       return Optional.empty();
     }
-    SimulationOptions options =
-        MethodList.options(first).columns(Set.of(ColumnGroup.CONSTRAINTS));
+    SimulationOptions options = MethodList.options(first).columns(Set.of(ColumnGroup.CONSTRAINTS));
     return LoopForces.of(session.fetchModel(options).newModel());
   }
 

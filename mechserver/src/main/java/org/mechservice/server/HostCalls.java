@@ -116,8 +116,10 @@ final class HostCalls implements AutoCloseable {
   <T> Optional<T> askUntilOneAnswers(
       List<KnownHost> hosts, Question<T> question, BiConsumer<KnownHost, Answer<T>> failed) {
     BlockingQueue<Answered<T>> answers = new LinkedBlockingQueue<>();
-    hosts.forEach(
-        host -> begin(host, question, (from, answer) -> answers.add(new Answered<>(from, answer))));
+    for (KnownHost host : hosts) {
+      Future<?> unused =
+          begin(host, question, (from, answer) -> answers.add(new Answered<>(from, answer)));
+    }
     long deadline = System.nanoTime() + longest.toNanos();
     try {
       for (int i = 0; i < hosts.size(); i++) {

@@ -41,6 +41,7 @@ public final class MechServerProcess implements AutoCloseable {
     Journal journal = new Journal("server", event -> audit.ifPresent(log -> log.write(event)));
     directory = new HostDirectory(tuning, orb.outbound(), journal);
     LimitsInForce limits = new LimitsInForce(settings.host().limits());
+    orb.allowConnections(limits.now().connectionsAtAll());
     Placement placement = new Placement(directory, settings.placement());
     server = new MechServerServant(settings.name(), directory, placement, limits);
     ownHost =

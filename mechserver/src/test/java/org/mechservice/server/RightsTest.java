@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
@@ -138,7 +139,7 @@ class RightsTest {
   @MethodSource("looking")
   @ParameterizedTest
   void monitorsAndAdministratorsLookAndOthersDoNot(String operation) {
-    Call call = LOOKING.get(operation);
+    Call call = Objects.requireNonNull(LOOKING.get(operation));
     assertThat(refusal("watcher", call)).isEmpty();
     assertThat(refusal("root", call)).isEmpty();
     for (String other : List.of("alice", "server")) {
@@ -151,7 +152,7 @@ class RightsTest {
   @MethodSource("acting")
   @ParameterizedTest
   void onlyAdministratorsAct(String operation) {
-    Call call = ACTING.get(operation);
+    Call call = Objects.requireNonNull(ACTING.get(operation));
     for (String other : List.of("watcher", "alice", "server")) {
       NotAuthorized refused = refusal(other, call).orElseThrow();
       assertThat(refused.code).isEqualTo("S-153");
@@ -250,9 +251,10 @@ class RightsTest {
       assertThat(refusal("alice", admin -> admin.drain("own"))).isPresent();
     }
     Map<String, Long> after = counts();
-    assertThat(after.get("getLimits()") - before.getOrDefault("getLimits()", 0L))
+    assertThat(after.getOrDefault("getLimits()", 0L) - before.getOrDefault("getLimits()", 0L))
         .isLessThanOrEqualTo(1);
-    assertThat(after.get("drain(own)") - before.getOrDefault("drain(own)", 0L)).isEqualTo(20);
+    assertThat(after.getOrDefault("drain(own)", 0L) - before.getOrDefault("drain(own)", 0L))
+        .isEqualTo(20);
   }
 
   private static Map<String, Long> counts() {

@@ -87,6 +87,7 @@ final class ForceTorqueReader {
               Quoted.of(body.name()),
               Nearest.suggestion(name, body.points().names())));
     }
+    body.points().use(name);
     return body.points().value(name).map(position -> new BodyPoint(names.indexOf(body), position));
   }
 }

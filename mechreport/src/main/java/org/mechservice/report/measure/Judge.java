@@ -15,8 +15,7 @@ import java.util.Optional;
  * @param said how it came about, and what is doubtful, one sentence each
  * @param doubt what the reader must be warned of, in one sentence; empty if nothing
  */
-public record Judge(
-    Optional<Reference> reference, RunGrid grid, List<String> said, String doubt) {
+public record Judge(Optional<Reference> reference, RunGrid grid, List<String> said, String doubt) {
   /** Beyond this floor nothing can be said about eight digits. */
   private static final double CUT = 1e-9;
 
@@ -29,7 +28,9 @@ public record Judge(
   /** A floor above this, at a time that is kept all the same, is a warning. */
   private static final double USEFUL = 1e-7;
 
-  /** Codes on two formulations that differ from a reference by so many times what they differ by. */
+  /**
+   * Codes on two formulations that differ from a reference by so many times what they differ by.
+   */
   private static final double OUTLIER = 1e3;
 
   public Judge {
@@ -174,8 +175,7 @@ public record Judge(
 
   /** The floor, or what a unit in the last place of the start has grown to if that is more. */
   private static double unknownAt(Reference reference, int time) {
-    double grown =
-        reference.amplification().map(all -> all[time] * Math.ulp(1.0) / 2).orElse(0.0);
+    double grown = reference.amplification().map(all -> all[time] * Math.ulp(1.0) / 2).orElse(0.0);
     return Math.max(reference.floor()[time], grown);
   }
 

@@ -16,12 +16,10 @@ final class LimitsTable {
   /** Where hardly a step is rejected no joint limits anything. */
   private static final double WORTH_TELLING = 0.01;
 
-  private final SceneFindings found;
   private final Map<String, Map<String, Long>> byMethod = new LinkedHashMap<>();
   private final Map<String, Long> byJoint = new LinkedHashMap<>();
 
   LimitsTable(SceneFindings found) {
-    this.found = found;
     long attempts = 0;
     for (Method method : found.methods()) {
       Map<String, Long> joints = new LinkedHashMap<>();

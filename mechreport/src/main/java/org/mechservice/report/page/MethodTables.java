@@ -161,8 +161,7 @@ final class MethodTables {
         found.points().stream().anyMatch(point -> !Double.isNaN(point.first().energyDrift()));
     boolean implicit = found.points().stream().anyMatch(point -> point.first().jacobians() > 0);
     boolean loops =
-        found.points().stream()
-            .anyMatch(point -> !Double.isNaN(point.first().errors().residual()));
+        found.points().stream().anyMatch(point -> !Double.isNaN(point.first().errors().residual()));
     StringBuilder html = new StringBuilder();
     html.append("<details><summary>All points</summary><div class=\"wide\"><table>");
     html.append("<tr><th>method<th>asked<th>error<th>÷ asked<th>at the end<th>positions");

@@ -93,9 +93,10 @@ public final class ScenePage {
   private void diagrams() {
     add("<section><h2>Error against run time</h2>");
     add(legend());
-    add("<p class=\"note\">The number at a point is the exponent of the tolerance asked for; the"
-        + " line through it spans the quartiles of its times where that is wider than the mark."
-        + "</p>");
+    add(
+        "<p class=\"note\">The number at a point is the exponent of the tolerance asked for; the"
+            + " line through it spans the quartiles of its times where that is wider than the mark."
+            + "</p>");
     add(timeChart());
     add("<h2>Error against evaluations</h2>");
     add(

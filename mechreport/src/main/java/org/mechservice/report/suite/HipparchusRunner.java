@@ -34,11 +34,7 @@ final class HipparchusRunner {
               "Hipparchus AdamsMoulton 8",
               (span, tolerances) ->
                   new AdamsMoultonIntegrator(
-                      ADAMS_STEPS,
-                      span[0],
-                      span[1],
-                      absolute(tolerances),
-                      relative(tolerances)));
+                      ADAMS_STEPS, span[0], span[1], absolute(tolerances), relative(tolerances)));
 
   private HipparchusRunner() {}
 
@@ -81,8 +77,7 @@ final class HipparchusRunner {
     long started = System.nanoTime();
     try {
       ODEStateAndDerivative end =
-          integrator.integrate(
-              watched, new ODEState(t0, SuiteProblem.numbers(problem.y0)), t1);
+          integrator.integrate(watched, new ODEState(t0, SuiteProblem.numbers(problem.y0)), t1);
       error = problem.error(end.getPrimaryState());
     } catch (TooLong e) {
       cause = "not finished in time";

@@ -33,7 +33,10 @@ final class SuitePage {
   private void write(String peers) {
     html.append("<h1>Integrators on verified problems</h1><p class=\"sub\">");
     html.append(problems.size()).append(" problems");
-    html.append(peers.isEmpty() ? " · Hipparchus in the same run" : " · Hipparchus, " + PageFrame.escaped(peers) + " in the same run");
+    html.append(
+        peers.isEmpty()
+            ? " · Hipparchus in the same run"
+            : " · Hipparchus, " + PageFrame.escaped(peers) + " in the same run");
     html.append("</p>");
     comparison(false);
     comparison(true);
@@ -58,8 +61,10 @@ final class SuitePage {
         html.append(ratios(solver, own, stiff, SuiteRun::seconds));
       }
     }
-    html.append("</table><p class=\"note\">Geometric means over the problems and the errors 1e-3 to");
-    html.append(" 1e-8 that both reach. Times: warm, of those whose equations are evaluated by the");
+    html.append(
+        "</table><p class=\"note\">Geometric means over the problems and the errors 1e-3 to");
+    html.append(
+        " 1e-8 that both reach. Times: warm, of those whose equations are evaluated by the");
     html.append(" same Java.</p></section>");
   }
 
@@ -77,8 +82,7 @@ final class SuitePage {
     return problems.stream().filter(p -> p.isExplicit() && p.isStiff() == stiff).toList();
   }
 
-  private String ratios(
-      String solver, String own, boolean stiff, ToDoubleFunction<SuiteRun> cost) {
+  private String ratios(String solver, String own, boolean stiff, ToDoubleFunction<SuiteRun> cost) {
     double logs = 0;
     int count = 0;
     int wins = 0;

@@ -47,8 +47,7 @@ final class SuiteRunner {
     return runs;
   }
 
-  private static SuiteRun timed(
-      SuiteProblem problem, String name, double tolerance, double limit) {
+  private static SuiteRun timed(SuiteProblem problem, String name, double tolerance, double limit) {
     SuiteRun first = run(problem, name, tolerance, limit);
     if (!first.cause().isEmpty() || first.seconds() > LONG) {
       return first;
@@ -82,7 +81,8 @@ final class SuiteRunner {
     double seconds = (System.nanoTime() - started) * 1e-9;
     if (result != StepResult.REACHED_END) {
       String cause = result == StepResult.STOPPED ? "not finished in time" : cause(integrator);
-      return new SuiteRun(problem.id, name, tolerance, Double.NaN, evaluations, steps, seconds, cause);
+      return new SuiteRun(
+          problem.id, name, tolerance, Double.NaN, evaluations, steps, seconds, cause);
     }
     integrator.interpolate(t1, y, new double[y.length]);
     double error = problem.error(y);

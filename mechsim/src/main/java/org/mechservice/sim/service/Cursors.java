@@ -48,7 +48,11 @@ final class Cursors {
       session.limits().requireBelow(HostLimit.CURSORS, open.size());
       ResultCursorServant cursor =
           new ResultCursorServant(
-              rows, selection, () -> session.limits().leaseSeconds(), this::close);
+              rows,
+              selection,
+              () -> session.limits().leaseSeconds(),
+              session.host().orb().replyRoom(),
+              this::close);
       ActiveObject object =
           session.activate(
               new ResultCursorPOATie(

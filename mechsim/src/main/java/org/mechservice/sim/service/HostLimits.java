@@ -21,6 +21,8 @@ public final class HostLimits {
   /** The limits of a host nobody configured. */
   public static final HostLimits DEFAULT = new HostLimits(new EnumMap<>(HostLimit.class));
 
+  private static final int RESERVED_CONNECTIONS = 20;
+
   private final Map<HostLimit, Long> changed;
 
   private HostLimits(Map<HostLimit, Long> changed) {
@@ -41,6 +43,14 @@ public final class HostLimits {
   /** Returns the lease in the contract's unit. */
   int leaseSeconds() {
     return (int) Math.min(of(HostLimit.LEASE), Integer.MAX_VALUE);
+  }
+
+  /**
+   * Returns how many connections there may be with those of operators and hosts, who need to get
+   * through when clients have taken all of theirs.
+   */
+  public int connectionsAtAll() {
+    return (int) Math.min(of(HostLimit.CONNECTIONS) + RESERVED_CONNECTIONS, Integer.MAX_VALUE);
   }
 
   /**

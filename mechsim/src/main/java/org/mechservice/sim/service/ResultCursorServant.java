@@ -11,29 +11,37 @@ import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ResultBlock;
 import org.mechservice.idl.ResultBlockHolder;
 import org.mechservice.idl.ResultCursorOperations;
+import org.mechservice.orb.ReplyRoom;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 import org.omg.CORBA.TRANSIENT;
 
 /** Hands out the rows of a run in order, at the pace of whoever asks. */
 final class ResultCursorServant implements ResultCursorOperations {
+  /** Blocks are no smaller for want of memory. */
+  private static final int LEAST_BYTES = 1 << 13;
+
   private final ResultSpool spool;
   private final ColumnSelection selection;
   private final IntSupplier leaseSeconds;
+  private final ReplyRoom room;
   private final Consumer<ResultCursorServant> destroyed;
   private long nextRow;
 
   /**
    * @param leaseSeconds the seconds a renewal grants
+   * @param room the memory for blocks
    * @param destroyed told when the client ends the cursor
    */
   ResultCursorServant(
       ResultSpool spool,
       ColumnSelection selection,
       IntSupplier leaseSeconds,
+      ReplyRoom room,
       Consumer<ResultCursorServant> destroyed) {
     this.spool = spool;
     this.selection = selection;
     this.leaseSeconds = leaseSeconds;
+    this.room = room;
     this.destroyed = destroyed;
   }
 
@@ -50,7 +58,7 @@ final class ResultCursorServant implements ResultCursorOperations {
     int most = maxRows == 0 ? fitting : (int) Math.min(Integer.toUnsignedLong(maxRows), fitting);
     try {
       spool.await(nextRow, Math.min(Integer.toUnsignedLong(waitMillis), MAX_WAIT_MILLIS.value));
-      double[] rows = spool.read(nextRow, most);
+      double[] rows = spool.read(nextRow, affordable(most));
       int count = rows.length / spool.columns();
       long first = nextRow;
       nextRow += count;
@@ -68,6 +76,14 @@ final class ResultCursorServant implements ResultCursorOperations {
       Thread.currentThread().interrupt();
       throw new TRANSIENT("the server is closing");
     }
+  }
+
+  /** Returns how many rows there is memory for while others have not taken theirs; at least one. */
+  private int affordable(int most) {
+    long rowBytes = (long) Double.BYTES * Math.max(selection.count(), spool.columns());
+    long present = Math.min(most, Math.max(0, spool.rows() - nextRow));
+    long granted = room.share(present * rowBytes, Math.max(rowBytes, LEAST_BYTES));
+    return (int) Math.min(most, granted / rowBytes);
   }
 
   private int rowsPerBlock() throws LimitExceeded {

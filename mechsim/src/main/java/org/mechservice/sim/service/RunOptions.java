@@ -53,8 +53,8 @@ record RunOptions(
     RunSettings settings,
     boolean standalone,
     boolean strict) {
-  /** What {@code auto} means for explicit formulations: right for models without stiffness. */
-  private static final String EXPLICIT_INTEGRATOR = "ode113";
+  /** What {@code auto} means for explicit formulations: ode113, and ode15s where it gets stiff. */
+  private static final String EXPLICIT_INTEGRATOR = "switching";
 
   /** What {@code auto} means for residual formulations: the only one that takes them. */
   private static final String RESIDUAL_INTEGRATOR = "ode15sR";

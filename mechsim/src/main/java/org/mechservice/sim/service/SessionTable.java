@@ -283,6 +283,7 @@ public final class SessionTable implements AutoCloseable {
   private void tick() {
     try {
       HostLimits limits = host.limits().now();
+      host.orb().allowConnections(limits.connectionsAtAll());
       for (Session session : allSessions()) {
         if (session.leaseLeftMillis() < 0) {
           expire(session, "was not renewed and has ended");

@@ -373,6 +373,7 @@ public final class Simulation implements Solver {
       List<RunNotes.Note> notes = modelNotes();
       notes.addAll(rows.notes());
       notes.addAll(events.notes());
+      notes.addAll(MethodNotes.of(integrator));
       return notes;
     }
 

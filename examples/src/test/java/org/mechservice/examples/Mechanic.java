@@ -1,0 +1,55 @@
+package org.mechservice.examples;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.mechservice.cli.Mech;
+
+/**
+ * Runs commands of {@code mech} in this process, each with an embedded server of its own: hundreds
+ * of models in the time a few starts of Java take.
+ */
+final class Mechanic {
+  /**
+   * What a command did.
+   *
+   * @param status its exit status
+   * @param out what it printed on standard output
+   * @param err what it printed on standard error
+   */
+  record Done(int status, String out, String err) {
+    /** Returns this if the command was successful; fails the test with its messages if not. */
+    Done orFail() {
+      if (status != 0) {
+        throw new AssertionError(toString());
+      }
+      return this;
+    }
+  }
+
+  private Mechanic() {}
+
+  /** Runs a command. */
+  static Done mech(String... words) {
+    StringWriter out = new StringWriter();
+    StringWriter err = new StringWriter();
+    int status = Mech.run(new PrintWriter(out), new PrintWriter(err), words);
+    return new Done(status, out.toString(), err.toString());
+  }
+
+  /** Checks a model. */
+  static Done check(Path model) {
+    return mech("check", model.toString());
+  }
+
+  /** Simulates a model, with its rows in a file. */
+  static Done simulate(Path model, Path rows, String... options) {
+    List<String> words =
+        new ArrayList<>(List.of("simulate", model.toString(), "--out", rows.toString()));
+    words.addAll(Arrays.asList(options));
+    return mech(words.toArray(String[]::new));
+  }
+}

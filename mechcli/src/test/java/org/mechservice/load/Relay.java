@@ -1,0 +1,180 @@
+package org.mechservice.load;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Stands between clients and a server: delays what passes, both ways, counts how often a side waits
+ * for the other, remembers what clients have sent, and can be cut like a cable.
+ */
+final class Relay implements AutoCloseable {
+  private static final int CHUNK_BYTES = 1 << 16;
+  private static final int CHUNKS_UNDER_WAY = 1024;
+
+  private final ServerSocket port;
+  private final InetSocketAddress target;
+  private final long delayNanos;
+  private final List<Socket> sockets = new CopyOnWriteArrayList<>();
+  private final List<byte[]> sent = new ArrayList<>();
+  private volatile boolean cut;
+  private int turns;
+  private int connections;
+  private boolean answered;
+
+  @SuppressWarnings("ArrayRecordComponent") // handed on, never changed
+  private record Chunk(byte[] bytes, long due) {}
+
+  /**
+   * @param address where it listens
+   * @param delay of each way, so that a round trip takes twice as long, ms
+   */
+  Relay(InetSocketAddress address, InetSocketAddress target, double delay) throws IOException {
+    this.target = target;
+    delayNanos = (long) (delay * 1e6);
+    port = new ServerSocket();
+    port.bind(address);
+    daemon(this::accept);
+  }
+
+  private interface Work {
+    void run() throws IOException, InterruptedException;
+  }
+
+  private static void daemon(Work work) {
+    Thread thread =
+        new Thread(
+            () -> {
+              try {
+                work.run();
+              } catch (IOException e) {
+                return; // closed by one side, which the other is told by closing it
+              } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+              }
+            },
+            "relay");
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  int port() {
+    return port.getLocalPort();
+  }
+
+  private void accept() throws IOException, InterruptedException {
+    while (true) {
+      Socket client = port.accept();
+      // The peer's answer to a new connection is a round trip, too.
+      TimeUnit.NANOSECONDS.sleep(2 * delayNanos);
+      Socket server = new Socket();
+      if (!cut) {
+        server.connect(target);
+      }
+      synchronized (this) {
+        connections++;
+        answered = true;
+      }
+      sockets.add(client);
+      sockets.add(server);
+      client.setTcpNoDelay(true);
+      if (!cut) {
+        server.setTcpNoDelay(true);
+        pass(client, server, true);
+        pass(server, client, false);
+      }
+    }
+  }
+
+  private void pass(Socket from, Socket to, boolean asking) {
+    BlockingQueue<Chunk> underWay = new LinkedBlockingQueue<>(CHUNKS_UNDER_WAY);
+    daemon(() -> read(from, underWay, asking));
+    daemon(() -> write(to, underWay));
+  }
+
+  private void read(Socket from, BlockingQueue<Chunk> underWay, boolean asking)
+      throws IOException, InterruptedException {
+    byte[] buffer = new byte[CHUNK_BYTES];
+    try {
+      InputStream in = from.getInputStream();
+      for (int n = in.read(buffer); n >= 0; n = in.read(buffer)) {
+        byte[] bytes = Arrays.copyOf(buffer, n);
+        note(bytes, asking);
+        underWay.put(new Chunk(bytes, System.nanoTime() + delayNanos));
+      }
+    } finally {
+      underWay.put(new Chunk(new byte[0], System.nanoTime() + delayNanos));
+    }
+  }
+
+  private void write(Socket to, BlockingQueue<Chunk> underWay)
+      throws IOException, InterruptedException {
+    OutputStream out = to.getOutputStream();
+    while (true) {
+      Chunk chunk = underWay.take();
+      TimeUnit.NANOSECONDS.sleep(chunk.due() - System.nanoTime());
+      if (chunk.bytes().length == 0 && !cut) {
+        to.close();
+        return;
+      }
+      if (!cut) {
+        out.write(chunk.bytes());
+      }
+    }
+  }
+
+  private synchronized void note(byte[] bytes, boolean asking) {
+    if (asking) {
+      sent.add(bytes);
+      turns += answered ? 1 : 0;
+    }
+    answered = !asking;
+  }
+
+  /** Returns the round trips so far: connections opened, and questions asked after answers. */
+  synchronized int roundTrips() {
+    return connections + turns;
+  }
+
+  /** Returns what clients have sent, as it arrived: each a message or several. */
+  synchronized List<byte[]> sent() {
+    return List.copyOf(sent);
+  }
+
+  /** From now on nothing passes, and nobody is told. */
+  void cut() {
+    cut = true;
+  }
+
+  /** Lets new connections pass again; those that were cut stay so. */
+  void mend() throws IOException {
+    for (Socket socket : sockets) {
+      socket.close();
+    }
+    cut = false;
+  }
+
+  /** Returns an address of this machine that nothing else of the tests uses. */
+  static InetSocketAddress anyPortOf(String address) throws IOException {
+    return new InetSocketAddress(InetAddress.getByName(address), 0);
+  }
+
+  @Override
+  public void close() throws IOException {
+    port.close();
+    for (Socket socket : sockets) {
+      socket.close();
+    }
+  }
+}
