@@ -123,6 +123,35 @@ class WholeWayTest {
     assertThat(folder.resolve("arm.xml")).doesNotExist();
   }
 
+  private static final String TOO_LONG =
+      Path.of("..", "examples", "extremes", "fps_inconsistent_rod.xml").toString();
+
+  @Test
+  void strictRunRefusesAStartThatDoesNotCloseTheLoops() {
+    assertThat(mech("simulate", TOO_LONG, "--strict", "--quiet", "--out", file("r.csv")))
+        .isEqualTo(1);
+    assertThat(err.toString()).contains("N-040").contains("\"C3\"").contains("1.0e-03 m");
+    assertThat(folder.resolve("r.csv")).doesNotExist();
+  }
+
+  @Test
+  void strictCheckTakesWarningsForErrors() {
+    assertThat(mech("check", TOO_LONG)).isZero();
+    assertThat(mech("check", TOO_LONG, "--strict")).isEqualTo(2);
+    assertThat(err.toString()).contains("S-164 the model has 1 warning");
+    assertThat(mech("check", MODEL, "--strict")).isZero();
+  }
+
+  @Test
+  void penaltyMayHaveNumbersOfItsOwn() {
+    String model = Path.of("..", "examples", "extremes", "fourbar_redundant.xml").toString();
+    assertThat(mech("simulate", model, "--t-end", "0.1", "--closure", "penalty:alpha=2e8,mu=2"))
+        .isZero();
+    assertThat(out.toString()).contains("alpha is 2.000e+08").contains("mu 2.000");
+    assertThat(mech("simulate", model, "--closure", "penalty:alpha=2")).isEqualTo(2);
+    assertThat(err.toString()).contains("S-081").contains("must lie between");
+  }
+
   @Test
   void reportHasTheHashOfTheFileWritten() throws Exception {
     mech("simulate", MODEL, "--json", "--out", file("r.csv"));

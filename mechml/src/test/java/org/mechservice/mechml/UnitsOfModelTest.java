@@ -157,6 +157,17 @@ class UnitsOfModelTest {
                 new RunSettings(0, 0.5, 0.001, "ode113", 1e-6, 1e-8, 0.1, 1e-4, 5), "DTR"));
   }
 
+  @Test
+  void numbersOfThePenaltyFollowItsName() throws MechmlException {
+    ModelText model =
+        ModelText.of("R")
+            .withSimulation(
+                "<timeSet tini='0' tend='5' tstep='1'/>"
+                    + "<integrator name='ode113' relTol='1e-6' absTol='1e-8'/>"
+                    + "<formulation name='DSR' closure='penalty' alpha='2e8' mu='1/2'/>");
+    assertThat(model.read().settings().closure()).isEqualTo("penalty:alpha=2.0E8,mu=0.5");
+  }
+
   /** Lists mix lengths and angles, each in its own unit of the file; Euler parameters have none. */
   @ParameterizedTest
   @CsvSource(

@@ -1,5 +1,6 @@
 package org.mechservice.server;
 
+import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.API_VERSION;
@@ -26,8 +27,16 @@ import org.mechservice.sim.service.Refusal;
 final class MechServerServant implements MechServerOperations {
   private static final String[] CAPABILITIES = {
     "formulation=DTR",
+    "formulation=DSR",
+    "formulation=RR",
+    "formulation=RR-JF",
+    "closure=projection",
+    "closure=penalty",
     "integrator=ode113",
     "integrator=DE",
+    "integrator=ode15s",
+    "integrator=ode15sR",
+    "integrator=switching",
     "jar=model",
     "jar=standalone",
     "import=urdf"
@@ -59,8 +68,11 @@ final class MechServerServant implements MechServerOperations {
 
   @Override
   public ServerInfo getInfo() {
-    return new ServerInfo(
-        name, API_VERSION.value, ServiceVersion.CURRENT, startedAt, CAPABILITIES.clone());
+    int places =
+        directory.all().stream().filter(KnownHost::open).mapToInt(KnownHost::capacity).sum();
+    String[] capabilities = Arrays.copyOf(CAPABILITIES, CAPABILITIES.length + 1);
+    capabilities[CAPABILITIES.length] = "places=" + places;
+    return new ServerInfo(name, API_VERSION.value, ServiceVersion.CURRENT, startedAt, capabilities);
   }
 
   @Override

@@ -16,7 +16,8 @@ import org.mechservice.solver.integration.IntegratorSettings;
 
 /** Reads {@code integrator}. */
 final class IntegratorReader {
-  private static final List<String> KNOWN = List.of("auto", "DE", "ode113", "ode15s", "ode15sR");
+  private static final List<String> KNOWN =
+      List.of("auto", "DE", "ode113", "ode15s", "ode15sR", "switching");
   private static final List<String> BACKWARD = List.of("ode15s", "ode15sR");
 
   /** Order of the Adams formulas with local extrapolation at its highest. */

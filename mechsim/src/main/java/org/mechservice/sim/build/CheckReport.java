@@ -14,6 +14,7 @@ import org.mechservice.sim.scene.LoopAnalysis;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.sim.scene.RoadmapEntry;
 import org.mechservice.sim.scene.SceneAnalysis;
+import org.mechservice.sim.scene.StiffnessForecast;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -62,6 +63,7 @@ public record CheckReport(
     List<Finding> findings =
         new ArrayList<>(scene.findingsAtStart(model.settings().run().tStart()));
     findings.addAll(loops.findings());
+    StiffnessForecast.of(mechanism, model.settings().run()).ifPresent(findings::add);
     try {
       return new CheckReport(
           model, scene, loops, findings, Optional.of(generation(model, scene)), "");
@@ -87,7 +89,9 @@ public record CheckReport(
     Program derivative = ArticulatedBodyEquations.derive(links);
     BuildOptions options = new BuildOptions(choice.formulation(), Set.of(), model.settings().run());
     return new Generation(
-        choice, derivative.operationCount(), LeftOut.of(scene, links, options, derivative));
+        choice,
+        derivative.operationCount(),
+        LeftOut.of(model, scene, links, options, derivative));
   }
 
   /** Returns what looks odd: what the file's reader noticed, then what the scene shows. */

@@ -7,16 +7,24 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.Severity;
 import org.mechservice.sim.scene.Finding;
 import org.mechservice.sim.scene.SceneAnalysis;
+import org.mechservice.sim.scene.StiffnessForecast;
+import org.mechservice.solver.api.RunSettings;
 
 /** What is said of a model as soon as it is read, without waiting for a run to fail. */
 final class SceneWarnings {
   private SceneWarnings() {}
 
-  /** Returns the reader's warnings, then joints that move nothing or that no inertia resists. */
+  /**
+   * Returns the reader's warnings, then joints that move nothing or that no inertia resists, and
+   * whether the run of the file will take very many steps.
+   */
   static List<Diagnostic> of(MechmlModel model) {
     List<Diagnostic> warnings = new ArrayList<>(model.warnings());
-    double start = model.settings().run().tStart();
-    for (Finding finding : SceneAnalysis.of(model.mechanism()).findingsAtStart(start)) {
+    RunSettings run = model.settings().run();
+    List<Finding> findings =
+        new ArrayList<>(SceneAnalysis.of(model.mechanism()).findingsAtStart(run.tStart()));
+    StiffnessForecast.of(model.mechanism(), run).ifPresent(findings::add);
+    for (Finding finding : findings) {
       warnings.add(
           new Diagnostic(
               Severity.WARNING,

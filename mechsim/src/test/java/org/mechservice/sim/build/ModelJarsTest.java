@@ -251,7 +251,7 @@ class ModelJarsTest {
 
   @Test
   void theStandaloneJarRunsByItself(@TempDir Path folder) throws Exception {
-    for (String integrator : List.of("DE", "ode113")) {
+    for (String integrator : List.of("DE", "ode113", "switching")) {
       PackedJar jar = ModelFactory.standaloneJar(pendulum(integrator), SHA);
       Files.write(folder.resolve(jar.fileName()), jar.bytes());
       Path results = folder.resolve(integrator + ".csv");
