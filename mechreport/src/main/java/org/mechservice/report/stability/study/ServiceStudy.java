@@ -61,7 +61,7 @@ final class ServiceStudy implements Study {
     int cases = 0;
     int same = 0;
     List<String> different = new ArrayList<>();
-    List<ExtremeCase> suite = ExtremeCase.suite();
+    List<ExtremeCase> suite = bench.cases();
     for (ExtremeCase wanted : suite) {
       bench.at(wanted.name(), (double) cases / suite.size());
       cases++;
