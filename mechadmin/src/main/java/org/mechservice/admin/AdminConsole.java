@@ -92,7 +92,8 @@ public final class AdminConsole implements AutoCloseable {
         return new ServerReading.Answering(
             server, status.await(), Arrays.asList(hosts.await()), simulations.await());
       } catch (AdminFailure failure) {
-        return new ServerReading.Silent(server, failure.text());
+        return new ServerReading.Silent(
+            server, failure.text(), failure.reason() == Reason.NOT_ALLOWED);
       }
     }
   }

@@ -76,13 +76,13 @@ public record KnownSimulation(String server, SimSummary summary) {
     return all;
   }
 
-  /** A server that has lost a host knows less of what runs there than one that has not. */
+  /** A server that does not hear of a host knows less of what runs there than one that does. */
   private static KnownSimulation betterInformed(KnownSimulation first, KnownSimulation second) {
-    return first.lost() && !second.lost() ? second : first;
+    return first.notUpToDate() && !second.notUpToDate() ? second : first;
   }
 
-  private boolean lost() {
-    return summary.text.startsWith("S-113 ");
+  private boolean notUpToDate() {
+    return summary.text.startsWith("S-113 ") || summary.text.contains("is silent since");
   }
 
   /**

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.mechservice.admin.AdminFailure.Reason;
 import org.mechservice.idl.HostStatus;
@@ -81,8 +82,20 @@ public record Place(String server, String host) {
     return names.stream().distinct().map(PlainText::of).toList();
   }
 
-  /** Servers that do not answer may be the ones that know; that is said. */
+  /**
+   * Servers that do not answer may be the ones that know; that is said. Where we may not look, it
+   * is not said what is there.
+   */
   static AdminFailure notFound(String what, List<String> there, List<ServerReading> readings) {
+    Optional<ServerReading.Silent> refusal =
+        readings.stream()
+            .filter(ServerReading.Silent.class::isInstance)
+            .map(ServerReading.Silent.class::cast)
+            .filter(ServerReading.Silent::refused)
+            .findFirst();
+    if (refusal.isPresent()) {
+      return new AdminFailure(Reason.NOT_ALLOWED, refusal.get().why());
+    }
     List<String> silent =
         readings.stream()
             .filter(ServerReading.Silent.class::isInstance)

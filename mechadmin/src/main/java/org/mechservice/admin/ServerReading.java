@@ -36,12 +36,23 @@ public sealed interface ServerReading {
   }
 
   /**
-   * The server did not answer.
+   * The server did not answer, or only that it does not answer to us.
    *
    * @param address the address that was asked
    * @param why what happened instead, with its code
+   * @param refused whether it answers, but not to us
    */
-  record Silent(String address, String why) implements ServerReading {
+  record Silent(String address, String why, boolean refused) implements ServerReading {
+    /** A server that does not answer. */
+    public Silent(String address, String why) {
+      this(address, why, false);
+    }
+
+    /** Returns the word for it. */
+    public String label() {
+      return refused ? "refused" : "no answer";
+    }
+
     @Override
     public String name() {
       return address;

@@ -49,8 +49,8 @@ public final class StatusText {
     for (ServerReading reading : readings) {
       if (reading instanceof ServerReading.Answering answering) {
         addServer(table, answering);
-      } else {
-        table.add("-", reading.address(), "no answer");
+      } else if (reading instanceof ServerReading.Silent silent) {
+        table.add("-", silent.address(), silent.label());
       }
     }
     return table;
@@ -74,7 +74,16 @@ public final class StatusText {
   public TextTable hosts(List<ServerReading> readings) {
     TextTable table =
         new TextTable(
-            "HOST", "SERVER", "ADDRESS", "STATE", "CORES", "RUNNING", "QUEUED", "CPU", "MEMORY");
+            "HOST",
+            "SERVER",
+            "ADDRESS",
+            "STATE",
+            "CORES",
+            "RUNNING",
+            "QUEUED",
+            "CPU",
+            "MEMORY",
+            "LAST MESSAGE");
     for (ServerReading reading : readings) {
       if (reading instanceof ServerReading.Answering answering) {
         answering.hosts().forEach(host -> addHost(table, answering, host));
@@ -94,7 +103,8 @@ public final class StatusText {
         load.running + " of " + host.info.capacity,
         Integer.toString(load.queued),
         Measures.load(load.cpuLoad),
-        Measures.memory(load.memoryUsed));
+        Measures.memory(load.memoryUsed),
+        host.text);
   }
 
   /** Returns simulations, in the order given. */

@@ -72,7 +72,7 @@ class AdminConsoleTest {
     assertThat(rights.reason()).isEqualTo(Reason.NOT_ALLOWED);
     assertThat(rights).hasMessage("S-151 not for you");
     assertThat(console.read(server.address()))
-        .isEqualTo(new ServerReading.Silent(server.address(), "S-151 not for you"));
+        .isEqualTo(new ServerReading.Silent(server.address(), "S-151 not for you", true));
   }
 
   @Test

@@ -45,12 +45,30 @@ class StatusTest {
             lab     localhost:15000  up         2 h 5 min  1      2         1        0       0.1.0
             -       10.0.0.9:15000   no answer
 
-            HOST  SERVER  ADDRESS     STATE  CORES  RUNNING  QUEUED  CPU   MEMORY
+            HOST  SERVER  ADDRESS     STATE  CORES  RUNNING  QUEUED  CPU   MEMORY  LAST MESSAGE
             big   lab     10.0.0.2:7  up     8      1 of 4   0       25 %  3 MiB
 
             SIMULATION  HOST  MODEL     OWNER  STATE    TIME              STEPS  STEP SIZE  X REAL TIME  AGE   LAST MESSAGE
             s1          big   pendulum  ann    running  1.500 of 3.000 s  42     0.001000   1000         10 s  step by step
             """);
+  }
+
+  @Test
+  void hostThatIsSilentSaysSinceWhenAndServerThatRefusesIsNotSilent() {
+    HostStatus silent = host("big");
+    silent.reachable = false;
+    silent.text = "silent since 2026-01-02T03:04:05Z: no answer within 2 s";
+    List<ServerReading> reading =
+        List.of(
+            new ServerReading.Answering(
+                "a",
+                ((ServerReading.Answering) readings.get(0)).status(),
+                List.of(silent),
+                List.of()),
+            new ServerReading.Silent("b", "S-153 not yours", true));
+    assertThat(new StatusText(NOW).all(reading))
+        .containsPattern("big .* no answer .* 3 MiB +silent since 2026-01-02T03:04:05Z: no answer")
+        .containsPattern("- +b +refused");
   }
 
   @Test

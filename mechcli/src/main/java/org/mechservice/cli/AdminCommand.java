@@ -297,11 +297,19 @@ final class AdminCommand implements Callable<Integer> {
               description = "The latest N lines (default: ${DEFAULT-VALUE}).")
           int lines)
       throws Exception {
+    if (lines < 1) {
+      throw new UsageException("S-041 --lines is " + lines + "; it must be 1 or more");
+    }
     return console(
         (console, out) -> {
           List<LogLine> found = new ArrayList<>();
-          for (Place place : placesOf(console, name)) {
-            found.addAll(console.logs(place.server(), place.host(), 0, LOG_LINES_KEPT));
+          List<Place> places = placesOf(console, name);
+          for (Place place : places) {
+            List<LogLine> there = console.logs(place.server(), place.host(), 0, LOG_LINES_KEPT);
+            if (places.size() > 1) {
+              there.forEach(line -> line.source += " " + place.server());
+            }
+            found.addAll(there);
           }
           found.sort(Comparator.comparingLong(line -> line.writtenAt));
           List<LogLine> latest = found.subList(Math.max(0, found.size() - lines), found.size());

@@ -14,6 +14,7 @@ import picocli.CommandLine.IVersionProvider;
     description = "Simulates multibody systems written in MechML.",
     subcommands = {
       SimulateCommand.class,
+      SweepCommand.class,
       CheckCommand.class,
       BuildCommand.class,
       ImportCommand.class,

@@ -32,7 +32,9 @@ final class MethodOptions {
       names = "--closure",
       paramLabel = "auto|projection|penalty",
       hideParamSyntax = true,
-      description = "How loops are closed: auto, projection or penalty.")
+      description =
+          "How loops are closed: auto, projection or penalty; with numbers of its own"
+              + " penalty:alpha=1e7,omega=10,mu=1.")
   private String closure = "";
 
   @Option(

@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.mechservice.client.CheckpointStore;
 import org.mechservice.client.MechSession;
@@ -58,22 +57,7 @@ final class SimulateCommand implements Callable<Integer> {
 
   @Mixin private ParameterOptions parameters = new ParameterOptions();
 
-  @Option(names = "--rtol", paramLabel = "R", description = "Relative tolerance.")
-  private Optional<Double> relativeTolerance = Optional.empty();
-
-  @Option(
-      names = "--atol",
-      paramLabel = "A",
-      description =
-          "Absolute tolerance, SI: one, or four A;B;C;D for positions, angles, velocities, angular"
-              + " velocities.")
-  private Optional<String> absoluteTolerance = Optional.empty();
-
-  @Option(names = "--t-end", paramLabel = "T", description = "End of the run, s.")
-  private Optional<Double> endTime = Optional.empty();
-
-  @Option(names = "--t-step", paramLabel = "H", description = "Distance of the rows, s.")
-  private Optional<Double> outputStep = Optional.empty();
+  @Mixin private RunOptions run = new RunOptions();
 
   @Option(
       names = "--out",
@@ -82,6 +66,11 @@ final class SimulateCommand implements Callable<Integer> {
   private List<Path> out = List.of();
 
   @Mixin private CheckpointOptions checkpoints = new CheckpointOptions();
+
+  @Option(
+      names = "--strict",
+      description = "Take warnings for errors, those of the model's file and those of the run.")
+  private boolean strict;
 
   @Option(names = "--quiet", description = "Print nothing but errors.")
   private boolean quiet;
@@ -101,7 +90,7 @@ final class SimulateCommand implements Callable<Integer> {
         Service service = Service.open(server);
         MechSession session = service.connection().openSession(host)) {
       List<ModelMessage> warnings = session.loadModel(model, userCode.folder());
-      if (!quiet) {
+      if (!quiet && !strict) {
         warnings.forEach(warning -> err().println(warning));
       }
       RunNews news = new RunNews();
@@ -121,11 +110,9 @@ final class SimulateCommand implements Callable<Integer> {
   }
 
   private SimulationOptions options() {
-    SimulationOptions options = method.addTo(parameters.addTo(SimulationOptions.asInFile()));
-    options = relativeTolerance.map(options::relativeTolerance).orElse(options);
-    options = absoluteTolerance.map(options::absoluteTolerances).orElse(options);
-    options = endTime.map(options::endTime).orElse(options);
-    return outputStep.map(options::outputStep).orElse(options);
+    SimulationOptions options =
+        run.addTo(method.addTo(parameters.addTo(SimulationOptions.asInFile())));
+    return strict ? options.strict() : options;
   }
 
   private int simulate(PreparedRun run, RunNews news, ResultFiles files, CheckpointStore store)

@@ -182,6 +182,7 @@ class AdminCommandTest {
         "limits nosuch=1 | 2 | S-015 there is no limit \"nosuch\"",
         "placement random | 2 | S-008 ",
         "shutdown --grace -1 | 2 | S-135 ",
+        "logs --lines -3 | 2 | S-041 --lines is -3; it must be 1 or more",
         "sims --state odd | 2 | S-041 --state takes created or queued or running",
         "watsch | 2 | S-040 unknown command watsch",
         "stop | 2 | S-041 ID is missing (mech admin help stop lists what there is)",

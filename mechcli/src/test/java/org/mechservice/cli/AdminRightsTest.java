@@ -35,7 +35,7 @@ class AdminRightsTest {
   }
 
   @Test
-  void administratorsActAndOthersAreRefusedEverything(@TempDir Path keys) {
+  void administratorsActAndMonitorsLookAndOthersAreRefusedEverything(@TempDir Path keys) {
     assertThat(mech("keys", keys.toString())).isZero();
     try (MechServerProcess server =
         MechServerProcess.start(
@@ -52,12 +52,33 @@ class AdminRightsTest {
       assertThat(admin(server, admin, "servers")).as(err.toString()).isZero();
       assertThat(out.toString()).contains("secure");
       assertThat(admin(server, admin, "drain")).as(err.toString()).isZero();
-      for (String line : List.of("servers", "limits", "undrain", "shutdown", "placement order")) {
+      for (String line :
+          List.of(
+              "servers",
+              "limits",
+              "undrain",
+              "shutdown",
+              "placement order",
+              "stop abcd1234",
+              "drain secure",
+              "show abcd1234")) {
         assertThat(admin(server, client, line.split(" ", -1))).isEqualTo(ExitStatus.SERVER);
+        assertThat(err.toString()).as(line).startsWith("S-153 ").hasLineCount(1);
+      }
+      String monitor = keys.resolve("monitor").toString();
+      for (String line : List.of("status", "servers", "hosts", "sims", "logs", "limits")) {
+        assertThat(admin(server, monitor, line)).as(err.toString()).isZero();
+      }
+      for (String line : List.of("undrain", "shutdown", "placement order", "limits queue=1")) {
+        assertThat(admin(server, monitor, line.split(" ", -1))).isEqualTo(ExitStatus.SERVER);
         assertThat(err.toString()).as(line).startsWith("S-153 ").hasLineCount(1);
       }
       assertThat(admin(server, admin, "servers")).as(err.toString()).isZero();
       assertThat(out.toString()).contains("draining");
+      assertThat(admin(server, admin, "logs")).as(err.toString()).isZero();
+      assertThat(out.toString())
+          .containsPattern("WARN +server +S-153 \"client\" \\(client\\) at 127\\.0\\.0\\.1:\\d+")
+          .contains("was refused shutdownServer(30)", "was refused setLimits(, queue=1)");
     }
   }
 }

@@ -3,6 +3,7 @@ package org.mechservice.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -159,6 +160,21 @@ class AdminSessionTest {
             .asList());
   }
 
+  /** Returns what the terminal shows of a run on a host, in full. */
+  private String shownOf(String host, String state) {
+    for (JsonElement element :
+        JsonParser.parseString(admin(servers, "sims", "--state", state))
+            .getAsJsonObject()
+            .getAsJsonArray("simulations")) {
+      JsonObject simulation = element.getAsJsonObject();
+      if (simulation.get("host").getAsString().equals(host)
+          && !simulation.get("message").getAsString().startsWith("N-")) {
+        return admin(servers, "show", simulation.get("id").getAsString());
+      }
+    }
+    throw new AssertionError("nothing " + state + " on " + host);
+  }
+
   private static Map<String, Integer> states(Iterable<? extends JsonElement> simulations) {
     Map<String, Integer> counts = new TreeMap<>();
     for (JsonElement simulation : simulations) {
@@ -182,6 +198,8 @@ class AdminSessionTest {
     Map<String, Integer> after = Map.of("done", 12, "failed", 5, "running", 3);
     Eventually.holds(() -> states(page.simulations()).equals(after));
     assertThat(statesOnTheTerminal()).isEqualTo(after);
+    assertThat(shownOf("n2", "done")).contains("<MechML", "\"outcome\": \"completed\"");
+    assertThat(shownOf("n2", "failed")).contains("<MechML", "S-113");
     Eventually.holds(() -> page.host("n2").get("state").getAsString().equals("lost"));
     assertThat(admin(servers, "hosts")).contains("\"state\": \"lost\"");
     assertThat(admin(servers, "sims", "--state", "failed")).contains("S-113 ", "n2");

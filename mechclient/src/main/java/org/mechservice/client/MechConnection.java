@@ -100,6 +100,16 @@ public final class MechConnection implements AutoCloseable {
   }
 
   /**
+   * Asks how many simulations the hosts of the server run at once.
+   *
+   * @throws ServerLostException if the server is lost
+   */
+  public int places() {
+    ServerChoice.Chosen server = servers.chosen();
+    return ServiceDescription.of(server.calls().get(server.server()::getInfo)).places();
+  }
+
+  /**
    * Opens a session wherever there is room.
    *
    * @throws LimitExceededException if the server takes no more sessions

@@ -107,7 +107,7 @@ final class WatchScreen {
         lines.add(server(answering));
         answering.hosts().forEach(host -> lines.add(host(host)));
       } else if (reading instanceof ServerReading.Silent silent) {
-        lines.add(styled(BAD, silent.address() + "  no answer  " + silent.why()));
+        lines.add(styled(BAD, silent.address() + "  " + silent.label() + "  " + silent.why()));
       }
     }
     if (lines.size() <= most) {

@@ -1,9 +1,7 @@
 package org.mechservice.sim.service;
 
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -41,7 +39,6 @@ import org.mechservice.sim.build.GeneratedModel;
 import org.mechservice.sim.build.ModelFactory;
 import org.mechservice.sim.build.PackedJar;
 import org.mechservice.sim.build.user.UserFile;
-import org.mechservice.sim.scene.StiffnessForecast;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.simulation.SolverVersion;
 import org.slf4j.Logger;
@@ -101,19 +98,10 @@ final class MechSimServant implements MechSimOperations {
       times.addTreating(System.nanoTime() - start);
       loaded = Optional.of(read);
       generateAhead(read);
-      return warnings(read).toArray(Diagnostic[]::new);
+      return Wire.diagnostics(read.warnings());
     } catch (MechmlException e) {
       throw Refusal.model(e.diagnostics());
     }
-  }
-
-  /** What the reader noticed, and whether the run of the file will take very many steps. */
-  private static List<Diagnostic> warnings(LoadedModel read) {
-    List<Diagnostic> warnings = new ArrayList<>(List.of(Wire.diagnostics(read.model().warnings())));
-    StiffnessForecast.of(read.model().mechanism(), read.model().settings().run())
-        .map(Wire::warning)
-        .ifPresent(warnings::add);
-    return warnings;
   }
 
   private void requireAllowedSize(ModelFile mechml, ModelFile[] userFiles) throws LimitExceeded {
@@ -230,10 +218,11 @@ final class MechSimServant implements MechSimOperations {
     LoadedModel source = requireModel(options);
     SimulationSettings ofFile = source.model().settings();
     RunOptions asked = RunOptions.parse(options, ofFile);
+    requireNoWarnings(source, asked);
     CompiledModel compiled =
         Built.orRefused(() -> library.compiled(source, asked.forRun(ofFile), times));
     requireUserCodeAllowed(compiled, source);
-    RunRequest request = new RunRequest(asked.settings(), asked.columns());
+    RunRequest request = new RunRequest(asked.settings(), asked.columns(), asked.strict());
     long memory = session.limits().of(HostLimit.MEMORY);
     RunTask task = Built.orRefused(() -> runs.task(compiled, request, memory));
     RunColumns columns = Built.orRefused(() -> runs.columns(task.model(), request));
@@ -242,6 +231,13 @@ final class MechSimServant implements MechSimOperations {
     IMechSimRemote reference = session.add(run, client);
     session.said(run, messages(source, compiled.generated(), asked));
     return new Created(run, reference, compiled.generated().formulationReason());
+  }
+
+  /** What the file's reader warned of, a strict request takes for errors. */
+  private static void requireNoWarnings(LoadedModel source, RunOptions asked) throws InvalidModel {
+    if (asked.strict() && !source.model().warnings().isEmpty()) {
+      throw Refusal.strict(source.model().warnings());
+    }
   }
 
   private void requireUserCodeAllowed(CompiledModel compiled, LoadedModel source)
@@ -284,6 +280,7 @@ final class MechSimServant implements MechSimOperations {
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
     LoadedModel source = requireModel(options);
     RunOptions asked = RunOptions.parse(options, source.model().settings());
+    requireNoWarnings(source, asked);
     BuildOptions build = asked.forJar();
     CompiledModel compiled = Built.orRefused(() -> library.compiled(source, build, times));
     long start = System.nanoTime();

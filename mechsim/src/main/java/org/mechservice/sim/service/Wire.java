@@ -8,7 +8,6 @@ import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.Severity;
 import org.mechservice.idl.StepTried;
-import org.mechservice.sim.scene.Finding;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Variable;
 
@@ -29,17 +28,6 @@ final class Wire {
         };
     return new Diagnostic(
         level, said.code(), said.message(), said.file(), said.path(), said.line(), said.column());
-  }
-
-  static Diagnostic warning(Finding found) {
-    return new Diagnostic(
-        Severity.SEV_WARNING,
-        found.code(),
-        found.text(),
-        found.origin().file(),
-        "",
-        found.origin().line(),
-        0);
   }
 
   static Diagnostic information(String code, String text) {
