@@ -27,10 +27,7 @@ class JudgeTest {
   }
 
   private static double[][] made() {
-    return new ReferenceMaker(DISTANCE, 20)
-        .make(List.of(pendulum()), TIMES)
-        .orElseThrow()
-        .states();
+    return new ReferenceMaker(DISTANCE, 20).make(List.of(pendulum()), TIMES).orElseThrow().states();
   }
 
   @Test
@@ -71,6 +68,7 @@ class JudgeTest {
     Judge judge = Judge.cut(reference, RunGrid.uniform(0, 3, 3));
 
     assertThat(judge.reference().orElseThrow().end()).isEqualTo(2);
-    assertThat(judge.said()).anySatisfy(said -> assertThat(said).contains("cut at 2.000 s", "grows 1.0e+10"));
+    assertThat(judge.said())
+        .anySatisfy(said -> assertThat(said).contains("cut at 2.000 s", "grows 1.0e+10"));
   }
 }

@@ -84,8 +84,9 @@ final class PeriodsStudy implements Study {
     // A bar that swings to 1 rad about its lowest position: 2π √(2 l / 3 g) = 1.638 s, and 6.6 %.
     scene(page, table, "pendulum", pendulum(), 1.746, open, this::energy);
     // Without forces, about its largest inertia: ω √((3 − 1)(3 − 2) / (1 · 2)) = 1 rad/s.
-    String spin = Bench.replaced(Bench.scene("spin_1e3_asymmetric.xml"), "1e3*0.001;1e3*0.001;1e3",
-        "0.1;0.1;1");
+    String spin =
+        Bench.replaced(
+            Bench.scene("spin_1e3_asymmetric.xml"), "1e3*0.001;1e3*0.001;1e3", "0.1;0.1;1");
     scene(page, table, "free rotor", spin, 2 * Math.PI, open, this::momentum);
     List<Method> closed =
         List.of(

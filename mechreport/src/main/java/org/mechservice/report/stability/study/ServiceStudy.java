@@ -72,8 +72,7 @@ final class ServiceStudy implements Study {
       // Two refusals alike say nothing, unless the scene is one to be refused.
       boolean begun = remote.begun() && local.begun();
       boolean refusal = wanted.expectation() == ExtremeCase.Expectation.REFUSAL;
-      boolean words =
-          (begun || refusal) && (stopped || remote.words().equals(local.words()));
+      boolean words = (begun || refusal) && (stopped || remote.words().equals(local.words()));
       table.row(
           wanted.name(),
           remote.rows().size(),

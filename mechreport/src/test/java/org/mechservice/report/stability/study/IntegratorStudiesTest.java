@@ -33,7 +33,9 @@ class IntegratorStudiesTest {
     return rows;
   }
 
-  /** Backward Euler with the first NDF's κ: |1/(1 − z)| < 1 on the imaginary axis, at every size. */
+  /**
+   * Backward Euler with the first NDF's κ: |1/(1 − z)| < 1 on the imaginary axis, at every size.
+   */
   @Test
   void implicitMethodsOfOrdersOneAndTwoNeverLetAnUndampedOscillatorGrow() throws IOException {
     boolean implicit = false;
