@@ -8,22 +8,18 @@
 // over the connection we opened (bidirectional GIOP), so no port of this machine is reached from
 // outside. Exit status: 0 done, 1 the simulation failed, 2 bad usage or model, 3 server or network.
 
-#include "mechservice.hh"
+#include "connection.hh"
 
-#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <mutex>
-#include <random>
 #include <stdexcept>
 #include <string>
 
-namespace ms = mechservice;
 using Clock = std::chrono::steady_clock;
 
 const CORBA::ULong ROWS_PER_BLOCK = 1000;
@@ -109,51 +105,6 @@ class Held {
  private:
   ms::Leased_var leased_;
 };
-
-CORBA::ORB_ptr startOrb(int& argc, char** argv) {
-  // The server tells clients' connections apart by the address each client states as its own. A
-  // random loopback address keeps two clients from stating the same one.
-  std::random_device seed;
-  std::uniform_int_distribution<int> byte(1, 254);
-  std::string address = "giop:tcp:127." + std::to_string(byte(seed)) + "." +
-                        std::to_string(byte(seed)) + "." + std::to_string(byte(seed)) + ":";
-  const char* options[][2] = {
-      {"nativeCharCodeSet", "UTF-8"},         // the default, Latin-1, refuses most names
-      {"offerBiDirectionalGIOP", "1"},        // callbacks over our own connection ...
-      {"clientTransportRule", "* bidir,tcp"}, // ... for every server
-      {"giopMaxMsgSize", "67108864"},         // 64 MiB: JARs are larger than the default 2 MB
-      {"endPoint", address.c_str()},
-      {nullptr, nullptr}};
-  return CORBA::ORB_init(argc, argv, "", options);
-}
-
-// The POA our callbacks live in: reachable over our own connections, one call at a time, in order.
-PortableServer::POA_ptr callbackPoa(CORBA::ORB_ptr orb) {
-  CORBA::Object_var object = orb->resolve_initial_references("RootPOA");
-  PortableServer::POA_var root = PortableServer::POA::_narrow(object);
-  PortableServer::POAManager_var manager = root->the_POAManager();
-  manager->activate();
-  CORBA::Any both;
-  both <<= BiDirPolicy::BOTH;
-  CORBA::PolicyList policies(2);
-  policies.length(2);
-  policies[0] = orb->create_policy(BiDirPolicy::BIDIRECTIONAL_POLICY_TYPE, both);
-  policies[1] = root->create_thread_policy(PortableServer::SINGLE_THREAD_MODEL);
-  return root->create_POA("callbacks", manager, policies);
-}
-
-ms::ModelFile readModel(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) {
-    throw std::invalid_argument(path + ": cannot be read");
-  }
-  std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  ms::ModelFile file;
-  file.fileName = path.substr(path.find_last_of('/') + 1).c_str();
-  file.content.length(bytes.size());
-  std::copy(bytes.begin(), bytes.end(), file.content.get_buffer());
-  return file;
-}
 
 ms::NameValueSeq readOptions(int argc, char** argv) {
   ms::NameValueSeq options;

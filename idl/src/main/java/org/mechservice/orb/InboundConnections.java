@@ -25,6 +25,7 @@ final class InboundConnections {
   private final String id = UUID.randomUUID().toString();
   private final Set<Socket> open = new HashSet<>();
   private final ReplyRoom room = new ReplyRoom();
+  private final RequestRoom requests = new RequestRoom();
   private int most = Integer.MAX_VALUE;
   private boolean closed;
 
@@ -47,6 +48,11 @@ final class InboundConnections {
   /** Returns the memory for answers to those connected. */
   ReplyRoom room() {
     return room;
+  }
+
+  /** Returns the memory for large messages from those connected. */
+  RequestRoom requests() {
+    return requests;
   }
 
   /** Sets how many connections there may be; those there are stay. */

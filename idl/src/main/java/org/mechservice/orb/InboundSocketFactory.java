@@ -1,6 +1,7 @@
 package org.mechservice.orb;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -54,7 +55,8 @@ public class InboundSocketFactory implements ServerSocketFactory, Configurable {
   }
 
   /** Returns what the ORB reads from and writes to, of a connection that was accepted. */
-  Socket ready(Socket accepted) throws IOException {
+  Socket ready(Accepted accepted) throws IOException {
+    accepted.readAsMessages();
     return accepted;
   }
 
@@ -65,16 +67,18 @@ public class InboundSocketFactory implements ServerSocketFactory, Configurable {
 
     @Override
     public Socket accept() throws IOException {
-      Socket accepted = new Accepted(known());
+      Accepted accepted = new Accepted(known());
       implAccept(accepted);
       known().add(accepted);
       return ready(accepted);
     }
   }
 
-  private static final class Accepted extends Socket {
+  /** A connection somebody else has opened. */
+  static final class Accepted extends Socket {
     private final InboundConnections connections;
     private @Nullable ReplyQueue replies;
+    private @Nullable RequestStream requests;
 
     Accepted(InboundConnections connections) {
       this.connections = connections;
@@ -87,6 +91,25 @@ public class InboundSocketFactory implements ServerSocketFactory, Configurable {
           replies = new ReplyQueue(this, super.getOutputStream(), connections.room());
         }
         return replies;
+      }
+    }
+
+    /** What comes in are messages, not something else that holds them. */
+    void readAsMessages() throws IOException {
+      synchronized (connections) {
+        requests = new RequestStream(this, super.getInputStream(), connections.requests());
+      }
+    }
+
+    @Override
+    public InputStream getInputStream() throws IOException {
+      RequestStream messages = requests();
+      return messages == null ? super.getInputStream() : messages;
+    }
+
+    private @Nullable RequestStream requests() {
+      synchronized (connections) {
+        return requests;
       }
     }
 
@@ -107,6 +130,10 @@ public class InboundSocketFactory implements ServerSocketFactory, Configurable {
       super.close();
       if (last != null) {
         last.abandon();
+      }
+      RequestStream messages = requests();
+      if (messages != null) {
+        messages.ended();
       }
     }
   }

@@ -39,13 +39,13 @@ public final class LimitedBuffers implements BufferManagerFactory {
     @Override
     public byte[] getBuffer(int size) {
       requireAllowed(size);
-      return super.getBuffer(size);
+      return size > LARGEST_KEPT_BYTES ? new byte[size] : super.getBuffer(size);
     }
 
     @Override
     public byte[] getExpandedBuffer(int size) {
       requireAllowed(size);
-      return super.getBuffer(Math.min(2 * size, MAX_MESSAGE_BYTES));
+      return getBuffer(Math.min(2 * size, MAX_MESSAGE_BYTES));
     }
 
     /** The ORB keeps used buffers by the dozen, for each size; of large ones that is too many. */

@@ -24,7 +24,7 @@ public final class TlsInboundSocketFactory extends InboundSocketFactory {
   }
 
   @Override
-  Socket ready(Socket accepted) throws IOException {
+  Socket ready(Accepted accepted) throws IOException {
     if (peers == null) {
       throw new IllegalStateException("used before it was configured");
     }

@@ -1,5 +1,6 @@
 package org.mechservice.cli;
 
+import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
@@ -25,6 +26,11 @@ final class CheckCommand implements Callable<Integer> {
 
   @Mixin private UserCodeOption userCode = new UserCodeOption();
 
+  @Option(
+      names = "--strict",
+      description = "Take warnings for errors: exit status 2 if there are any.")
+  private boolean strict;
+
   @Option(names = "--json", description = "Print one JSON object.")
   private boolean json;
 
@@ -36,7 +42,26 @@ final class CheckCommand implements Callable<Integer> {
         MechSession session = service.connection().openSession()) {
       session.loadModel(model, userCode.folder());
       spec.commandLine().getOut().println(session.checkReport(json).stripTrailing());
+      return strict ? judged(session) : ExitStatus.DONE;
+    }
+  }
+
+  private int judged(MechSession session) {
+    int warnings =
+        JsonParser.parseString(session.checkReport(true))
+            .getAsJsonObject()
+            .getAsJsonArray("warnings")
+            .size();
+    if (warnings == 0) {
       return ExitStatus.DONE;
     }
+    spec.commandLine().getOut().flush();
+    spec.commandLine()
+        .getErr()
+        .println(
+            "S-164 the model has "
+                + (warnings == 1 ? "1 warning" : warnings + " warnings")
+                + ", and --strict was given");
+    return ExitStatus.BAD_INPUT;
   }
 }

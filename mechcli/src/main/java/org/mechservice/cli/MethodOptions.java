@@ -23,16 +23,18 @@ final class MethodOptions {
 
   @Option(
       names = "--integrator",
-      paramLabel = "auto|ode113|DE|ode15s|ode15sR",
+      paramLabel = "auto|ode113|DE|ode15s|ode15sR|switching",
       hideParamSyntax = true,
-      description = "Integration method: auto, ode113, DE, ode15s or ode15sR.")
+      description = "Integration method: auto, ode113, DE, ode15s, ode15sR or switching.")
   private String integrator = "";
 
   @Option(
       names = "--closure",
       paramLabel = "auto|projection|penalty",
       hideParamSyntax = true,
-      description = "How loops are closed: auto, projection or penalty.")
+      description =
+          "How loops are closed: auto, projection or penalty; with numbers of its own"
+              + " penalty:alpha=1e7,omega=10,mu=1.")
   private String closure = "";
 
   @Option(

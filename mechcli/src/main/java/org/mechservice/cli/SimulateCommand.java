@@ -68,6 +68,11 @@ final class SimulateCommand implements Callable<Integer> {
 
   @Mixin private CheckpointOptions checkpoints = new CheckpointOptions();
 
+  @Option(
+      names = "--strict",
+      description = "Take warnings for errors, those of the model's file and those of the run.")
+  private boolean strict;
+
   @Option(names = "--quiet", description = "Print nothing but errors.")
   private boolean quiet;
 
@@ -86,7 +91,7 @@ final class SimulateCommand implements Callable<Integer> {
         Service service = Service.open(server);
         MechSession session = service.connection().openSession(host)) {
       List<ModelMessage> warnings = session.loadModel(model, userCode.folder());
-      if (!quiet) {
+      if (!quiet && !strict) {
         warnings.forEach(warning -> err().println(warning));
       }
       RunNews news = new RunNews();
@@ -115,7 +120,9 @@ final class SimulateCommand implements Callable<Integer> {
   }
 
   private SimulationOptions options() {
-    return run.addTo(method.addTo(parameters.addTo(SimulationOptions.asInFile())));
+    SimulationOptions options =
+        run.addTo(method.addTo(parameters.addTo(SimulationOptions.asInFile())));
+    return strict ? options.strict() : options;
   }
 
   private int simulate(PreparedRun run, RunNews news, ResultFiles files, CheckpointStore store)

@@ -91,12 +91,65 @@ class WholeWayTest {
     assertThat(folder.resolve("arm.csv")).content().startsWith("t,shoulder.q,elbow.q,grip.q,");
   }
 
+  /** A link without mass at the end of a chain, and inertia that no body has. */
+  @Test
+  void whatIsOddInAnImportedModelIsToldAtOnce() throws Exception {
+    Path robot = folder.resolve("odd.urdf");
+    Files.writeString(
+        robot,
+        """
+        <robot name="odd">
+          <link name="base"/>
+          <link name="arm">
+            <inertial><mass value="1"/>
+              <inertia ixx="1" iyy="1" izz="3" ixy="0" ixz="0" iyz="0"/></inertial>
+          </link>
+          <link name="tip"/>
+          <joint name="j1" type="continuous"><parent link="base"/><child link="arm"/></joint>
+          <joint name="j2" type="continuous"><parent link="arm"/><child link="tip"/></joint>
+        </robot>
+        """);
+    assertThat(mech("import", robot.toString(), "-o", file("odd.xml"), "--strict")).isZero();
+    assertThat(err.toString())
+        .contains("odd.urdf:4:5: M-032 body \"arm\"")
+        .contains("odd.urdf:9: S-086 joint \"j2\" moves body \"tip\" and nothing beyond it");
+  }
+
   @Test
   void strictImportThatWouldLoseSomethingWritesNothing() {
     String robot = Path.of("..", "examples", "robot", "arm.urdf").toString();
     assertThat(mech("import", robot, "-o", file("arm.xml"), "--strict")).isEqualTo(2);
     assertThat(err.toString()).contains("S-127 " + robot + " has 4 things");
     assertThat(folder.resolve("arm.xml")).doesNotExist();
+  }
+
+  private static final String TOO_LONG =
+      Path.of("..", "examples", "extremes", "fps_inconsistent_rod.xml").toString();
+
+  @Test
+  void strictRunRefusesAStartThatDoesNotCloseTheLoops() {
+    assertThat(mech("simulate", TOO_LONG, "--strict", "--quiet", "--out", file("r.csv")))
+        .isEqualTo(1);
+    assertThat(err.toString()).contains("N-040").contains("\"C3\"").contains("1.0e-03 m");
+    assertThat(folder.resolve("r.csv")).doesNotExist();
+  }
+
+  @Test
+  void strictCheckTakesWarningsForErrors() {
+    assertThat(mech("check", TOO_LONG)).isZero();
+    assertThat(mech("check", TOO_LONG, "--strict")).isEqualTo(2);
+    assertThat(err.toString()).contains("S-164 the model has 1 warning");
+    assertThat(mech("check", MODEL, "--strict")).isZero();
+  }
+
+  @Test
+  void penaltyMayHaveNumbersOfItsOwn() {
+    String model = Path.of("..", "examples", "extremes", "fourbar_redundant.xml").toString();
+    assertThat(mech("simulate", model, "--t-end", "0.1", "--closure", "penalty:alpha=2e8,mu=2"))
+        .isZero();
+    assertThat(out.toString()).contains("alpha is 2.000e+08").contains("mu 2.000");
+    assertThat(mech("simulate", model, "--closure", "penalty:alpha=2")).isEqualTo(2);
+    assertThat(err.toString()).contains("S-081").contains("must lie between");
   }
 
   @Test

@@ -77,6 +77,7 @@ class CyclesTest {
   }
 
   private static void assertNothingIsLeft(Inside before, Inside after) {
+    assertThat(before.objects()).isPositive();
     assertThat(after.objects()).as("CORBA objects").isEqualTo(before.objects());
     assertThat(after.threads()).as("threads").isLessThanOrEqualTo(before.threads() + 2);
     assertThat(after.files()).as("open files").isLessThanOrEqualTo(before.files() + 2);

@@ -52,7 +52,8 @@ class HostileBytesTest {
             "A server with `-Xmx128m` gets byte streams of each kind, one connection each, none of"
                 + " which it can have expected; mutations are valid messages of a client's whole"
                 + " way through the service, recorded on the wire, with bytes changed, cut out, or"
-                + " put in. After each kind an honest client, who is connected all the time,"
+                + " put in; those that are still valid open sessions, which end with"
+                + " their lease. After each kind an honest client, who is connected all the time,"
                 + " simulates and gets its rows to the last bit. Heap after a full collection.",
             SEED);
     page.line("| kind | streams | heap in use | CORBA objects | threads | open files |");
@@ -166,6 +167,8 @@ class HostileBytesTest {
       }
       slowloris(server.port(), slow, valid, () -> assertServes(session, alone));
       note(page, "a byte now and then, or none", slow, server, before);
+      announced(server.port(), slow, () -> assertServes(session, alone));
+      note(page, "large lengths announced at once, nothing follows", slow, server, before);
       assertThat(server.messages()).doesNotContain("OutOfMemoryError");
     }
   }
@@ -262,6 +265,23 @@ class HostileBytesTest {
         for (int i = 0; i < count; i += 2) { // the others never say anything
           drip(open.get(i), valid.get(i % valid.size()), sent);
         }
+      }
+      meanwhile.run();
+    } finally {
+      for (Socket socket : open) {
+        socket.close();
+      }
+    }
+  }
+
+  /** Every one of them announces as much as a message may have. */
+  private static void announced(int port, int count, Check meanwhile) throws Exception {
+    List<Socket> open = new ArrayList<>();
+    try {
+      for (int i = 0; i < count; i++) {
+        Socket socket = new Socket(InetAddress.getLoopbackAddress(), port);
+        open.add(socket);
+        socket.getOutputStream().write(Giop.header(0, 30 << 20));
       }
       meanwhile.run();
     } finally {

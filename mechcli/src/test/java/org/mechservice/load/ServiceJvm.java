@@ -9,12 +9,17 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /** A server or host in a process of its own, whose inside can be counted. */
 final class ServiceJvm implements AutoCloseable {
   private static final Path JAVA_HOME = Path.of(System.getProperty("java.home"));
   private static final long PATIENCE_SECONDS = 60;
+  private static final Pattern TOTAL = Pattern.compile("Total\\s+\\d+\\s+(\\d+)");
+  private static final Pattern SERVANTS =
+      Pattern.compile("\\s(\\d+)\\s+\\d+\\s+org\\.mechservice\\.idl\\.\\w+POATie\\s");
 
   private final Process process;
   private final String firstLine;
@@ -40,6 +45,17 @@ final class ServiceJvm implements AutoCloseable {
    */
   static ServiceJvm start(List<String> prefix, int heapMegabytes, String... arguments)
       throws IOException {
+    return start(prefix, heapMegabytes, List.of(), arguments);
+  }
+
+  /**
+   * Starts a command of {@code mech} and waits until it prints its address.
+   *
+   * @param settings system properties, as Java's command line has them
+   */
+  static ServiceJvm start(
+      List<String> prefix, int heapMegabytes, List<String> settings, String... arguments)
+      throws IOException {
     List<String> command = new ArrayList<>(prefix);
     command.addAll(
         List.of(
@@ -47,10 +63,10 @@ final class ServiceJvm implements AutoCloseable {
             "-Xmx" + heapMegabytes + "m",
             "-XX:+UseSerialGC",
             "-XX:TieredStopAtLevel=1",
-            "-XX:+ExitOnOutOfMemoryError",
-            "-cp",
-            System.getProperty("java.class.path"),
-            "org.mechservice.cli.Mech"));
+            "-XX:+ExitOnOutOfMemoryError"));
+    command.addAll(settings);
+    command.addAll(
+        List.of("-cp", System.getProperty("java.class.path"), "org.mechservice.cli.Mech"));
     command.addAll(List.of(arguments));
     return new ServiceJvm(command);
   }
@@ -119,13 +135,13 @@ final class ServiceJvm implements AutoCloseable {
     String histogram = jcmd("GC.class_histogram");
     long heap = 0;
     long objects = 0;
-    for (String line : histogram.lines().toList()) {
-      String[] words = line.trim().split("\\s+", -1);
-      if (words[0].equals("Total")) {
-        heap = Long.parseLong(words[2]);
-      } else if (words.length >= 4 && words[3].matches("org\\.mechservice\\.idl\\.\\w+POATie")) {
-        objects += Long.parseLong(words[1]);
-      }
+    Matcher total = TOTAL.matcher(histogram);
+    while (total.find()) {
+      heap = Long.parseLong(total.group(1));
+    }
+    Matcher servants = SERVANTS.matcher(histogram);
+    while (servants.find()) {
+      objects += Long.parseLong(servants.group(1));
     }
     if (heap == 0) {
       throw new IOException("no histogram: " + histogram);

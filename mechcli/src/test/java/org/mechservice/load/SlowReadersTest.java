@@ -88,7 +88,8 @@ class SlowReadersTest {
       }
       Thread.sleep(500); // the server has begun to answer
       Seen seen = honest(server, service);
-      note(page, Integer.toString(readers), seen);
+      note(page, readers + ", just now", seen);
+      note(page, readers + ", later", honest(server, service));
       assertThat(server.messages()).doesNotContain("OutOfMemoryError");
       return seen;
     } finally {

@@ -95,11 +95,13 @@ record FetchedModel(
 
   /**
    * @param columns column groups asked for; empty: those its file selects
+   * @param strict whether the first warning ends the run
    */
-  LocalRun prepare(Optional<Set<ColumnGroup>> columns, Map<String, Object> facts) {
+  LocalRun prepare(Optional<Set<ColumnGroup>> columns, boolean strict, Map<String, Object> facts) {
     ModelSource source = newSource();
     Model model = source.model();
-    RunRequest request = new RunRequest(model.description().defaults(), columns.orElse(shown));
+    RunRequest request =
+        new RunRequest(model.description().defaults(), columns.orElse(shown), strict);
     return new LocalRun(source, model, solver, sha256, request, facts);
   }
 }

@@ -2,7 +2,6 @@ package org.mechservice.client;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.cert.Certificate;
 import java.util.List;
@@ -163,7 +162,7 @@ public final class MechConnection implements AutoCloseable {
    */
   public ImportedModel importModel(Path file) throws IOException {
     String name = String.valueOf(file.getFileName());
-    ModelFile foreign = new ModelFile(name, Files.readAllBytes(file));
+    ModelFile foreign = new ModelFile(name, ModelBytes.of(file));
     ServerChoice.Chosen server = servers.chosen();
     DiagnosticSeqHolder losses = new DiagnosticSeqHolder();
     try {

@@ -21,6 +21,7 @@ import org.mechservice.idl.OPT_REL_TOL;
 import org.mechservice.idl.OPT_SET;
 import org.mechservice.idl.OPT_SIMULATION;
 import org.mechservice.idl.OPT_STANDALONE;
+import org.mechservice.idl.OPT_STRICT;
 import org.mechservice.idl.OPT_TUNABLE;
 import org.mechservice.idl.OPT_T_END;
 import org.mechservice.idl.OPT_T_STEP;
@@ -88,7 +89,10 @@ public final class SimulationOptions {
     return with(OPT_FORMULATION.value, name);
   }
 
-  /** Chooses how loops are closed: {@code auto}, {@code projection} or {@code penalty}. */
+  /**
+   * Chooses how loops are closed: {@code auto}, {@code projection} or {@code penalty}, with numbers
+   * of its own {@code penalty:alpha=1e7,omega=10,mu=1}.
+   */
   public SimulationOptions closure(String name) {
     return with(OPT_CLOSURE.value, name);
   }
@@ -99,8 +103,8 @@ public final class SimulationOptions {
   }
 
   /**
-   * Chooses the integrator: {@code auto}, {@code ode113}, {@code DE}, {@code ode15s} or {@code
-   * ode15sR}.
+   * Chooses the integrator: {@code auto}, {@code ode113}, {@code DE}, {@code ode15s}, {@code
+   * ode15sR}, or {@code switching}, which is ode113 and, where the motion is stiff, ode15s.
    */
   public SimulationOptions integrator(String name) {
     return with(OPT_INTEGRATOR.value, name);
@@ -144,6 +148,15 @@ public final class SimulationOptions {
     return with(
         OPT_COLUMNS.value,
         sorted.stream().map(ColumnGroup::label).collect(Collectors.joining(",")));
+  }
+
+  /** Takes warnings for errors: those of the model's file refuse it, the first of a run ends it. */
+  public SimulationOptions strict() {
+    return with(OPT_STRICT.value, "true");
+  }
+
+  boolean isStrict() {
+    return "true".equals(texts.get(OPT_STRICT.value));
   }
 
   SimulationOptions standalone() {

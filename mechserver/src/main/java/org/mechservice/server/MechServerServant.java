@@ -27,8 +27,16 @@ import org.mechservice.sim.service.Refusal;
 final class MechServerServant implements MechServerOperations {
   private static final String[] CAPABILITIES = {
     "formulation=DTR",
+    "formulation=DSR",
+    "formulation=RR",
+    "formulation=RR-JF",
+    "closure=projection",
+    "closure=penalty",
     "integrator=ode113",
     "integrator=DE",
+    "integrator=ode15s",
+    "integrator=ode15sR",
+    "integrator=switching",
     "jar=model",
     "jar=standalone",
     "import=urdf"

@@ -16,7 +16,8 @@ import org.mechservice.solver.integration.IntegratorSettings;
 
 /** Reads {@code integrator}. */
 final class IntegratorReader {
-  private static final List<String> KNOWN = List.of("auto", "DE", "ode113", "ode15s", "ode15sR");
+  private static final List<String> KNOWN =
+      List.of("auto", "DE", "ode113", "ode15s", "ode15sR", "switching");
   private static final List<String> BACKWARD = List.of("ode15s", "ode15sR");
 
   /** Order of the Adams formulas with local extrapolation at its highest. */
@@ -96,7 +97,14 @@ final class IntegratorReader {
 
   private Optional<AbsoluteTolerances> absoluteTolerances(Element element) {
     List<AttributeText> items = AttributeText.itemsOf(element, "absTol");
-    if (items.size() != 1 && !values.hasCount(items, 4)) {
+    if (items.size() != 1 && items.size() != 4) {
+      diagnostics.error(
+          MessageCode.VALUE_COUNT,
+          element.place(),
+          Phrase.of(
+              "%s: absTol holds %d values; 1 is needed, or 4 separated by \";\": for positions, angles,"
+                  + " velocities and angular velocities",
+              element.label(), items.size()));
       return Optional.empty();
     }
     List<Double> tolerances = new ArrayList<>();

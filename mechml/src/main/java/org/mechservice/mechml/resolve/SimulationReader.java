@@ -14,6 +14,7 @@ import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.mechanism.Event;
 
 /** Reads {@code MBSsimulation}: what to compute, when, how accurately and by which method. */
@@ -53,10 +54,11 @@ final class SimulationReader {
     Optional<SimulationTask> task = task(asked);
     List<Event> events = eventsReader.map(r -> r.read(asked.children("event"))).orElse(List.of());
     List<String> columns = asked.child("output").map(this::columns).orElse(List.of());
-    if (time.isEmpty() || integrator.isEmpty() || task.isEmpty()) {
+    Optional<Element> formulation = asked.child("formulation");
+    Optional<String> closure = formulation.map(this::closure).orElse(Optional.of(AUTO));
+    if (time.isEmpty() || integrator.isEmpty() || task.isEmpty() || closure.isEmpty()) {
       return Optional.empty();
     }
-    Optional<Element> formulation = asked.child("formulation");
     return Optional.of(
         new SimulationSettings(
             simulation.attribute("name").orElse(""),
@@ -64,9 +66,42 @@ final class SimulationReader {
             run(time.get(), integrator.get()),
             integrator.get().absoluteTolerances(),
             formulation.map(f -> f.required("name")).orElse(AUTO),
-            formulation.flatMap(f -> f.attribute("closure")).orElse(AUTO),
+            closure.get(),
             columns,
             events));
+  }
+
+  /** Returns the closure, the numbers of penalty behind its name; empty if one was wrong. */
+  private Optional<String> closure(Element formulation) {
+    String closure = formulation.attribute("closure").orElse(AUTO);
+    List<String> numbers = new ArrayList<>();
+    boolean wrong = false;
+    for (String name : List.of("alpha", "omega", "mu")) {
+      if (formulation.attribute(name).isPresent()) {
+        OptionalDouble number = values.number(formulation, name);
+        number.ifPresent(value -> numbers.add(name + "=" + value));
+        wrong |= number.isEmpty();
+      }
+    }
+    if (wrong || numbers.isEmpty()) {
+      return wrong ? Optional.empty() : Optional.of(closure);
+    }
+    if (!closure.equals(PenaltySettings.CLOSURE)) {
+      return wrong(formulation, "alpha, omega and mu belong to closure=\"penalty\"");
+    }
+    String penalty = closure + ":" + String.join(",", numbers);
+    try {
+      PenaltySettings.of(penalty);
+    } catch (IllegalArgumentException e) {
+      return wrong(formulation, String.valueOf(e.getMessage()));
+    }
+    return Optional.of(penalty);
+  }
+
+  private Optional<String> wrong(Element element, String why) {
+    diagnostics.error(
+        MessageCode.INTEGRATOR_SETTING, element.place(), element.label() + ": " + why);
+    return Optional.empty();
   }
 
   private static RunSettings run(TimeSet time, IntegratorChoice integrator) {

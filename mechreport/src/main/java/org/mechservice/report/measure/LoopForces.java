@@ -18,6 +18,7 @@ public final class LoopForces {
   private final double[] values;
   private final double[] expected;
   private final int residual;
+  private final int residualRate;
   private final int[] multipliers;
 
   private LoopForces(ResultColumns columns, List<String> names) {
@@ -25,6 +26,7 @@ public final class LoopForces {
     values = new double[names.size()];
     expected = new double[names.size()];
     residual = names.indexOf("constraint.position");
+    residualRate = names.indexOf("constraint.velocity");
     multipliers =
         IntStream.range(0, names.size()).filter(i -> names.get(i).contains(".lambda")).toArray();
   }
@@ -42,9 +44,15 @@ public final class LoopForces {
   }
 
   /** Returns by how much the loops are open, m. */
-  double residual(double t, double[] y) {
+  public double residual(double t, double[] y) {
     columns.values(ColumnGroup.CONSTRAINTS, t, y, values, 0);
     return values[residual];
+  }
+
+  /** Returns how fast the loops open, m/s. */
+  public double residualRate(double t, double[] y) {
+    columns.values(ColumnGroup.CONSTRAINTS, t, y, values, 0);
+    return values[residualRate];
   }
 
   /** Returns how far the multipliers of two states lie apart, as {@link StateDistance} does. */

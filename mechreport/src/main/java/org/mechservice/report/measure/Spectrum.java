@@ -68,13 +68,18 @@ public record Spectrum(List<Sample> samples, double interval) {
       double t = reference.times()[at];
       double[] y = reference.states()[at].clone();
       if (problem.stepEnded(t, y)) {
-        sample(problem, t, y).ifPresent(samples::add);
+        at(problem, t, y).ifPresent(samples::add);
       }
     }
     return new Spectrum(samples, reference.end() - reference.times()[0]);
   }
 
-  private static Optional<Sample> sample(ModelProblem problem, double t, double[] y) {
+  /**
+   * Looks at the spectrum in one state.
+   *
+   * @return empty if the equations have no derivative there
+   */
+  public static Optional<Sample> at(ModelProblem problem, double t, double[] y) {
     int[] free = free(problem);
     double[] jacobian = jacobian(problem, t, y, free);
     for (double element : jacobian) {

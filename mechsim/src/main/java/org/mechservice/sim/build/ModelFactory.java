@@ -15,6 +15,7 @@ import org.mechservice.sim.build.dynamics.EnergyEquations;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.build.dynamics.PoseEquations;
 import org.mechservice.sim.build.dynamics.PowerEquations;
+import org.mechservice.sim.build.dynamics.ResidualDerivatives;
 import org.mechservice.sim.build.dynamics.ResidualEquations;
 import org.mechservice.sim.build.emit.AnalysisTask;
 import org.mechservice.sim.build.emit.CompactClass;
@@ -141,27 +142,32 @@ public final class ModelFactory {
             ? CompositeInertiaEquations.derive(links)
             : ArticulatedBodyEquations.derive(links);
     Optional<Program> residual =
-        choice.formulation().equals("RR")
+        choice.formulation().startsWith("RR")
             ? Optional.of(ResidualEquations.derive(links))
             : Optional.empty();
-    List<Omission> leftOut = LeftOut.of(scene, links, options, derivative);
+    Optional<ResidualDerivatives.Derived> derivatives =
+        choice.formulation().equals("RR-JF")
+            ? Optional.of(ResidualDerivatives.derive(links))
+            : Optional.empty();
+    List<Omission> leftOut = LeftOut.of(model, scene, links, options, derivative);
     ModelClass written =
         new ModelClass(
             mechanism,
             description(mechanism, choice, options),
             derivative,
             residual,
+            derivatives,
             EnergyEquations.derive(links),
             options.columns().contains(ColumnGroup.BODIES)
                 ? Optional.of(PoseEquations.derive(links))
                 : Optional.empty(),
             PowerEquations.power(links),
             forceValues(links, options),
-            notes(choice, derivative, residual, leftOut));
+            notes(choice, derivative, residual, derivatives, leftOut));
     Set<ColumnGroup> further = DataColumns.of(model, options, true);
     return new GeneratedModel(
         ModelPlan.of(written),
-        further.isEmpty()
+        further.isEmpty() && !needsData(model.watchedMechanism())
             ? Optional.empty()
             : Optional.of(
                 new CompactClass(
@@ -174,6 +180,13 @@ public final class ModelFactory {
         choice.reason(),
         derivative.operationCount(),
         leftOut);
+  }
+
+  /** Parameters and what happens along a run are kept as data beside the code. */
+  private static boolean needsData(Mechanism mechanism) {
+    return !mechanism.parameters().isEmpty()
+        || !mechanism.events().isEmpty()
+        || !mechanism.timeJumps(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY).isEmpty();
   }
 
   private static Optional<ModelClass.ForceValues> forceValues(Links links, BuildOptions options) {
@@ -193,6 +206,7 @@ public final class ModelFactory {
       FormulationChoice choice,
       Program derivative,
       Optional<Program> residual,
+      Optional<ResidualDerivatives.Derived> derivatives,
       List<Omission> leftOut) {
     List<String> notes = new ArrayList<>();
     notes.add("Formulation " + choice.formulation() + " (" + choice.reason() + ").");
@@ -200,6 +214,8 @@ public final class ModelFactory {
         derivative.operationCount()
             + " additions, multiplications and divisions give the derivative of the state.");
     residual.ifPresent(program -> notes.add(program.operationCount() + " give the residual."));
+    derivatives.ifPresent(
+        derived -> notes.add(derived.program().operationCount() + " give its derivatives."));
     StringBuilder list = new StringBuilder("Left out:");
     String separator = " ";
     for (Omission omission : leftOut) {

@@ -14,7 +14,12 @@ final class StandaloneMain {
 
   /** Class of each integrator by its name in settings. */
   private static final Map<String, String> INTEGRATORS =
-      Map.of("DE", "De", "ode113", "Ode113", "ode15s", "Ode15s", "ode15sR", "Ode15sR");
+      Map.of(
+          "DE", "De",
+          "ode113", "Ode113",
+          "ode15s", "Ode15s",
+          "ode15sR", "Ode15sR",
+          "switching", "Switching");
 
   private StandaloneMain() {}
 
@@ -25,7 +30,9 @@ final class StandaloneMain {
     if (!INTEGRATORS.containsKey(name)) {
       throw new ModelBuildException(
           "S-082",
-          "integrator \"" + name + "\" is not in this version; use ode113, DE, ode15s or ode15sR");
+          "integrator \""
+              + name
+              + "\" is not in this version; use ode113, DE, ode15s, ode15sR or switching");
     }
   }
 

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
@@ -14,7 +15,8 @@ import org.mechservice.solver.mechanism.closure.LoopClosure;
  * The formulation a scene's equations are written in, and how its loops are closed.
  *
  * @param formulation {@code DTR}, {@code DSR}, {@code RR} or {@code RR-JF}
- * @param closure {@code none} for open chains, {@code projection} or {@code penalty}
+ * @param closure {@code none} for open chains, {@code projection} or {@code penalty}, which its
+ *     numbers may follow
  * @param reason why these
  */
 public record FormulationChoice(String formulation, String closure, String reason) {
@@ -24,7 +26,6 @@ public record FormulationChoice(String formulation, String closure, String reaso
   private static final String RESIDUAL_DERIVED = "RR-JF";
   private static final String OPEN = "none";
   private static final String PROJECTION = "projection";
-  private static final String PENALTY = "penalty";
 
   /** Beyond this size loops are not judged for the choice of their closure. */
   private static final int MOST_VELOCITIES = 1000;
@@ -89,8 +90,12 @@ public record FormulationChoice(String formulation, String closure, String reaso
               + "; use DSR, RR or RR-JF");
     }
     boolean automatic = closure.equals("auto");
-    if (!automatic && !closure.equals(PROJECTION) && !closure.equals(PENALTY)) {
+    boolean penalty = PenaltySettings.isPenalty(closure);
+    if (!automatic && !closure.equals(PROJECTION) && !penalty) {
       throw refused("there is no closure \"" + closure + "\"; use projection, penalty or auto");
+    }
+    if (penalty) {
+      requireUsable(closure);
     }
     String why = "the scene closes loops at " + loops(mechanism);
     String chosen = asked;
@@ -103,7 +108,8 @@ public record FormulationChoice(String formulation, String closure, String reaso
     }
     Optional<String> against =
         automatic ? againstProjection(chosen, settings, mechanism) : Optional.empty();
-    String closedBy = automatic ? against.isPresent() ? PENALTY : PROJECTION : closure;
+    String closedBy =
+        automatic ? against.isPresent() ? PenaltySettings.CLOSURE : PROJECTION : closure;
     String reason =
         automatic
             ? "auto: " + against.orElse("independent coordinates can be chosen")
@@ -116,6 +122,14 @@ public record FormulationChoice(String formulation, String closure, String reaso
     return mechanism.velocityCount() > MOST_VELOCITIES
         ? Optional.empty()
         : new ClosedMechanism(mechanism, formulation, settings).againstProjection();
+  }
+
+  private static void requireUsable(String penalty) {
+    try {
+      PenaltySettings.of(penalty);
+    } catch (IllegalArgumentException e) {
+      throw refused("closure \"" + penalty + "\": " + e.getMessage());
+    }
   }
 
   private static void requireIntegrator(String formulation, String integrator) {

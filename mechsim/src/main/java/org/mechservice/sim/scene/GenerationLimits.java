@@ -3,9 +3,8 @@ package org.mechservice.sim.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
-import org.mechservice.solver.mechanism.Event;
+import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.UserForceElement;
@@ -17,11 +16,19 @@ public final class GenerationLimits {
 
   private GenerationLimits() {}
 
+  /**
+   * Elements of a Jacobian: the largest of which code is generated. Each takes some 350 bytes, and
+   * a class file ends at 65535 constants.
+   */
+  private static final int MOST_ELEMENTS = 2500;
+
   /** Returns what no code is generated for, such as {@code forces "f1", "f2"}. */
   public static List<String> notGenerated(Mechanism mechanism, FormulationChoice choice) {
     List<String> beyond = new ArrayList<>();
-    if (choice.formulation().equals("RR-JF")) {
-      beyond.add("formulation " + choice.formulation());
+    int elements = choice.formulation().equals("RR-JF") ? elements(mechanism) : 0;
+    if (elements > MOST_ELEMENTS) {
+      beyond.add(
+          "a Jacobian of more than " + MOST_ELEMENTS + " elements (it has " + elements + ")");
     }
     add(beyond, "constraints", mechanism.closures().stream().map(LoopClosure::name));
     add(
@@ -30,11 +37,26 @@ public final class GenerationLimits {
         mechanism.forces().stream()
             .filter(UserForceElement.class::isInstance)
             .map(ForceElement::name));
-    add(beyond, "tunable parameters", mechanism.parameters().stream().map(Parameter::name));
-    add(beyond, "events", mechanism.events().stream().map(Event::name));
-    List<Double> jumps = mechanism.timeJumps(0, Double.POSITIVE_INFINITY);
-    add(beyond, "jumps at the times", jumps.stream().map(time -> time + " s"));
+    add(
+        beyond,
+        "tunable parameters in coefficients of forces",
+        SettledCoefficients.withParameters(mechanism).stream());
     return beyond;
+  }
+
+  /** Returns how many velocities there are, and pairs of them with one on the way of the other. */
+  private static int elements(Mechanism mechanism) {
+    int[] onWay = new int[mechanism.bodies().size()];
+    int sum = 0;
+    for (int j : mechanism.outward()) {
+      Joint joint = mechanism.joints().get(j);
+      int own = mechanism.isDriven(j) ? 0 : joint.type().velocityCount();
+      int parent = joint.attachment().parent();
+      int above = parent == Mechanism.ROOT ? 0 : onWay[parent];
+      sum += own * above + own * (own + 1) / 2;
+      onWay[joint.attachment().child()] = above + own;
+    }
+    return sum;
   }
 
   private static void add(List<String> beyond, String kind, Stream<String> names) {

@@ -98,7 +98,7 @@ final class MechSimServant implements MechSimOperations {
       times.addTreating(System.nanoTime() - start);
       loaded = Optional.of(read);
       generateAhead(read);
-      return Wire.diagnostics(read.model().warnings());
+      return Wire.diagnostics(read.warnings());
     } catch (MechmlException e) {
       throw Refusal.model(e.diagnostics());
     }
@@ -218,10 +218,11 @@ final class MechSimServant implements MechSimOperations {
     LoadedModel source = requireModel(options);
     SimulationSettings ofFile = source.model().settings();
     RunOptions asked = RunOptions.parse(options, ofFile);
+    requireNoWarnings(source, asked);
     CompiledModel compiled =
         Built.orRefused(() -> library.compiled(source, asked.forRun(ofFile), times));
     requireUserCodeAllowed(compiled, source);
-    RunRequest request = new RunRequest(asked.settings(), asked.columns());
+    RunRequest request = new RunRequest(asked.settings(), asked.columns(), asked.strict());
     long memory = session.limits().of(HostLimit.MEMORY);
     RunTask task = Built.orRefused(() -> runs.task(compiled, request, memory));
     RunColumns columns = Built.orRefused(() -> runs.columns(task.model(), request));
@@ -230,6 +231,13 @@ final class MechSimServant implements MechSimOperations {
     IMechSimRemote reference = session.add(run, client);
     session.said(run, messages(source, compiled.generated(), asked));
     return new Created(run, reference, compiled.generated().formulationReason());
+  }
+
+  /** What the file's reader warned of, a strict request takes for errors. */
+  private static void requireNoWarnings(LoadedModel source, RunOptions asked) throws InvalidModel {
+    if (asked.strict() && !source.model().warnings().isEmpty()) {
+      throw Refusal.strict(source.model().warnings());
+    }
   }
 
   private void requireUserCodeAllowed(CompiledModel compiled, LoadedModel source)
@@ -272,6 +280,7 @@ final class MechSimServant implements MechSimOperations {
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
     LoadedModel source = requireModel(options);
     RunOptions asked = RunOptions.parse(options, source.model().settings());
+    requireNoWarnings(source, asked);
     BuildOptions build = asked.forJar();
     CompiledModel compiled = Built.orRefused(() -> library.compiled(source, build, times));
     long start = System.nanoTime();

@@ -65,4 +65,13 @@ public final class Refusal {
         "the model has " + errors + (errors == 1 ? " error" : " errors"),
         Wire.diagnostics(diagnostics));
   }
+
+  /** There are warnings, and the request is strict. */
+  static InvalidModel strict(List<Diagnostic> warnings) {
+    int count = warnings.size();
+    return new InvalidModel(
+        "S-164",
+        "the model has " + count + (count == 1 ? " warning" : " warnings") + ", and strict was set",
+        Wire.diagnostics(warnings));
+  }
 }

@@ -23,6 +23,7 @@ import org.mechservice.idl.OPT_REL_TOL;
 import org.mechservice.idl.OPT_SET;
 import org.mechservice.idl.OPT_SIMULATION;
 import org.mechservice.idl.OPT_STANDALONE;
+import org.mechservice.idl.OPT_STRICT;
 import org.mechservice.idl.OPT_TUNABLE;
 import org.mechservice.idl.OPT_T_END;
 import org.mechservice.idl.OPT_T_STEP;
@@ -42,6 +43,7 @@ import org.mechservice.solver.api.RunSettings;
  * @param columns column groups wanted
  * @param settings of the run, with the integrator resolved
  * @param standalone whether a JAR is to carry the solver
+ * @param strict whether warnings are errors
  */
 record RunOptions(
     String formulation,
@@ -49,9 +51,10 @@ record RunOptions(
     boolean compact,
     Set<ColumnGroup> columns,
     RunSettings settings,
-    boolean standalone) {
-  /** What {@code auto} means for explicit formulations: right for models without stiffness. */
-  private static final String EXPLICIT_INTEGRATOR = "ode113";
+    boolean standalone,
+    boolean strict) {
+  /** What {@code auto} means for explicit formulations: ode113, and ode15s where it gets stiff. */
+  private static final String EXPLICIT_INTEGRATOR = "switching";
 
   /** What {@code auto} means for residual formulations: the only one that takes them. */
   private static final String RESIDUAL_INTEGRATOR = "ode15sR";
@@ -76,6 +79,7 @@ record RunOptions(
               OPT_SET.value,
               OPT_TUNABLE.value,
               OPT_STANDALONE.value,
+              OPT_STRICT.value,
               OPT_COMPACT.value));
 
   RunOptions {
@@ -101,7 +105,8 @@ record RunOptions(
         flag(given, OPT_COMPACT.value),
         columns(given.getOrDefault(OPT_COLUMNS.value, ofFile(ofFile))),
         settings(given, ofFile),
-        flag(given, OPT_STANDALONE.value));
+        flag(given, OPT_STANDALONE.value),
+        flag(given, OPT_STRICT.value));
   }
 
   private static Map<String, String> byName(NameValue[] options) throws InvalidOption {

@@ -44,6 +44,7 @@ public record WorkerOrder(
     for (ColumnGroup group : request.columns()) {
       out.writeUTF(group.name());
     }
+    out.writeBoolean(request.strict());
   }
 
   private static void writeFiles(DataOutputStream out, Map<String, byte[]> files)
@@ -68,6 +69,9 @@ public record WorkerOrder(
     out.writeDouble(settings.maxStep());
     out.writeDouble(settings.initialStep());
     out.writeInt(settings.maxOrder());
+    out.writeDouble(settings.angleTolerance());
+    out.writeDouble(settings.velocityTolerance());
+    out.writeDouble(settings.angularVelocityTolerance());
   }
 
   static WorkerOrder read(DataInputStream in) throws IOException {
@@ -85,7 +89,11 @@ public record WorkerOrder(
       columns.add(ColumnGroup.valueOf(in.readUTF()));
     }
     return new WorkerOrder(
-        className, classFiles, userClassFiles, values, new RunRequest(settings, columns));
+        className,
+        classFiles,
+        userClassFiles,
+        values,
+        new RunRequest(settings, columns, in.readBoolean()));
   }
 
   private static SortedMap<String, byte[]> readFiles(DataInputStream in) throws IOException {
@@ -107,6 +115,9 @@ public record WorkerOrder(
         in.readDouble(),
         in.readDouble(),
         in.readDouble(),
-        in.readInt());
+        in.readInt(),
+        in.readDouble(),
+        in.readDouble(),
+        in.readDouble());
   }
 }

@@ -185,8 +185,8 @@ class GeneratedSourceTest {
     assertThatThrownBy(
             () -> ModelFactory.generate(model, new BuildOptions("auto", Set.of(), unknown)))
         .hasMessage(
-            "S-082 integrator \"ode45\" is not in this version; use ode113, DE, ode15s or"
-                + " ode15sR");
+            "S-082 integrator \"ode45\" is not in this version; use ode113, DE, ode15s,"
+                + " ode15sR or switching");
   }
 
   @Test

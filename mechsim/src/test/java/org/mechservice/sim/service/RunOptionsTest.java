@@ -58,7 +58,7 @@ class RunOptionsTest {
 
   @Test
   void automaticIntegratorIsResolved() throws Exception {
-    assertThat(parse("integrator=auto").settings().integrator()).isEqualTo("ode113");
+    assertThat(parse("integrator=auto").settings().integrator()).isEqualTo("switching");
   }
 
   @Test

@@ -9,7 +9,8 @@ import java.util.List;
  * @param tEnd end, s; at or after the start
  * @param tStep distance of the output rows, s; positive. The end is a row even where the distance
  *     does not divide the interval
- * @param integrator {@code ode113} or {@code DE}
+ * @param integrator {@code ode113}, {@code DE}, {@code ode15s}, {@code ode15sR} or {@code
+ *     switching}, which is ode113 and, where the motion is stiff, ode15s
  * @param relativeTolerance local error relative to the state
  * @param absoluteTolerance local error below which a displacement does not matter, m
  * @param maxStep largest step, s; infinite: the integrator's own bound

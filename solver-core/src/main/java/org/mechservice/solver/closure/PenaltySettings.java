@@ -3,10 +3,12 @@ package org.mechservice.solver.closure;
 import java.util.Locale;
 
 /**
- * Numbers of the penalty closure (NUMERICS §3; García de Jalón and Bayo 1994, ch. 5).
+ * Numbers of the penalty closure (NUMERICS §3; García de Jalón and Bayo 1994, ch. 5). As text they
+ * follow the closure's name: {@code penalty:alpha=1e7,omega=10,mu=1}; what is not named has its
+ * default.
  *
- * @param stiffness penalty per equation over the largest inertia on the diagonal of M; large enough
- *     for two or three repetitions to meet the equations to round-off
+ * @param stiffness α, penalty per equation over the largest inertia on the diagonal of M; large
+ *     enough for two or three repetitions to meet the equations to round-off
  * @param frequency Ω, 1/s: how fast a residual within a step dies out; those of accepted states are
  *     projected away
  * @param damping μ, of a residual as of an oscillator: 1 is critical
@@ -15,11 +17,90 @@ public record PenaltySettings(double stiffness, double frequency, double damping
   /** What is used unless something else is said. */
   public static final PenaltySettings DEFAULT = new PenaltySettings(1e7, 10, 1);
 
+  /** What the closure is called. */
+  public static final String CLOSURE = "penalty";
+
+  private static final double LEAST_STIFFNESS = 1e3;
+  private static final double LARGEST_STIFFNESS = 1e12;
+  private static final double LARGEST_FREQUENCY = 1e6;
+  private static final double LARGEST_DAMPING = 100;
+
+  /**
+   * @throws IllegalArgumentException if a number is out of range: below 1e3 repetitions hardly meet
+   *     the equations, beyond 1e12 nothing of the motion is left in M + αJᵀJ
+   */
+  public PenaltySettings {
+    require("alpha", stiffness, LEAST_STIFFNESS, LARGEST_STIFFNESS);
+    require("omega", frequency, 0, LARGEST_FREQUENCY);
+    require("mu", damping, 0, LARGEST_DAMPING);
+  }
+
+  private static void require(String name, double value, double least, double largest) {
+    if (!(value >= least && value <= largest)) {
+      throw new IllegalArgumentException(
+          String.format(
+              Locale.ROOT,
+              "%s is %s; it must lie between %.4g and %.4g",
+              name,
+              value,
+              least,
+              largest));
+    }
+  }
+
+  /** Returns whether a closure is this one, with numbers of its own or without. */
+  public static boolean isPenalty(String closure) {
+    return closure.equals(CLOSURE) || closure.startsWith(CLOSURE + ":");
+  }
+
+  /**
+   * Reads the numbers that follow the closure's name.
+   *
+   * @param closure {@code penalty}, or {@code penalty:} and numbers by name, separated by commas
+   * @throws IllegalArgumentException if that is not so, or a number is out of range
+   */
+  public static PenaltySettings of(String closure) {
+    double alpha = DEFAULT.stiffness;
+    double omega = DEFAULT.frequency;
+    double mu = DEFAULT.damping;
+    if (!isPenalty(closure)) {
+      throw new IllegalArgumentException("\"" + closure + "\" is not the penalty closure");
+    }
+    if (closure.equals(CLOSURE)) {
+      return DEFAULT;
+    }
+    for (String part : closure.substring(CLOSURE.length() + 1).split(",", -1)) {
+      int equals = part.indexOf('=');
+      String name = equals < 0 ? part.strip() : part.substring(0, equals).strip();
+      double value = number(part, equals);
+      switch (name) {
+        case "alpha" -> alpha = value;
+        case "omega" -> omega = value;
+        case "mu" -> mu = value;
+        default -> throw notUnderstood(part);
+      }
+    }
+    return new PenaltySettings(alpha, omega, mu);
+  }
+
+  private static double number(String part, int equals) {
+    try {
+      return Double.parseDouble(part.substring(equals + 1).strip());
+    } catch (NumberFormatException e) {
+      throw notUnderstood(part);
+    }
+  }
+
+  private static IllegalArgumentException notUnderstood(String part) {
+    return new IllegalArgumentException(
+        "\"" + part + "\" is no number of the penalty closure; write alpha=1e7, omega=10 or mu=1");
+  }
+
   /** Returns the numbers as a sentence for the report. */
   String text() {
     return String.format(
         Locale.ROOT,
-        "The loops are closed by penalty: alpha is %.0e times the largest inertia, Omega %.4g 1/s,"
+        "The loops are closed by penalty: alpha is %.4g times the largest inertia, Omega %.4g 1/s,"
             + " mu %.4g.",
         stiffness,
         frequency,

@@ -48,19 +48,19 @@ final class DataDriven {
   private static Model closed(CompactModel model, UserForceSource userForces) {
     ClosedMechanism closed =
         new ClosedMechanism(model.mechanism(), model.formulation(), model.settings());
-    return model.closure().equals("penalty")
-        ? byPenalty(closed, model.formulation(), userForces)
+    return PenaltySettings.isPenalty(model.closure())
+        ? byPenalty(closed, model, userForces)
         : byProjection(closed, model.formulation(), userForces);
   }
 
   private static Model byPenalty(
-      ClosedMechanism closed, String formulation, UserForceSource userForces) {
-    PenaltySettings settings = PenaltySettings.DEFAULT;
-    return switch (formulation) {
+      ClosedMechanism closed, CompactModel model, UserForceSource userForces) {
+    PenaltySettings settings = PenaltySettings.of(model.closure());
+    return switch (model.formulation()) {
       case "DSR" -> new PenaltyModel(closed, userForces, settings);
       case "RR" -> new ResidualPenaltyModel(closed, userForces, settings, Derivatives.DIFFERENCES);
       case "RR-JF" -> new ResidualPenaltyModel(closed, userForces, settings, Derivatives.RECURSIVE);
-      default -> throw unknown(formulation);
+      default -> throw unknown(model.formulation());
     };
   }
 

@@ -2,6 +2,7 @@ package org.mechservice.solver.dynamics;
 
 import java.util.stream.IntStream;
 import org.mechservice.solver.kinematics.LinkKind;
+import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 
 /**
@@ -35,8 +36,10 @@ final class BallColumns {
   }
 
   /** Takes all balls. */
-  static BallColumns all(TreeGeometry tree, TreePattern pattern) {
-    return new BallColumns(pattern, links(tree).map(link -> tree.velocityAt[link]).toArray());
+  static BallColumns all(StateCoordinates coordinates, TreePattern pattern) {
+    return new BallColumns(
+        pattern,
+        IntStream.range(0, coordinates.ballCount()).map(coordinates::ballVelocity).toArray());
   }
 
   /** Takes the balls whose velocities are given in axes that do not turn with the link. */

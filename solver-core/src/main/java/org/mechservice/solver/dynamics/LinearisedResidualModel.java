@@ -96,14 +96,7 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
   @Override
   public List<Note> notes() {
     List<Note> notes = new ArrayList<>(super.notes());
-    long dense = iteration.denseFactorizations();
-    if (dense > 0) {
-      String text =
-          dense
-              + " iteration matrices lost digits when eliminated along the tree and were factored"
-              + " with interchanges instead.";
-      notes.add(new Note("N-009", 0, false, text));
-    }
+    notes.addAll(iteration.notes());
     return notes;
   }
 }

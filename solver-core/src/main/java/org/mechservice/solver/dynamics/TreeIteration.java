@@ -1,5 +1,7 @@
 package org.mechservice.solver.dynamics;
 
+import java.util.List;
+import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.spatial.EulerParameters;
@@ -20,7 +22,9 @@ import org.mechservice.solver.spatial.EulerParameters;
  */
 public final class TreeIteration {
   private final StateCoordinates coordinates;
-  private final ResidualJacobian jacobian;
+  private final TreeElements mass;
+  private final TreeSquare byVelocity;
+  private final TreeSquare byPosition;
   private final BallColumns balls;
   private final TreeSquare matrix;
   private final TreeLu lu;
@@ -40,9 +44,32 @@ public final class TreeIteration {
 
   /** Makes a workspace for derivatives that are evaluated elsewhere. */
   public TreeIteration(TreeGeometry tree, TreePattern pattern, ResidualJacobian jacobian) {
-    this.jacobian = jacobian;
-    coordinates = new StateCoordinates(tree.mechanism());
-    balls = BallColumns.all(tree, pattern);
+    this(
+        new StateCoordinates(tree.mechanism()),
+        pattern,
+        jacobian.mass(),
+        jacobian.byVelocity(),
+        jacobian.byPosition());
+  }
+
+  /**
+   * Makes a workspace.
+   *
+   * @param mass M, evaluated elsewhere like the others
+   * @param byVelocity C
+   * @param byPosition K
+   */
+  TreeIteration(
+      StateCoordinates coordinates,
+      TreePattern pattern,
+      TreeElements mass,
+      TreeSquare byVelocity,
+      TreeSquare byPosition) {
+    this.coordinates = coordinates;
+    this.mass = mass;
+    this.byVelocity = byVelocity;
+    this.byPosition = byPosition;
+    balls = BallColumns.all(coordinates, pattern);
     matrix = new TreeSquare(pattern);
     lu = new TreeLu(pattern);
     q = new double[coordinates.positionCount()];
@@ -57,9 +84,14 @@ public final class TreeIteration {
     System.arraycopy(y, q.length, v, 0, v.length);
   }
 
-  /** Returns how often the matrix had to be factored without regard to the tree. */
-  public long denseFactorizations() {
-    return lu.denseFactorizations();
+  /** Returns what there is to be said of the factors so far. */
+  List<RunNotes.Note> notes() {
+    long dense = lu.denseFactorizations();
+    String text =
+        dense
+            + " iteration matrices lost digits when eliminated along the tree and were factored"
+            + " with interchanges instead.";
+    return dense == 0 ? List.of() : List.of(new RunNotes.Note("N-009", 0, false, text));
   }
 
   /** Returns the n × n matrix formed last. */
@@ -85,33 +117,15 @@ public final class TreeIteration {
    */
   public void form(double hGamma) {
     this.hGamma = hGamma;
-    combine(
-        matrix.diagonal,
-        jacobian.mass().diagonal(),
-        jacobian.byVelocity().diagonal,
-        jacobian.byPosition().diagonal);
-    combine(
-        matrix.lower,
-        jacobian.mass().lower(),
-        jacobian.byVelocity().lower,
-        jacobian.byPosition().lower);
-    combine(
-        matrix.upper,
-        jacobian.mass().upper(),
-        jacobian.byVelocity().upper,
-        jacobian.byPosition().upper);
+    combine(matrix.diagonal, mass.diagonal(), byVelocity.diagonal, byPosition.diagonal);
+    combine(matrix.lower, mass.lower(), byVelocity.lower, byPosition.lower);
+    combine(matrix.upper, mass.upper(), byVelocity.upper, byPosition.upper);
     for (int ball = 0; ball < balls.count(); ball++) {
       int k = balls.velocity(ball);
       double shrunk = shrunk(k);
       double square = hGamma * hGamma;
       balls.add(
-          ball,
-          matrix,
-          jacobian.byPosition(),
-          square * (shrunk - 1),
-          0.5 * square * hGamma * shrunk,
-          v,
-          k);
+          ball, matrix, byPosition, square * (shrunk - 1), 0.5 * square * hGamma * shrunk, v, k);
     }
   }
 
@@ -156,7 +170,7 @@ public final class TreeIteration {
       }
     }
     System.arraycopy(r, nq, rightSide, 0, v.length);
-    jacobian.byPosition().addProduct(-hGamma, tangent, 0, rightSide, 0);
+    byPosition.addProduct(-hGamma, tangent, 0, rightSide, 0);
     return rightSide;
   }
 

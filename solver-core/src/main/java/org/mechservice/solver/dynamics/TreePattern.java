@@ -2,6 +2,7 @@ package org.mechservice.solver.dynamics;
 
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.stream.IntStream;
 import org.mechservice.solver.kinematics.TreeGeometry;
 
 /**
@@ -38,16 +39,33 @@ public final class TreePattern {
    *     couples nothing
    */
   public TreePattern(TreeGeometry tree, int[] pairs) {
-    size = tree.stateVelocityCount;
-    velocityAt = outwards(tree);
+    this(outwards(tree), parents(tree), ways(tree, pairs));
+  }
+
+  /**
+   * Finds the pattern of a tree that is told place by place.
+   *
+   * @param velocityAt velocity of the state at each place, outwards; not modified
+   * @param parent the place before each on its way to the root, −1 for none; not modified
+   * @param coupled further elements, two places for each; not modified
+   */
+  public TreePattern(int[] velocityAt, int[] parent, int[] coupled) {
+    size = velocityAt.length;
+    this.velocityAt = velocityAt.clone();
     placeOf = new int[size];
+    BitSet[] rows = new BitSet[size];
     for (int place = 0; place < size; place++) {
       placeOf[velocityAt[place]] = place;
+      rows[place] = new BitSet(size);
+      for (int i = parent[place]; i >= 0; i = parent[i]) {
+        rows[place].set(i);
+      }
     }
-    BitSet[] rows = rows(tree);
     int onTree = count(rows);
-    for (int i = 0; i < pairs.length; i += 2) {
-      couple(tree, rows, pairs[i], pairs[i + 1]);
+    for (int i = 0; i < coupled.length; i += 2) {
+      if (coupled[i] != coupled[i + 1]) {
+        rows[Math.max(coupled[i], coupled[i + 1])].set(Math.min(coupled[i], coupled[i + 1]));
+      }
     }
     fill(rows);
     rowStart = new int[size + 1];
@@ -68,44 +86,62 @@ public final class TreePattern {
     int[] order = new int[tree.stateVelocityCount];
     int place = 0;
     for (int link = 0; link < tree.linkCount; link++) {
-      if (!tree.driven[link]) {
-        for (int k = 0; k < tree.kind[link].velocityCount(); k++) {
-          order[place++] = tree.velocityAt[link] + k;
-        }
+      for (int k = 0; k < count(tree, link); k++) {
+        order[place++] = tree.velocityAt[link] + k;
       }
     }
     return order;
   }
 
-  private BitSet[] rows(TreeGeometry tree) {
-    BitSet[] rows = new BitSet[size];
-    for (int place = 0; place < size; place++) {
-      rows[place] = new BitSet(size);
-      addWay(tree, tree.linkOfVelocity[velocityAt[place]], rows[place]);
-      rows[place].clear(place, size);
-    }
-    return rows;
-  }
-
-  /** Adds the places on the way from a link to the root. */
-  private void addWay(TreeGeometry tree, int link, BitSet row) {
-    for (int i = link; i != TreeGeometry.ROOT; i = tree.parent[i]) {
-      for (int k = 0; !tree.driven[i] && k < tree.kind[i].velocityCount(); k++) {
-        row.set(placeOf[tree.velocityAt[i] + k]);
+  /** Returns the place before each place: in its link, or the last of a link nearer the root. */
+  private static int[] parents(TreeGeometry tree) {
+    int[] last = lastPlaces(tree);
+    int[] parents = new int[tree.stateVelocityCount];
+    for (int link = 0; link < tree.linkCount; link++) {
+      int count = count(tree, link);
+      int above = tree.parent[link] == TreeGeometry.ROOT ? -1 : last[tree.parent[link]];
+      for (int k = 0; k < count; k++) {
+        int place = last[link] - count + 1 + k;
+        parents[place] = k == 0 ? above : place - 1;
       }
     }
+    return parents;
   }
 
-  private void couple(TreeGeometry tree, BitSet[] rows, int first, int second) {
-    if (first == TreeGeometry.ROOT || second == TreeGeometry.ROOT) {
-      return;
+  private static int count(TreeGeometry tree, int link) {
+    return tree.driven[link] ? 0 : tree.kind[link].velocityCount();
+  }
+
+  /** Returns for each link its last place; without one the last on its way to the root. */
+  private static int[] lastPlaces(TreeGeometry tree) {
+    int[] last = new int[tree.linkCount];
+    int places = 0;
+    for (int link = 0; link < tree.linkCount; link++) {
+      if (count(tree, link) == 0) {
+        last[link] = tree.parent[link] == TreeGeometry.ROOT ? -1 : last[tree.parent[link]];
+      } else {
+        places += count(tree, link);
+        last[link] = places - 1;
+      }
     }
-    BitSet both = new BitSet(size);
-    addWay(tree, first, both);
-    addWay(tree, second, both);
-    for (int place = both.nextSetBit(0); place >= 0; place = both.nextSetBit(place + 1)) {
-      addBefore(rows[place], both, place);
+    return last;
+  }
+
+  /** Returns the elements by which pairs of links couple all on the ways of both. */
+  private static int[] ways(TreeGeometry tree, int[] pairs) {
+    int[] last = lastPlaces(tree);
+    int[] parents = parents(tree);
+    IntStream.Builder elements = IntStream.builder();
+    for (int p = 0; p < pairs.length; p += 2) {
+      if (pairs[p] != TreeGeometry.ROOT && pairs[p + 1] != TreeGeometry.ROOT) {
+        for (int i = last[pairs[p]]; i >= 0; i = parents[i]) {
+          for (int j = last[pairs[p + 1]]; j >= 0; j = parents[j]) {
+            elements.add(i).add(j);
+          }
+        }
+      }
     }
+    return elements.build().toArray();
   }
 
   /** Eliminating a place couples all that it is coupled with. */
@@ -142,7 +178,7 @@ public final class TreePattern {
    * @param col place
    * @return index into {@link #column}; negative if the element is zero
    */
-  int find(int row, int col) {
+  public int find(int row, int col) {
     return Arrays.binarySearch(column, rowStart[row], rowStart[row + 1], col);
   }
 }

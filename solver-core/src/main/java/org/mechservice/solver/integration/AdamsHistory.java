@@ -21,7 +21,7 @@ import java.util.Arrays;
  * leaves no trace. On request the round-off of the two sums that give p and y is carried along from
  * step to step (Shampine and Gordon 1975, ch. 9; it matters near the limits of the arithmetic).
  */
-final class AdamsHistory {
+final class AdamsHistory implements Manifold.History {
   private static final int LENGTH = AdamsCoefficients.HIGHEST_ORDER + 3;
 
   /** Prediction p at the end of the step being tried, length n. */
@@ -190,8 +190,9 @@ final class AdamsHistory {
     correctedCarry = freedCarry;
   }
 
-  /** Multiplies some components of the accepted state and of all its differences by a factor. */
-  void scale(int start, int size, double factor) {
+  /** {@inheritDoc} All differences of the accepted state have the factor too. */
+  @Override
+  public void scale(int start, int size, double factor) {
     for (int l = start; l < start + size; l++) {
       state[l] *= factor;
       stateCarry[l] *= factor;

@@ -11,16 +11,12 @@ import org.mechservice.solver.integration.IntegratorSettings.Mode;
  * <p>One step is told by {@link #step}: it tries a step of size h with the predictor of order k
  * until the error test passes and all values are finite, accepts it, and chooses k and h anew.
  */
-abstract class AdamsPece implements Integrator {
+abstract class AdamsPece extends SteppingIntegrator {
   /** Share of the interval that the first step may cover: a start at rest says nothing about f. */
   private static final double FIRST_SHARE_OF_INTERVAL = 0.1;
 
   private static final double UNIT_ROUNDOFF = Math.ulp(1.0);
 
-  /** Settings with the tolerances of the error test, and these relative to those asked for. */
-  private final IntegratorSettings settings;
-
-  private final double toleranceFactor;
   private final ErrorNorm norm;
   private final StepBounds bounds;
   private final AdamsCoefficients coefficients = new AdamsCoefficients();
@@ -28,7 +24,6 @@ abstract class AdamsPece implements Integrator {
   private final AdamsInterpolant interpolant = new AdamsInterpolant();
   private final StiffnessMonitor stiffness = new StiffnessMonitor();
   private final JumpSearch jumps = new JumpSearch();
-  private final Progress progress = new Progress();
 
   private RightHandSide equations = RightHandSide.none();
   private Manifold manifold = new Manifold(equations.system());
@@ -52,10 +47,8 @@ abstract class AdamsPece implements Integrator {
   /**
    * @throws IllegalArgumentException if a setting is out of range
    */
-  AdamsPece(IntegratorSettings settings, ErrorNorm norm, StepBounds bounds) {
-    settings.requireUsable();
-    this.settings = settings.working();
-    toleranceFactor = settings.toleranceFactor();
+  AdamsPece(IntegratorSettings settings, Progress progress, ErrorNorm norm, StepBounds bounds) {
+    super(settings, progress);
     this.norm = norm;
     this.bounds = bounds;
   }
@@ -105,6 +98,17 @@ abstract class AdamsPece implements Integrator {
     StepResult result = beginAnew(t, y);
     h = Math.copySign(Math.min(Math.abs(h), longestFirstStep), h);
     return result;
+  }
+
+  @Override
+  final StepResult takeOver(double t, double[] y) {
+    equations.breakpoints().passUpTo(t);
+    return beginAnew(t, y);
+  }
+
+  /** Returns whether stability, not accuracy, has limited the latest steps. */
+  final boolean atStabilityLimit() {
+    return stiffness.nowAtStabilityLimit();
   }
 
   private StepResult beginAnew(double t, double[] y) {
@@ -242,11 +246,11 @@ abstract class AdamsPece implements Integrator {
     history.accept(k);
     coefficients.accept(h, k);
     progress.accepted(h, triedTime, k, control.error());
-    recordStiffness(k);
+    stiffness.accepted(k, control.error(), coefficients.g[k + 1], history, norm);
     double size = h;
     double error = control.error();
     h *= control.accept(Math.abs(h), coefficients.equalSteps(), history, norm);
-    scaleUnitGroups();
+    manifold.restoreUnitGroups(history.state(), history);
     manifold.accepted(triedTime, history.state());
     if (jumps.accepted(size, triedTime, error)) {
       forgetHistory();
@@ -255,26 +259,6 @@ abstract class AdamsPece implements Integrator {
     }
     begun = false;
     prepared = false;
-  }
-
-  /** h L = ‖φ_{k+1} − d‖ / (g_{k+1} ‖d‖), for y − p = h g_{k+1} d and f(y) − f(p) = φ_{k+1} − d. */
-  private void recordStiffness(int k) {
-    double[] change = history.difference(k + 1);
-    double[] discrepancy = history.discrepancy;
-    double product = 0;
-    double correction = 0;
-    double reaction = 0;
-    for (int l = 0; l < change.length; l++) {
-      double weight = norm.weight(l);
-      double moved = weight * discrepancy[l];
-      double answer = weight * (change[l] - discrepancy[l]);
-      product += moved * answer;
-      correction += moved * moved;
-      reaction += answer * answer;
-    }
-    double ratio = Math.sqrt(reaction / correction);
-    double cosine = product / Math.sqrt(reaction * correction);
-    stiffness.record(k, control.error(), ratio / coefficients.g[k + 1], cosine);
   }
 
   /** Begins at order 1 behind a jump, where f is known. */
@@ -294,15 +278,6 @@ abstract class AdamsPece implements Integrator {
     return Math.abs(step) < Math.abs(longest) ? step : longest;
   }
 
-  private void scaleUnitGroups() {
-    for (int group = 0; group < manifold.unitGroupCount(); group++) {
-      double factor = manifold.unitFactor(group, history.state());
-      if (factor != 1) {
-        history.scale(manifold.unitGroupStart(group), manifold.unitGroupSize(group), factor);
-      }
-    }
-  }
-
   /** Reduces the step; returns a cause if that is not possible. */
   private Optional<Cause> reject(Attempt attempt) {
     boolean inaccurate = attempt == Attempt.TOO_INACCURATE;
@@ -310,7 +285,7 @@ abstract class AdamsPece implements Integrator {
     progress.rejected(h, control.order(), error, attempt, limitingComponent(attempt));
     double smallest = bounds.smallest(progress.time());
     if (progress.notFiniteTooOften() || Math.abs(h) <= smallest) {
-      return Optional.of(cause(attempt));
+      return Optional.of(attempt.cause());
     }
     double size = Math.abs(inaccurate ? retry() : control.rejectNotFinite() * h);
     h = Math.copySign(Math.max(size, smallest), h);
@@ -324,14 +299,6 @@ abstract class AdamsPece implements Integrator {
       jumps.rejected(h, control.order(), triedTime, control.error(), control.discrepancy());
     }
     return jumps.active() ? towardsJump(h) : control.reject() * h;
-  }
-
-  private static Cause cause(Attempt attempt) {
-    return switch (attempt) {
-      case NOT_FINITE -> Cause.NOT_FINITE;
-      case NOT_COMPLETED -> Cause.NOT_COMPLETED;
-      default -> Cause.STEP_TOO_SMALL;
-    };
   }
 
   /** Evaluates f at the end of the step being tried; returns false if told to stop instead. */
@@ -360,26 +327,6 @@ abstract class AdamsPece implements Integrator {
 
   private StepResult fail(Cause cause, int component) {
     return progress.fail(cause, h, control.order(), component, norm);
-  }
-
-  @Override
-  public final double time() {
-    return progress.time();
-  }
-
-  @Override
-  public final double previousTime() {
-    return progress.previousTime();
-  }
-
-  @Override
-  public final double stepSize() {
-    return progress.stepSize();
-  }
-
-  @Override
-  public final int order() {
-    return progress.order();
   }
 
   @Override
@@ -434,6 +381,11 @@ abstract class AdamsPece implements Integrator {
   }
 
   @Override
+  final long evaluations() {
+    return equations.evaluations();
+  }
+
+  @Override
   public final IntegrationStatistics statistics() {
     return new IntegrationStatistics(
         progress.steps(),
@@ -445,10 +397,5 @@ abstract class AdamsPece implements Integrator {
         stiffness.suspectsStiffness(),
         toleranceFactor,
         progress.limits());
-  }
-
-  @Override
-  public final IntegrationFailure failure() {
-    return progress.failure();
   }
 }

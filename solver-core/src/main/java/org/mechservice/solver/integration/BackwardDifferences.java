@@ -18,7 +18,7 @@ import java.util.Arrays;
  * U). Nothing accepted is overwritten before {@link #accept}, so a rejected or interrupted step
  * leaves no trace. Shampine and Reichelt 1997, §2.
  */
-final class BackwardDifferences {
+final class BackwardDifferences implements Manifold.History {
   private static final int LENGTH = BackwardFormulas.HIGHEST_ORDER + 3;
 
   /** y*, length n. */
@@ -168,8 +168,9 @@ final class BackwardDifferences {
     }
   }
 
-  /** Multiplies some components of the accepted state and of all its differences by a factor. */
-  void scale(int start, int size, double factor) {
+  /** {@inheritDoc} All differences of the accepted state have the factor too. */
+  @Override
+  public void scale(int start, int size, double factor) {
     for (int l = start; l < start + size; l++) {
       state[l] *= factor;
       for (int m = 1; m < LENGTH; m++) {

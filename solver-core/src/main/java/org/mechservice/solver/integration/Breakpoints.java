@@ -67,6 +67,13 @@ final class Breakpoints {
     last = Math.nextDown(ahead[next]);
   }
 
+  /** Goes on beyond all places up to {@code t}. */
+  void passUpTo(double t) {
+    while (reachedAt(t)) {
+      pass();
+    }
+  }
+
   /** Returns where to evaluate instead of at {@code t}, so as to stay between two places. */
   double inside(double t) {
     return direction * Math.max(first, Math.min(last, direction * t));

@@ -23,7 +23,7 @@ public final class De extends AdamsPece {
    * @throws IllegalArgumentException if a setting is out of range
    */
   public De(IntegratorSettings settings) {
-    super(settings, new EuclideanNorm(), new StepsPastEnd());
+    super(settings, new Progress(), new EuclideanNorm(), new StepsPastEnd());
   }
 
   /** A quarter of the step at which a first-order error estimate, h² ‖y'‖, is the tolerance. */

@@ -1,5 +1,7 @@
 package org.mechservice.solver.integration;
 
+import java.util.List;
+
 /**
  * Advances an initial value problem by steps of its own choice; whatever lies inside the last step
  * can be interpolated.
@@ -114,6 +116,19 @@ public interface Integrator {
 
   /** Returns what the integrator has done since {@link #start}. */
   IntegrationStatistics statistics();
+
+  /**
+   * Returns where one method took over from another since {@link #start}, the first sixteen places;
+   * empty for a method that stays what it is.
+   */
+  default List<MethodChange> methodChanges() {
+    return List.of();
+  }
+
+  /** Returns how many such places there were. */
+  default long methodChangeCount() {
+    return 0;
+  }
 
   /**
    * Returns why the last call gave {@link StepResult#FAILED}.

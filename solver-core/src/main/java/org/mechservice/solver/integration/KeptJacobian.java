@@ -11,11 +11,13 @@ final class KeptJacobian {
   private final MatrixLayout layout;
   private double[] values;
   private double[] forming;
+  private final double[] rowSums;
 
   KeptJacobian(MatrixLayout layout) {
     this.layout = layout;
     values = new double[layout.length()];
     forming = new double[layout.length()];
+    rowSums = new double[layout.dimension()];
   }
 
   /** Returns the matrix in use, elements by layout; not to be modified. */
@@ -69,6 +71,21 @@ final class KeptJacobian {
         sum[i] += Math.abs(values[layout.index(i, j)] * x[j]);
       }
     }
+  }
+
+  /**
+   * Returns the norm of the matrix in use that belongs to the maximum norm of weighted vectors: the
+   * largest row sum of w_i |J_ij| / w_j.
+   */
+  double norm(ErrorNorm weights) {
+    Arrays.fill(rowSums, 0);
+    for (int j = 0; j < rowSums.length; j++) {
+      double unit = weights.weight(j) == 0 ? 0 : 1 / weights.weight(j);
+      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+        rowSums[i] += Math.abs(values[layout.index(i, j)]) * unit;
+      }
+    }
+    return weights.of(rowSums);
   }
 
   /** Returns whether a column of the matrix in use is zero. */

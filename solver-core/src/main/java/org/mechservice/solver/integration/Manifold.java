@@ -132,29 +132,30 @@ final class Manifold {
     return true;
   }
 
-  int unitGroupCount() {
-    return units.groupCount();
+  /** Scales groups that have left norm one back to it, with their history. */
+  void restoreUnitGroups(double[] y, History history) {
+    for (int group = 0; group < units.groupCount(); group++) {
+      int start = units.groupStart(group);
+      int size = units.groupSize(group);
+      double norm = norm(y, start, size);
+      if (Math.abs(norm - 1) > UnitGroups.NORM_DRIFT) {
+        history.scale(start, size, 1 / norm);
+      }
+    }
   }
 
-  /** Returns the first component of a group of norm one. */
-  int unitGroupStart(int group) {
-    return units.groupStart(group);
-  }
-
-  /** Returns the number of components of a group of norm one. */
-  int unitGroupSize(int group) {
-    return units.groupSize(group);
-  }
-
-  /** Returns the factor that brings a group back to norm one; 1 while it has hardly left it. */
-  double unitFactor(int group, double[] y) {
-    int start = units.groupStart(group);
+  private static double norm(double[] y, int start, int size) {
     double squares = 0;
-    for (int l = start; l < start + units.groupSize(group); l++) {
+    for (int l = start; l < start + size; l++) {
       squares += y[l] * y[l];
     }
-    double norm = Math.sqrt(squares);
-    return Math.abs(norm - 1) > UnitGroups.NORM_DRIFT ? 1 / norm : 1;
+    return Math.sqrt(squares);
+  }
+
+  /** State and differences of a method. */
+  interface History {
+    /** Multiplies some components by a factor. */
+    void scale(int start, int size, double factor);
   }
 
   /** Stands in for what a problem does not know. */

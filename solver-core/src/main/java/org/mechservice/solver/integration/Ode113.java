@@ -28,7 +28,12 @@ public final class Ode113 extends AdamsPece {
    * @throws IllegalArgumentException if a setting is out of range
    */
   public Ode113(IntegratorSettings settings) {
-    super(settings, new MaximumNorm(), new StepsToEnd());
+    this(settings, new Progress());
+  }
+
+  /** Takes turns with another that has the same progress. */
+  Ode113(IntegratorSettings settings, Progress progress) {
+    super(settings, progress, new MaximumNorm(), new StepsToEnd());
     relativeTolerance = settings.working().relativeTolerance();
   }
 

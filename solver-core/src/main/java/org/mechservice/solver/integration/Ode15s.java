@@ -32,6 +32,11 @@ public final class Ode15s extends BackwardMethod {
    * @throws IllegalArgumentException if a setting is out of range
    */
   public Ode15s(IntegratorSettings settings, BackwardFormulas formulas) {
-    super(settings, formulas);
+    super(settings, new Progress(), formulas);
+  }
+
+  /** Takes turns with another that has the same progress. */
+  Ode15s(IntegratorSettings settings, Progress progress) {
+    super(settings, progress, BackwardFormulas.NDF);
   }
 }

@@ -32,7 +32,7 @@ public final class Ode15sR extends BackwardMethod implements ResidualIntegrator 
    * @throws IllegalArgumentException if a setting is out of range
    */
   public Ode15sR(IntegratorSettings settings, BackwardFormulas formulas) {
-    super(settings, formulas);
+    super(settings, new Progress(), formulas);
   }
 
   @Override
@@ -44,13 +44,13 @@ public final class Ode15sR extends BackwardMethod implements ResidualIntegrator 
   }
 
   private StepEquations implicit(ResidualSystem system, double[] yDot0, double t0, double tEnd) {
-    Residual residual = new Residual(system, new Manifold(system), settings().stop());
+    Residual residual = new Residual(system, new Manifold(system), settings.stop());
     residual.breakpoints().begin(system, t0, tEnd);
     ResidualLinearisation linearisation =
         system instanceof LinearisedSystem own
             ? new OwnLinearisation(own, residual)
-            : new StoredLinearisation(system, residual, smallSizes(yDot0.length));
-    return new ResidualEquations(residual, linearisation, yDot0, tEnd, norm(), settings());
+            : new StoredLinearisation(system, residual, settings.smallSizes(yDot0.length));
+    return new ResidualEquations(residual, linearisation, yDot0, tEnd, norm(), settings);
   }
 
   @Override

@@ -1,6 +1,9 @@
 package org.mechservice.solver.kinematics;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.spatial.EulerParameters;
 
@@ -19,28 +22,39 @@ public final class StateCoordinates {
 
   /** Reads the layout of a mechanism's state. */
   public StateCoordinates(Mechanism mechanism) {
-    velocityCount = mechanism.velocityCount();
-    velocityOfPosition = new int[mechanism.positionCount()];
+    this(
+        IntStream.range(0, mechanism.joints().size())
+            .filter(j -> !mechanism.isDriven(j))
+            .mapToObj(j -> mechanism.joints().get(j).type())
+            .toList());
+  }
+
+  /**
+   * Lays out a state.
+   *
+   * @param types of the joints that have states, in their order
+   */
+  public StateCoordinates(List<JointType> types) {
+    velocityOfPosition = new int[types.stream().mapToInt(JointType::positionCount).sum()];
     int balls = 0;
-    int[] positions = new int[mechanism.joints().size()];
-    int[] velocities = new int[positions.length];
-    for (int j = 0; j < positions.length; j++) {
-      if (mechanism.isDriven(j)) {
-        continue;
+    int[] positions = new int[types.size()];
+    int[] velocities = new int[types.size()];
+    int position = 0;
+    int velocity = 0;
+    for (JointType type : types) {
+      int end = position + type.positionCount();
+      if (type.hasEulerParameters()) {
+        positions[balls] = position;
+        velocities[balls++] = velocity;
+        Arrays.fill(velocityOfPosition, position, position + 4, -1);
+        position += 4;
+        velocity += 3;
       }
-      int at = mechanism.positionOffset(j);
-      int first = 0;
-      if (mechanism.joints().get(j).type().hasEulerParameters()) {
-        positions[balls] = at;
-        velocities[balls++] = mechanism.velocityOffset(j);
-        first = 4;
-        Arrays.fill(velocityOfPosition, at, at + first, -1);
-      }
-      int surplus = first == 0 ? 0 : 1;
-      for (int i = first; i < mechanism.joints().get(j).type().positionCount(); i++) {
-        velocityOfPosition[at + i] = mechanism.velocityOffset(j) + i - surplus;
+      while (position < end) {
+        velocityOfPosition[position++] = velocity++;
       }
     }
+    velocityCount = velocity;
     ballPosition = Arrays.copyOf(positions, balls);
     ballVelocity = Arrays.copyOf(velocities, balls);
   }

@@ -7,6 +7,7 @@ import org.mechservice.solver.api.DirectedForces;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.integration.IntegrationFailure;
 
 /** Says in the words of mechanics why a run could not go on. */
@@ -162,6 +163,18 @@ final class FailureText {
 
   private static Failure atEvent(String code, String cause, double t, String event, String advice) {
     return new Failure(code, cause, t, 0, 0, event, advice);
+  }
+
+  /** Explains a warning that ends a strict run. */
+  static Failure ofStrict(RunNotes.Note warning) {
+    return new Failure(
+        warning.code(),
+        warning.text(),
+        warning.time(),
+        0,
+        0,
+        "",
+        "The run is strict, so this ends it; leave out --strict to go on all the same.");
   }
 
   /** Repeats what the model itself had to say. */

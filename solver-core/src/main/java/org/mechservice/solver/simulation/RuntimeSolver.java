@@ -18,6 +18,7 @@ import org.mechservice.solver.integration.IntegratorFactory;
 import org.mechservice.solver.integration.Ode113;
 import org.mechservice.solver.integration.Ode15s;
 import org.mechservice.solver.integration.Ode15sR;
+import org.mechservice.solver.integration.Switching;
 
 /**
  * The solver of the runtime JAR: holds every integrator and takes the one a run names, with the
@@ -66,11 +67,12 @@ public final class RuntimeSolver implements Solver {
       case "DE" -> De::new;
       case "ode15s" -> Ode15s::new;
       case RESIDUAL -> Ode15sR::new;
+      case "switching" -> Switching::new;
       default ->
           throw new IllegalArgumentException(
               "S-063 integrator \""
                   + name
-                  + "\" is unknown; there are ode113, DE, ode15s and ode15sR");
+                  + "\" is unknown; there are ode113, DE, ode15s, ode15sR and switching");
     };
   }
 }

@@ -112,6 +112,7 @@ public final class Simulation implements Solver {
     private final ExplicitModel model;
     private final RunSettings settings;
     private final RunControl control;
+    private final boolean strict;
     private final Integrator integrator;
     private final ModelEquations equations;
     private final RunEvents events;
@@ -144,6 +145,7 @@ public final class Simulation implements Solver {
       this.model = equations.model();
       this.settings = request.settings();
       this.control = control;
+      strict = request.strict();
       integrator = events.watch(createIntegrator());
       outputTimes = new OutputTimes(settings);
       checkpoints = new CheckpointWriter(model, request, store);
@@ -186,6 +188,9 @@ public final class Simulation implements Solver {
       if (result == StepResult.FAILED) {
         return startFailed();
       }
+      if (strict && firstWarning().isPresent()) {
+        return warned(firstWarning().get());
+      }
       int badColumn = rows.write(outputTimes.time(nextRow), y, 0);
       if (badColumn != RowWriter.ALL_FINITE) {
         return rowFailed(outputTimes.time(nextRow), badColumn);
@@ -194,6 +199,14 @@ public final class Simulation implements Solver {
       return control.proceed(settings.tStart(), 0, 0, 0)
           ? stepToEnd(result)
           : new Outcome.Stopped();
+    }
+
+    private Optional<RunNotes.Note> firstWarning() {
+      return notes().stream().filter(RunNotes.Note::warning).findFirst();
+    }
+
+    private static Outcome warned(RunNotes.Note warning) {
+      return new Outcome.Failed(FailureText.ofStrict(warning));
     }
 
     private Outcome goOnFrom(byte[] saved) throws IOException {
@@ -257,6 +270,9 @@ public final class Simulation implements Solver {
         }
         if (events.failure().isPresent()) {
           return new Outcome.Failed(events.failure().get());
+        }
+        if (strict && firstWarning().isPresent()) {
+          return warned(firstWarning().get());
         }
         work.add(events.takeWork());
         if (!proceed(result == StepResult.ADVANCED)) {
@@ -357,6 +373,7 @@ public final class Simulation implements Solver {
       List<RunNotes.Note> notes = modelNotes();
       notes.addAll(rows.notes());
       notes.addAll(events.notes());
+      notes.addAll(MethodNotes.of(integrator));
       return notes;
     }
 

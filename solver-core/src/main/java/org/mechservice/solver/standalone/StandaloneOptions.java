@@ -41,6 +41,7 @@ record StandaloneOptions(
         --set P=V      value of a tunable parameter, in its unit; once for each
         --out FILE     write the rows as CSV, and their units beside it
         --columns C    column groups besides joints, separated by commas, or all
+        --strict       let the first warning end the run
         --quiet        print nothing but errors
         --json         print the report as JSON
         --help         print this
@@ -80,7 +81,8 @@ record StandaloneOptions(
     return new StandaloneOptions(
         new RunRequest(
             parser.atol.isEmpty() ? settings : settings.withTolerances(parser.atol),
-            parser.columns),
+            parser.columns,
+            parser.strict),
         parser.parameters,
         parser.out,
         parser.quiet,
@@ -99,6 +101,7 @@ record StandaloneOptions(
     private Set<ColumnGroup> columns;
     private final Map<String, String> parameters = new TreeMap<>();
     private String out = "";
+    private boolean strict;
     private boolean quiet;
     private boolean json;
     private boolean help;
@@ -121,6 +124,7 @@ record StandaloneOptions(
         case "--set" -> set(value(option, inline));
         case "--out" -> out = value(option, inline);
         case "--columns" -> columns = groups(value(option, inline));
+        case "--strict" -> strict = true;
         case "--quiet" -> quiet = true;
         case "--json" -> json = true;
         case "--help" -> help = true;

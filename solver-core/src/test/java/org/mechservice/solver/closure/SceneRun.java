@@ -21,11 +21,11 @@ final class SceneRun implements ResultSink {
   final List<double[]> rows = new ArrayList<>();
   final RunReport report;
 
-  private SceneRun(Model model, RunSettings settings) {
+  private SceneRun(Model model, RunSettings settings, boolean strict) {
     try {
       report =
           new RuntimeSolver()
-              .run(model, new RunRequest(settings, Set.of()), this, new RunControl());
+              .run(model, new RunRequest(settings, Set.of(), strict), this, new RunControl());
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -33,7 +33,12 @@ final class SceneRun implements ResultSink {
 
   /** Runs a model as its own settings say. */
   static SceneRun of(Model model) {
-    return new SceneRun(model, model.description().defaults());
+    return new SceneRun(model, model.description().defaults(), false);
+  }
+
+  /** Likewise, and the first warning ends it. */
+  static SceneRun strict(Model model) {
+    return new SceneRun(model, model.description().defaults(), true);
   }
 
   /** Returns settings with an absolute tolerance of a hundredth of the relative one. */

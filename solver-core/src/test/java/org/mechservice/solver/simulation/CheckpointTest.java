@@ -92,7 +92,7 @@ class CheckpointTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"ode113", "DE", "ode15s", "ode15sR"})
+  @ValueSource(strings = {"ode113", "DE", "ode15s", "ode15sR", "switching"})
   void runTakenUpAnywhereHasTheSameRowsAndReport(String integrator) throws IOException {
     RecordedRows all = new RecordedRows();
     Kept kept = afterEveryStep();

@@ -52,6 +52,11 @@ final class ForceSweep {
     return needed;
   }
 
+  /** Returns how a link moves, gravity as an acceleration of the root; after the sweep. */
+  Motion motion(int link) {
+    return link == Links.ROOT ? root : motions[link];
+  }
+
   private static String title(Link link) {
     return "Sweep 1, outwards: "
         + link.title()

@@ -61,7 +61,7 @@ final class LinkKinematics {
   }
 
   /** Returns the link's origin from the parent's, in parent components. */
-  private ScalarVector origin(Link link) {
+  ScalarVector origin(Link link) {
     ScalarVector offset = ScalarVector.of(expressions, link.offset());
     if (!link.slides()) {
       return offset;

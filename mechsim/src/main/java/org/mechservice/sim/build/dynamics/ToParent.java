@@ -46,6 +46,47 @@ final class ToParent {
     return atJoint.toParent(link.axes()).shifted(ScalarVector.of(expressions, link.offset()));
   }
 
+  /** Returns an inertia and its changes in the parent's computing frame. */
+  RigidComposite composite(Link link, RigidComposite composite) {
+    RigidComposite inParentAxes =
+        composite.in(
+            new RigidComposite.AxesOf() {
+              @Override
+              public ScalarVector vector(ScalarVector v) {
+                return ToParent.this.vector(link, v);
+              }
+
+              @Override
+              public ScalarMatrix matrix(ScalarMatrix m) {
+                return ToParent.this.matrix(link, m);
+              }
+            });
+    ScalarVector offset = ScalarVector.of(expressions, link.offset());
+    return inParentAxes.shifted(
+        link.slides() ? offset.plus(link.axes().toParent(way(link))) : offset);
+  }
+
+  /** Returns a vector in parent axes. */
+  ScalarVector vector(Link link, ScalarVector v) {
+    ScalarVector atJoint = v;
+    if (link.isBall()) {
+      atJoint = coordinates.ballRotation(link).times(v);
+    } else if (link.turns()) {
+      atJoint = v.turned(2, coordinates.cosine(link), coordinates.sine(link));
+    }
+    return link.axes().toParent(atJoint);
+  }
+
+  private ScalarMatrix matrix(Link link, ScalarMatrix m) {
+    ScalarMatrix atJoint = m;
+    if (link.isBall()) {
+      atJoint = m.in(coordinates.ballRotation(link));
+    } else if (link.turns()) {
+      atJoint = m.turned(2, coordinates.cosine(link), coordinates.sine(link));
+    }
+    return link.axes().toParent(atJoint);
+  }
+
   private ScalarVector way(Link link) {
     Scalar zero = expressions.zero();
     return new ScalarVector(zero, zero, coordinates.way(link));

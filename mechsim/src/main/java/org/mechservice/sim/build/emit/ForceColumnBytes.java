@@ -29,18 +29,6 @@ final class ForceColumnBytes {
     this.className = className;
   }
 
-  private MethodVisitor begin(String name, String descriptor) {
-    MethodVisitor code = classFile.visitMethod(Opcodes.ACC_PUBLIC, name, descriptor, null, null);
-    code.visitCode();
-    return code;
-  }
-
-  private static void end(MethodVisitor code, int returnInstruction) {
-    code.visitInsn(returnInstruction);
-    code.visitMaxs(0, 0);
-    code.visitEnd();
-  }
-
   /** Runs the private method that fills a field of the same name. */
   private void fill(MethodVisitor code, String method, String field, int t, int y) {
     code.visitVarInsn(Opcodes.ALOAD, 0);
@@ -53,13 +41,13 @@ final class ForceColumnBytes {
 
   /** {@code sumPower(t, y, power); return power[0];}. */
   void power() {
-    MethodVisitor code = begin("power", "(D[D)D");
+    MethodVisitor code = ClassMethods.beginPublic(classFile, "power", "(D[D)D");
     fill(code, "sumPower", "power", 1, 3);
     code.visitVarInsn(Opcodes.ALOAD, 0);
     code.visitFieldInsn(Opcodes.GETFIELD, className, "power", "[D");
     code.visitInsn(Opcodes.ICONST_0);
     code.visitInsn(Opcodes.DALOAD);
-    end(code, Opcodes.DRETURN);
+    ClassMethods.end(code, Opcodes.DRETURN);
   }
 
   private static void jumpUnlessForces(MethodVisitor code, Label elsewhere) {
@@ -70,7 +58,8 @@ final class ForceColumnBytes {
 
   /** Names and units, if the group is that of forces. */
   void columns(String names, String units) {
-    MethodVisitor code = begin("columns", "(L" + GROUP + ";)L" + LIST + ";");
+    MethodVisitor code =
+        ClassMethods.beginPublic(classFile, "columns", "(L" + GROUP + ";)L" + LIST + ";");
     Label done = new Label();
     code.visitTypeInsn(Opcodes.NEW, ARRAY_LIST);
     code.visitInsn(Opcodes.DUP);
@@ -95,7 +84,7 @@ final class ForceColumnBytes {
     Object[] after = {className, GROUP, ARRAY_LIST};
     code.visitFrame(Opcodes.F_NEW, after.length, after, 0, NO_STACK);
     code.visitVarInsn(Opcodes.ALOAD, 2);
-    end(code, Opcodes.ARETURN);
+    ClassMethods.end(code, Opcodes.ARETURN);
   }
 
   private static void split(MethodVisitor code, String text, int slot) {
@@ -132,7 +121,7 @@ final class ForceColumnBytes {
 
   /** Fills the field and copies it, if the group is that of forces. */
   void values(int count) {
-    MethodVisitor code = begin("values", "(L" + GROUP + ";D[D[DI)V");
+    MethodVisitor code = ClassMethods.beginPublic(classFile, "values", "(L" + GROUP + ";D[D[DI)V");
     Label done = new Label();
     jumpUnlessForces(code, done);
     fill(code, "forces", "forces", 2, 4);
@@ -151,6 +140,6 @@ final class ForceColumnBytes {
     code.visitLabel(done);
     Object[] types = {className, GROUP, Opcodes.DOUBLE, "[D", "[D", Opcodes.INTEGER};
     code.visitFrame(Opcodes.F_NEW, types.length, types, 0, NO_STACK);
-    end(code, Opcodes.RETURN);
+    ClassMethods.end(code, Opcodes.RETURN);
   }
 }

@@ -121,16 +121,18 @@ public final class MainClass {
   }
 
   private void constructor() {
-    MethodVisitor code = begin(Opcodes.ACC_PUBLIC, "<init>", NOTHING_TO_VOID);
+    MethodVisitor code =
+        ClassMethods.begin(classFile, Opcodes.ACC_PUBLIC, "<init>", NOTHING_TO_VOID);
     code.visitVarInsn(Opcodes.ALOAD, 0);
     code.visitMethodInsn(Opcodes.INVOKESPECIAL, OBJECT, "<init>", NOTHING_TO_VOID, false);
-    end(code, Opcodes.RETURN);
+    ClassMethods.end(code, Opcodes.RETURN);
   }
 
   private void create(String integrator) {
     String settings = Type.getDescriptor(IntegratorSettings.class);
     MethodVisitor code =
-        begin(
+        ClassMethods.begin(
+            classFile,
             Opcodes.ACC_PUBLIC,
             "create",
             "(" + settings + ")" + Type.getDescriptor(Integrator.class));
@@ -138,13 +140,14 @@ public final class MainClass {
     code.visitInsn(Opcodes.DUP);
     code.visitVarInsn(Opcodes.ALOAD, 1);
     code.visitMethodInsn(Opcodes.INVOKESPECIAL, integrator, "<init>", "(" + settings + ")V", false);
-    end(code, Opcodes.ARETURN);
+    ClassMethods.end(code, Opcodes.ARETURN);
   }
 
   private void main(String model, Consumer<MethodVisitor> solver, String built, String shown) {
     String strings = "[Ljava/lang/String;";
     MethodVisitor code =
-        begin(Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC, "main", "(" + strings + ")V");
+        ClassMethods.begin(
+            classFile, Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC, "main", "(" + strings + ")V");
     create(code, model);
     code.visitMethodInsn(
         Opcodes.INVOKESTATIC,
@@ -168,7 +171,7 @@ public final class MainClass {
             + ")I",
         false);
     code.visitMethodInsn(Opcodes.INVOKESTATIC, "java/lang/System", "exit", "(I)V", false);
-    end(code, Opcodes.RETURN);
+    ClassMethods.end(code, Opcodes.RETURN);
   }
 
   /** Leaves a form on the stack; one that watches a run has the other within. */
@@ -189,17 +192,5 @@ public final class MainClass {
     code.visitTypeInsn(Opcodes.NEW, className);
     code.visitInsn(Opcodes.DUP);
     code.visitMethodInsn(Opcodes.INVOKESPECIAL, className, "<init>", NOTHING_TO_VOID, false);
-  }
-
-  private MethodVisitor begin(int access, String name, String descriptor) {
-    MethodVisitor code = classFile.visitMethod(access, name, descriptor, null, null);
-    code.visitCode();
-    return code;
-  }
-
-  private static void end(MethodVisitor code, int returnInstruction) {
-    code.visitInsn(returnInstruction);
-    code.visitMaxs(0, 0);
-    code.visitEnd();
   }
 }

@@ -37,7 +37,8 @@ final class ModelBytes {
     String[] interfaces =
         plan.interfaces().stream().map(Type::getInternalName).toArray(String[]::new);
     int access = Opcodes.ACC_PUBLIC | Opcodes.ACC_FINAL | Opcodes.ACC_SUPER;
-    classFile.visit(Opcodes.V17, access, className, null, OBJECT, interfaces);
+    String base = Type.getInternalName(plan.base().type());
+    classFile.visit(Opcodes.V17, access, className, null, base, interfaces);
     constructor();
     describe();
     method(plan.start(), ModelBytes::fillWithZeros, (code, parameters) -> {});
@@ -85,25 +86,27 @@ final class ModelBytes {
     new ProgramBytes(classFile, className, part.head(), part.plan()).method(first, last);
   }
 
-  private MethodVisitor begin(String name, String descriptor) {
-    MethodVisitor code = classFile.visitMethod(Opcodes.ACC_PUBLIC, name, descriptor, null, null);
-    code.visitCode();
-    return code;
-  }
-
-  private static void end(MethodVisitor code, int returnInstruction) {
-    code.visitInsn(returnInstruction);
-    code.visitMaxs(0, 0);
-    code.visitEnd();
-  }
-
   private void constructor() {
     int slots = plan.slots();
-    MethodVisitor code = begin("<init>", "()V");
+    String given = plan.hasParameters() ? "([D)V" : "()V";
+    MethodVisitor code = ClassMethods.beginPublic(classFile, "<init>", given);
     code.visitVarInsn(Opcodes.ALOAD, 0);
-    code.visitMethodInsn(Opcodes.INVOKESPECIAL, OBJECT, "<init>", "()V", false);
+    plan.base().arguments().forEach(code::visitLdcInsn);
+    code.visitMethodInsn(
+        Opcodes.INVOKESPECIAL,
+        Type.getInternalName(plan.base().type()),
+        "<init>",
+        "(" + STRING.repeat(plan.base().arguments().size()) + ")V",
+        false);
     if (slots > 0) {
       array(code, Parameters.WORKSPACE, slots);
+    }
+    if (plan.hasParameters()) {
+      String field = Head.MODEL_PARAMETERS.name();
+      field(field);
+      code.visitVarInsn(Opcodes.ALOAD, 0);
+      code.visitVarInsn(Opcodes.ALOAD, 1);
+      code.visitFieldInsn(Opcodes.PUTFIELD, className, field, "[D");
     }
     if (plan.power().isPresent()) {
       array(code, "power", 1);
@@ -111,22 +114,27 @@ final class ModelBytes {
     if (plan.forces().isPresent()) {
       array(code, "forces", plan.forceCount());
     }
-    end(code, Opcodes.RETURN);
+    ClassMethods.end(code, Opcodes.RETURN);
   }
 
   /** {@code private final double[] name = new double[length]}. */
   private void array(MethodVisitor code, String name, int length) {
-    int access = Opcodes.ACC_PRIVATE | Opcodes.ACC_FINAL;
-    classFile.visitField(access, name, "[D", null, null).visitEnd();
+    field(name);
     code.visitVarInsn(Opcodes.ALOAD, 0);
     new NumberCode(code).push(length);
     code.visitIntInsn(Opcodes.NEWARRAY, Opcodes.T_DOUBLE);
     code.visitFieldInsn(Opcodes.PUTFIELD, className, name, "[D");
   }
 
+  private void field(String name) {
+    int access = Opcodes.ACC_PRIVATE | Opcodes.ACC_FINAL;
+    classFile.visitField(access, name, "[D", null, null).visitEnd();
+  }
+
   private void describe() {
     ModelDescription description = plan.content().description();
-    MethodVisitor code = begin("description", "()L" + DESCRIPTION + ";");
+    MethodVisitor code =
+        ClassMethods.beginPublic(classFile, "description", "()L" + DESCRIPTION + ";");
     code.visitLdcInsn(description.name());
     code.visitLdcInsn(description.formulation());
     code.visitLdcInsn(plan.jointTypes());
@@ -143,7 +151,7 @@ final class ModelBytes {
         "of",
         "(" + STRING.repeat(4) + "L" + SETTINGS + ";)L" + DESCRIPTION + ";",
         false);
-    end(code, Opcodes.ARETURN);
+    ClassMethods.end(code, Opcodes.ARETURN);
   }
 
   private void settings(MethodVisitor code, RunSettings settings) {
@@ -175,7 +183,7 @@ final class ModelBytes {
 
   /** {@code return List.of("…".split("\n", -1))}. */
   private void bodies() {
-    MethodVisitor code = begin("bodies", "()Ljava/util/List;");
+    MethodVisitor code = ClassMethods.beginPublic(classFile, "bodies", "()Ljava/util/List;");
     code.visitLdcInsn(plan.bodyNames());
     code.visitLdcInsn("\n");
     code.visitInsn(Opcodes.ICONST_M1);
@@ -183,12 +191,12 @@ final class ModelBytes {
         Opcodes.INVOKEVIRTUAL, "java/lang/String", "split", "(" + STRING + "I)[" + STRING, false);
     code.visitMethodInsn(
         Opcodes.INVOKESTATIC, "java/util/List", "of", "([L" + OBJECT + ";)Ljava/util/List;", true);
-    end(code, Opcodes.ARETURN);
+    ClassMethods.end(code, Opcodes.ARETURN);
   }
 
   /** {@code return ("…").split("\n", -1)[force]}. */
   private void directedForce(String names) {
-    MethodVisitor code = begin("directedForce", "(I)" + STRING);
+    MethodVisitor code = ClassMethods.beginPublic(classFile, "directedForce", "(I)" + STRING);
     code.visitLdcInsn(names);
     code.visitLdcInsn("\n");
     code.visitInsn(Opcodes.ICONST_M1);
@@ -196,7 +204,7 @@ final class ModelBytes {
         Opcodes.INVOKEVIRTUAL, "java/lang/String", "split", "(" + STRING + "I)[" + STRING, false);
     code.visitVarInsn(Opcodes.ILOAD, 1);
     code.visitInsn(Opcodes.AALOAD);
-    end(code, Opcodes.ARETURN);
+    ClassMethods.end(code, Opcodes.ARETURN);
   }
 
   /** Of the two sets of Euler parameters of an orientation the one with e0 ≥ 0. */

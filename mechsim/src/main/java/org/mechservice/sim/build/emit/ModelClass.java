@@ -3,6 +3,7 @@ package org.mechservice.sim.build.emit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.mechservice.sim.build.dynamics.ResidualDerivatives;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
@@ -17,6 +18,7 @@ import org.mechservice.solver.mechanism.Mechanism;
  * @param description what it says of itself
  * @param derivative program from [q; v] to [q'; v']
  * @param residual program from [q; v] and [q'; v'] to the residual, if the formulation has one
+ * @param derivatives those of the residual, if the formulation has them
  * @param energy program from [q; v] to kinetic and potential energy
  * @param poses program from [q; v] to the poses of the bodies, if they are asked for
  * @param power program from [q; v] to the power of what has no potential energy, if there is any
@@ -28,6 +30,7 @@ public record ModelClass(
     ModelDescription description,
     Program derivative,
     Optional<Program> residual,
+    Optional<ResidualDerivatives.Derived> derivatives,
     Program energy,
     Optional<Program> poses,
     Optional<Program> power,

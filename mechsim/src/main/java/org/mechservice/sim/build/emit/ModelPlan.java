@@ -19,6 +19,7 @@ import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.dynamics.TreeStepModel;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
 /**
@@ -57,7 +58,16 @@ public final class ModelPlan implements WrittenClass {
     programs.add(new Part(DERIVATIVE, Planner.plan(content.derivative())));
     content
         .residual()
-        .ifPresent(program -> programs.add(new Part(residual(content), Planner.plan(program))));
+        .ifPresent(
+            program ->
+                programs.add(new Part(ofStateAndRate(content, "residual"), Planner.plan(program))));
+    content
+        .derivatives()
+        .ifPresent(
+            derived ->
+                programs.add(
+                    new Part(
+                        ofStateAndRate(content, "derivatives"), Planner.plan(derived.program()))));
     programs.add(new Part(ENERGY, Planner.plan(content.energy())));
     this.poses = content.poses().map(program -> new Part(POSES, Planner.plan(program)));
     this.power = content.power().map(program -> new Part(POWER, Planner.plan(program)));
@@ -70,14 +80,14 @@ public final class ModelPlan implements WrittenClass {
     return new Head(name, arguments, output, returnsResult, isPublic);
   }
 
-  private static Head residual(ModelClass content) {
+  private static Head ofStateAndRate(ModelClass content, String name) {
     int states = content.description().stateCount();
     List<Head.Argument> arguments =
         List.of(
             new Head.Argument("t", false, Program.TIME),
             new Head.Argument("y", true, 0),
             new Head.Argument("yDot", true, states));
-    return new Head("residual", arguments, "residual", true, true);
+    return new Head(name, arguments, name, true, true);
   }
 
   /** Plans a model's class. */
@@ -162,10 +172,36 @@ public final class ModelPlan implements WrittenClass {
     return slots;
   }
 
-  /** Returns the interfaces the class implements, in order. */
+  /**
+   * A class that is extended.
+   *
+   * @param type the class
+   * @param arguments texts its constructor takes
+   */
+  record Base(Class<?> type, List<String> arguments) {}
+
+  /** Returns what the class extends. */
+  Base base() {
+    return content
+        .derivatives()
+        .map(
+            derived ->
+                new Base(
+                    TreeStepModel.class, List.of(jointTypes(), derived.tree(), derived.coupled())))
+        .orElse(new Base(Object.class, List.of()));
+  }
+
+  /** Returns whether the class is given the values of parameters. */
+  boolean hasParameters() {
+    return !content.mechanism().parameters().isEmpty();
+  }
+
+  /** Returns the interfaces the class implements beyond those of its base, in order. */
   List<Class<?>> interfaces() {
     List<Class<?>> interfaces = new ArrayList<>();
-    interfaces.add(content.residual().isPresent() ? ResidualModel.class : ExplicitModel.class);
+    if (content.derivatives().isEmpty()) {
+      interfaces.add(content.residual().isPresent() ? ResidualModel.class : ExplicitModel.class);
+    }
     interfaces.add(Energies.class);
     poses.ifPresent(part -> interfaces.add(BodyPoses.class));
     power.ifPresent(part -> interfaces.add(PowerInput.class));

@@ -39,12 +39,16 @@ final class ModelSource {
     if (slots > 0) {
       source.line("private final double[] w = new double[" + slots + "];");
     }
+    if (plan.hasParameters()) {
+      source.line("private final double[] p;");
+    }
     plan.power().ifPresent(p -> source.line("private final double[] power = new double[1];"));
     plan.forces()
         .ifPresent(
             p ->
                 source.line(
                     "private final double[] forces = new double[" + plan.forceCount() + "];"));
+    construct();
     describe();
     method(plan.start(), List.of("Arrays.fill(y, 0.0);"), List.of());
     plan.programs().forEach(part -> method(part, List.of(), List.of()));
@@ -53,6 +57,26 @@ final class ModelSource {
     plan.forces().ifPresent(this::forces);
     plan.directedForces().ifPresent(this::directedForce);
     return source.close().toString();
+  }
+
+  private void construct() {
+    List<String> arguments = plan.base().arguments();
+    if (!arguments.isEmpty() || plan.hasParameters()) {
+      String given = plan.hasParameters() ? "double[] p" : "";
+      source.blank().open("public " + plan.simpleName() + "(" + given + ")");
+    }
+    if (!arguments.isEmpty()) {
+      source.line(
+          arguments.stream()
+              .map(JavaText::literal)
+              .collect(Collectors.joining(", ", "super(", ");")));
+    }
+    if (plan.hasParameters()) {
+      source.line("this.p = p;");
+    }
+    if (!arguments.isEmpty() || plan.hasParameters()) {
+      source.close();
+    }
   }
 
   private void header(boolean angles) {
@@ -65,6 +89,9 @@ final class ModelSource {
       imports.add("org.mechservice.solver.spatial.SinCos");
     }
     plan.interfaces().forEach(type -> imports.add(type.getName()));
+    if (plan.base().type() != Object.class) {
+      imports.add(plan.base().type().getName());
+    }
     if (plan.poses().isPresent() || plan.forces().isPresent()) {
       imports.add("java.util.List");
     }
@@ -79,6 +106,9 @@ final class ModelSource {
     source.open(
         "public final class "
             + plan.simpleName()
+            + (plan.base().type() == Object.class
+                ? ""
+                : " extends " + plan.base().type().getSimpleName())
             + " implements "
             + plan.interfaces().stream()
                 .map(Class::getSimpleName)

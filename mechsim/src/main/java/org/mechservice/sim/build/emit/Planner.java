@@ -21,14 +21,17 @@ final class Planner {
 
   /** Plans a program; where methods turn out too long, sections are made shorter too. */
   static ProgramPlan plan(Program whole) {
-    for (int limit = METHOD_BYTES; ; limit = limit * 9 / 10) {
+    int limit = METHOD_BYTES;
+    while (true) {
       Program program = LongSections.divided(whole, limit);
       Usage usage = new Usage(program);
       int[] bytes = CodeSize.ofSections(program, usage);
       ProgramPlan plan = new MethodPlanner(program, usage, chunks(bytes, limit)).plan();
-      if (limit < LEAST_BYTES || longest(plan) <= TOO_LONG) {
+      int longest = longest(plan);
+      if (limit < LEAST_BYTES || longest <= TOO_LONG) {
         return plan;
       }
+      limit = Math.min(limit * 9 / 10, (int) ((long) limit * METHOD_BYTES / longest));
     }
   }
 

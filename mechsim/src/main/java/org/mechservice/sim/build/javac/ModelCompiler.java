@@ -24,6 +24,7 @@ public final class ModelCompiler {
   private static final Set<String> VISIBLE_PACKAGES =
       Set.of(
           "org.mechservice.solver.api",
+          "org.mechservice.solver.dynamics",
           "org.mechservice.solver.spatial",
           "org.mechservice.solver.expression",
           "org.mechservice.solver.integration",

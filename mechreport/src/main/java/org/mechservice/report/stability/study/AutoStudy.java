@@ -1,0 +1,209 @@
+package org.mechservice.report.stability.study;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.mechservice.client.LocalModel;
+import org.mechservice.client.MechSession;
+import org.mechservice.client.SimulationOptions;
+import org.mechservice.report.measure.Judge;
+import org.mechservice.report.measure.MeasuredRun;
+import org.mechservice.report.measure.MethodRunner;
+import org.mechservice.report.measure.PublishedReference;
+import org.mechservice.report.measure.ReferenceMaker;
+import org.mechservice.report.measure.RunGrid;
+import org.mechservice.report.measure.StateDistance;
+import org.mechservice.report.method.Candidate;
+import org.mechservice.report.method.Method;
+import org.mechservice.report.method.MethodList;
+import org.mechservice.report.method.ModelProblem;
+import org.mechservice.report.stability.Chain;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ModelDescription;
+
+/** What the automatic choice costs beside the best fixed one, on stiff scenes and others. */
+final class AutoStudy implements Study {
+  private static final double[] TOLERANCES = {1e-4, 1e-6, 1e-8};
+  private static final int REPEATS = 11;
+
+  private final Bench bench;
+  private final double limit;
+
+  AutoStudy(Bench bench) {
+    this.bench = bench;
+    limit = bench.quick() ? 1 : 20;
+  }
+
+  @Override
+  public String name() {
+    return "auto";
+  }
+
+  @Override
+  public void measure(StudyPage page) {
+    page.title("The automatic choice beside the best fixed one");
+    page.notes(
+        "Every method that fits, and auto, at tolerances 1e-4, 1e-6, 1e-8; cost: the least processor"
+            + " time, median of %d warm runs in turns, of a run whose error is at most the one"
+            + " wanted. Runs are stopped after %.0f s.",
+        REPEATS, limit);
+    StudyPage.Table table =
+        page.table(
+            "Costs",
+            "scene",
+            "error wanted",
+            "auto chose",
+            "ms",
+            "error",
+            "best fixed",
+            "ms",
+            "error",
+            "auto ÷ best");
+    Map<String, String> scenes = new TreeMap<>();
+    for (String stiff :
+        List.of(
+            "stiff_1e9_c1e5",
+            "spring_1e12_critical",
+            "spring_1e12_far_over_critical",
+            "spring_1e6_far_over_critical",
+            "rtol_1e-2",
+            "origin_1e6")) {
+      scenes.put(stiff, Bench.scene(stiff + ".xml"));
+    }
+    scenes.put("chain, stiff", new Chain(5, 1, 1, 1e4, 1e4, 0.05, 1).text());
+    scenes.put("chain, soft", new Chain(5, 1, 1, 0, 0, 0.3, 1).text());
+    scenes.put("chain, undamped", new Chain(5, 1, 1, 1e4, 0, 0.05, 1).text());
+    double worst = 0;
+    String worstScene = "";
+    for (Map.Entry<String, String> scene : scenes.entrySet()) {
+      bench.at(scene.getKey(), 0.5);
+      double ratio = bench.with(scene.getValue(), s -> compare(table, scene.getKey(), s));
+      if (ratio > worst) {
+        worst = ratio;
+        worstScene = scene.getKey();
+      }
+    }
+    page.finds(
+        "auto costs at most %.2f times the best fixed choice (%s); 1.5 is the bound.",
+        worst, worstScene);
+  }
+
+  /** A method at a tolerance, timed. */
+  private record Cost(Candidate candidate, double tolerance, MeasuredRun first, double seconds) {}
+
+  private double compare(StudyPage.Table table, String scene, MechSession session) {
+    LocalModel chosen =
+        session.fetchModel(
+            SimulationOptions.asInFile().formulation("auto").closure("auto").integrator("auto"));
+    ModelDescription description = chosen.newModel().description();
+    String closure = "auto";
+    Method name =
+        new Method(description.formulation(), closure, description.defaults().integrator());
+    Candidate auto = new Candidate(name, chosen::newModel, chosen.solver());
+    List<Candidate> fixed = MethodList.of(session).candidates();
+    Judge judge = judge(fixed);
+    if (judge.reference().isEmpty()) {
+      table.row(scene, "", judge.doubt(), "", "", "", "", "", "");
+      return 0;
+    }
+    StateDistance distance = new StateDistance(description);
+    List<Cost> costs = new ArrayList<>();
+    try (MethodRunner runner =
+        new MethodRunner(judge.reference().orElseThrow(), distance, judge.grid())) {
+      List<Candidate> all = new ArrayList<>(fixed);
+      all.add(auto);
+      for (Candidate candidate : all) {
+        for (double tolerance : TOLERANCES) {
+          MeasuredRun run = runner.run(candidate, tolerance, 0, limit);
+          if (run.completed()) {
+            costs.add(new Cost(candidate, tolerance, run, run.seconds()));
+          }
+        }
+      }
+      costs = timed(runner, costs);
+    }
+    double worst = 0;
+    for (double error : new double[] {1e-3, 1e-5, 1e-7}) {
+      worst = Math.max(worst, line(table, scene, error, costs, auto));
+    }
+    return worst;
+  }
+
+  private List<Cost> timed(MethodRunner runner, List<Cost> costs) {
+    double[][] seconds = new double[costs.size()][REPEATS];
+    // The first half warms up.
+    for (int round = -REPEATS; round < REPEATS; round++) {
+      for (int i = 0; i < costs.size(); i++) {
+        Cost cost = costs.get(i);
+        if (cost.first().seconds() < 0.3 || round == 0) {
+          MeasuredRun run = runner.run(cost.candidate(), cost.tolerance(), 1, limit);
+          seconds[i][Math.max(round, 0)] = run.seconds();
+        } else {
+          seconds[i][Math.max(round, 0)] = cost.first().seconds();
+        }
+      }
+    }
+    List<Cost> timed = new ArrayList<>();
+    for (int i = 0; i < costs.size(); i++) {
+      java.util.Arrays.sort(seconds[i]);
+      Cost cost = costs.get(i);
+      timed.add(
+          new Cost(cost.candidate(), cost.tolerance(), cost.first(), seconds[i][REPEATS / 2]));
+    }
+    return timed;
+  }
+
+  private static double line(
+      StudyPage.Table table, String scene, double error, List<Cost> costs, Candidate auto) {
+    Optional<Cost> ours = cheapest(costs, error, auto, true);
+    Optional<Cost> best = cheapest(costs, error, auto, false);
+    if (best.isEmpty()) {
+      return 0;
+    }
+    double ratio =
+        ours.map(cost -> cost.seconds() / best.get().seconds()).orElse(Double.POSITIVE_INFINITY);
+    table.row(
+        scene,
+        error,
+        auto.method().formulation() + " " + auto.method().integrator(),
+        ours.map(cost -> 1e3 * cost.seconds()).orElse(Double.NaN),
+        ours.map(cost -> cost.first().errors().largest()).orElse(Double.NaN),
+        best.get().candidate().method().name(),
+        1e3 * best.get().seconds(),
+        best.get().first().errors().largest(),
+        ratio);
+    return ratio;
+  }
+
+  private static Optional<Cost> cheapest(
+      List<Cost> costs, double error, Candidate auto, boolean ofAuto) {
+    return costs.stream()
+        .filter(cost -> cost.candidate().equals(auto) == ofAuto)
+        .filter(cost -> cost.first().errors().largest() <= error)
+        .min(java.util.Comparator.comparingDouble(Cost::seconds));
+  }
+
+  private Judge judge(List<Candidate> candidates) {
+    ExplicitModel model = (ExplicitModel) candidates.get(0).models().get();
+    StateDistance distance = new StateDistance(model.description());
+    double end = model.description().defaults().tEnd();
+    double[] start = new ModelProblem(model).start();
+    Optional<PublishedReference> published =
+        PublishedReference.of(model.description().name(), start, end, distance);
+    if (published.isPresent() && RunGrid.meeting(published.get().times()).isPresent()) {
+      return Judge.trusting(published.get());
+    }
+    List<ReferenceMaker.Source> sources =
+        List.of(
+            new ReferenceMaker.Source(
+                "DTR", () -> new ModelProblem((ExplicitModel) candidates.get(0).models().get())));
+    return Judge.of(
+        Optional.empty(),
+        sources,
+        new ReferenceMaker(distance, bench.quick() ? 5 : 60),
+        distance,
+        RunGrid.uniform(0, end, 20));
+  }
+}

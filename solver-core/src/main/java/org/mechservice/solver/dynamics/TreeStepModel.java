@@ -1,0 +1,124 @@
+package org.mechservice.solver.dynamics;
+
+import java.util.Arrays;
+import java.util.List;
+import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.api.LinearisedModel;
+import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.kinematics.StateCoordinates;
+
+/**
+ * RR-JF with generated code: what the class of a model extends that has its residual, and the
+ * derivatives of it, as code. The equations of an implicit step need pivots and a watch over them;
+ * they are solved along the tree here.
+ */
+public abstract class TreeStepModel implements LinearisedModel, RunNotes {
+  private final int positionCount;
+  private final TreeSquare byVelocity;
+  private final TreeSquare byPosition;
+  private final TreeIteration iteration;
+
+  /** What {@link #derivatives} writes; elements it never writes are zero. */
+  private final double[] values;
+
+  /** Where it goes, in order. */
+  private final double[][] parts;
+
+  private int singular;
+
+  /**
+   * @param types of the joints that have states, separated by blanks
+   * @param tree velocity of the state and place nearer the root (−1: none) of each place of the
+   *     {@link TreePattern}, separated by blanks
+   * @param coupled places of elements beyond those of the tree, two for each, separated by blanks
+   */
+  protected TreeStepModel(String types, String tree, String coupled) {
+    int[] places = numbers(tree);
+    int[] velocityAt = new int[places.length / 2];
+    int[] parent = new int[velocityAt.length];
+    for (int place = 0; place < parent.length; place++) {
+      velocityAt[place] = places[2 * place];
+      parent[place] = places[2 * place + 1];
+    }
+    TreePattern pattern = new TreePattern(velocityAt, parent, numbers(coupled));
+    TreeMatrix mass = new TreeMatrix(pattern);
+    byVelocity = new TreeSquare(pattern);
+    byPosition = new TreeSquare(pattern);
+    StateCoordinates coordinates = new StateCoordinates(typesOf(types));
+    positionCount = coordinates.positionCount();
+    iteration = new TreeIteration(coordinates, pattern, mass, byVelocity, byPosition);
+    parts =
+        new double[][] {
+          mass.diagonal(),
+          mass.lower(),
+          byVelocity.diagonal,
+          byVelocity.lower,
+          byVelocity.upper,
+          byPosition.diagonal,
+          byPosition.lower,
+          byPosition.upper
+        };
+    values = new double[3 * pattern.size + 5 * pattern.elementCount()];
+  }
+
+  private static List<JointType> typesOf(String text) {
+    return text.isEmpty()
+        ? List.of()
+        : Arrays.stream(text.split(" ", -1)).map(JointType::valueOf).toList();
+  }
+
+  private static int[] numbers(String text) {
+    return text.isEmpty()
+        ? new int[0]
+        : Arrays.stream(text.split(" ", -1)).mapToInt(Integer::parseInt).toArray();
+  }
+
+  /**
+   * Evaluates the derivatives of the residual's second part by v', v and q, along the tangent for
+   * Euler parameters.
+   *
+   * @param t time, s
+   * @param y state; not modified
+   * @param yDot its derivative; not modified
+   * @param values elements that are not always zero are overwritten: the diagonal and what is below
+   *     it of M; diagonal, below and above of ∂F/∂v; the same of ∂F/∂q; each by place, or in the
+   *     order of the pattern
+   * @return as {@link #residual}
+   */
+  public abstract int derivatives(double t, double[] y, double[] yDot, double[] values);
+
+  @Override
+  public final boolean linearise(double t, double[] y, double[] yDot) {
+    if (derivatives(t, y, yDot, values) != REGULAR) {
+      return false;
+    }
+    int at = 0;
+    for (double[] part : parts) {
+      System.arraycopy(values, at, part, 0, part.length);
+      at += part.length;
+    }
+    iteration.setState(y);
+    return byPosition.isFinite() && byVelocity.isFinite();
+  }
+
+  @Override
+  public final boolean factor(double hGamma) {
+    singular = iteration.factor(hGamma);
+    return singular == TreeLu.NONSINGULAR;
+  }
+
+  @Override
+  public final void solve(double[] r) {
+    iteration.solve(r);
+  }
+
+  @Override
+  public final int singularUnknown() {
+    return positionCount + singular;
+  }
+
+  @Override
+  public List<Note> notes() {
+    return iteration.notes();
+  }
+}

@@ -1,0 +1,212 @@
+package org.mechservice.solver.integration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.integration.IntegratorSettings.Mode;
+import org.mechservice.solver.integration.suite.Flame;
+import org.mechservice.solver.integration.suite.StiffVanDerPol;
+import org.mechservice.solver.integration.suite.SuiteProblem;
+
+/** The method changes where stiffness comes and goes, and nowhere else. */
+class SwitchingTest {
+  /** Periods of 1615: slow, stiff stretches with two jumps each, which are not stiff. */
+  private static final Ode RELAXATION =
+      new Ode(
+          2,
+          (t, y, yDot) -> {
+            yDot[0] = y[1];
+            yDot[1] = 1000 * (1 - y[0] * y[0]) * y[1] - y[0];
+          });
+
+  /** Decays to a slow cosine, fast, from t = 10 on slowly: stiff on [0, 10] alone. */
+  private static final Ode STIFF_AT_FIRST =
+      new Ode(
+          1,
+          (t, y, yDot) ->
+              yDot[0] = -(t < 10 ? 1e4 : 1) * (y[0] - StrictMath.cos(t)) - StrictMath.sin(t));
+
+  private static Run relaxation(double tolerance, double periods) {
+    IntegratorSettings settings = new IntegratorSettings(tolerance, tolerance);
+    return Run.of(new Switching(settings), RELAXATION, 0, new double[] {2, 0}, 1615 * periods);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-5, 1e-6, 1e-9})
+  void relaxationOscillatorChangesMethodAtEveryJumpAndBack(double tolerance) {
+    // Ten periods have twenty jumps: one change before the first, two at each.
+    Run run = relaxation(tolerance, 10);
+    assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+    assertThat(run.integrator().methodChangeCount()).isBetween(35L, 46L);
+  }
+
+  @Test
+  void jumpsThatTakeFewStepsAreNotWorthAChange() {
+    Run run = relaxation(1e-3, 10);
+    assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+    assertThat(run.integrator().methodChangeCount()).isBetween(1L, 20L);
+  }
+
+  @Test
+  void changesAreToldInOrderWithTheirReason() {
+    List<MethodChange> changes = relaxation(1e-6, 2).integrator().methodChanges();
+    assertThat(changes).hasSizeGreaterThan(3);
+    for (int i = 0; i < changes.size(); i++) {
+      assertThat(changes.get(i).stiff()).isEqualTo(i % 2 == 0);
+      assertThat(i == 0 || changes.get(i).time() > changes.get(i - 1).time()).isTrue();
+      assertThat(changes.get(i).stepSize()).isPositive();
+    }
+  }
+
+  @Test
+  void onlyTheFirstChangesAreRemembered() {
+    Run run = relaxation(1e-4, 20);
+    assertThat(run.integrator().methodChangeCount()).isGreaterThan(40);
+    assertThat(run.integrator().methodChanges()).hasSize(16);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-3, 1e-5, 1e-8, 1e-11})
+  void problemThatIsNotStiffIsIntegratedByOde113ToTheBit(double tolerance) {
+    for (SuiteProblem problem : SuiteProblem.nonstiff()) {
+      IntegratorSettings settings = Run.settings(problem, tolerance);
+      Run alone = Run.of(new Ode113(settings), problem);
+      Run switching = Run.of(new Switching(settings), problem);
+      assertThat(switching.atEnd()).as(problem.name()).isEqualTo(alone.atEnd());
+      assertThat(switching.statistics()).as(problem.name()).isEqualTo(alone.statistics());
+      assertThat(switching.integrator().methodChanges()).as(problem.name()).isEmpty();
+    }
+  }
+
+  @Test
+  void stiffProblemCostsHardlyMoreThanWithOde15s() {
+    // Finding out takes some 60 evaluations; only runs of hardly more than that feel it.
+    for (SuiteProblem problem : SuiteProblem.stiff()) {
+      for (int k = 3; k <= 9; k++) {
+        IntegratorSettings settings = Run.settings(problem, StrictMath.pow(10, -k));
+        Run switching = Run.of(new Switching(settings), problem);
+        long stiff = Run.of(new Ode15s(settings), problem).statistics().evaluations();
+        assertThat(switching.result()).isEqualTo(StepResult.REACHED_END);
+        assertThat((double) switching.statistics().evaluations())
+            .as("%s, 1e-%d", problem.name(), k)
+            .isLessThanOrEqualTo(Math.max(1.3 * stiff, 100.0 + stiff));
+      }
+    }
+  }
+
+  @Test
+  void methodsAboutEquallyGoodDoNotTakeTurns() {
+    // Rates of 1 and 30: at these tolerances both methods cost the same within a factor of two.
+    Ode moderate =
+        new Ode(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = -30 * (y[0] - y[1]);
+              yDot[1] = -y[1] + StrictMath.cos(t);
+            });
+    for (int k = 3; k <= 10; k++) {
+      double tolerance = StrictMath.pow(10, -k);
+      Switching integrator = new Switching(new IntegratorSettings(tolerance, tolerance));
+      Run.of(integrator, moderate, 0, new double[] {1, 0}, 300);
+      assertThat(integrator.methodChangeCount()).as("1e-%d", k).isLessThanOrEqualTo(8);
+    }
+  }
+
+  @Test
+  void stiffnessThatEndsAtADeclaredJumpIsLeftBehind() {
+    IntegratorSettings settings = new IntegratorSettings(1e-9, 1e-9);
+    Switching integrator = new Switching(settings);
+    Run run = Run.of(integrator, STIFF_AT_FIRST, 0, new double[] {1}, 60);
+    assertThat(run.atEnd()[0]).isCloseTo(StrictMath.cos(60), within(1e-7));
+    assertThat(integrator.methodChanges()).hasSize(2);
+    assertThat(integrator.methodChanges().get(1).time()).isGreaterThan(10);
+  }
+
+  @Test
+  void lastStepCanBeInterpolatedUntilTheNextMethodHasTakenOver() {
+    Switching integrator = new Switching(new IntegratorSettings(1e-6, 1e-6));
+    StepResult result = integrator.start(RELAXATION, 0, new double[] {2, 0}, 1000);
+    double[] y = new double[2];
+    double[] before = new double[2];
+    double[] yDot = new double[2];
+    while (result == StepResult.ADVANCED) {
+      integrator.interpolate(integrator.time(), before, yDot);
+      double end = integrator.time();
+      result = integrator.step();
+      assertThat(integrator.previousTime()).isEqualTo(end);
+      integrator.interpolate(end, y, yDot);
+      assertThat(y[0]).isCloseTo(before[0], within(1e-5));
+    }
+    assertThat(integrator.methodChangeCount()).isPositive();
+  }
+
+  @ParameterizedTest
+  @EnumSource(Mode.class)
+  void everyModeChangesMethod(Mode mode) {
+    SuiteProblem problem = new Flame();
+    Run run = Run.of(new Switching(Run.settings(problem, 1e-6).withMode(mode)), problem);
+    assertThat(run.integrator().methodChangeCount()).isPositive();
+    assertThat(problem.reference().mixedDigits(run.atEnd(), problem.reference().atEnd()))
+        .isGreaterThan(5);
+  }
+
+  @Test
+  void integrationTakenUpBetweenAnyStepsGoesOnWithTheSameBits() {
+    SuiteProblem problem = new StiffVanDerPol();
+    IntegratorSettings settings = Run.settings(problem, 1e-4);
+    Integrator whole = new Switching(settings);
+    Integrator cut = new Switching(settings);
+    double[] y0 = problem.reference().initialState();
+    StepResult result = whole.start(problem, 0, y0, 2000);
+    cut.start(problem, 0, y0, 2000);
+    while (result == StepResult.ADVANCED) {
+      byte[] saved = cut.save();
+      cut = new Switching(settings);
+      assertThat(cut.resume(new StiffVanDerPol(), saved)).isEqualTo(StepResult.ADVANCED);
+      result = whole.step();
+      assertThat(cut.step()).isEqualTo(result);
+      assertThat(cut.time()).isEqualTo(whole.time());
+      assertThat(cut.order()).isEqualTo(whole.order());
+    }
+    assertThat(whole.methodChangeCount()).isGreaterThan(4);
+    assertThat(cut.methodChanges()).isEqualTo(whole.methodChanges());
+    assertThat(cut.statistics()).isEqualTo(whole.statistics());
+    assertThat(Run.state(cut, 2000, 2)).isEqualTo(Run.state(whole, 2000, 2));
+  }
+
+  @Test
+  void stepsAllowedAreThoseOfBothTogether() {
+    IntegratorSettings bounded =
+        new IntegratorSettings(
+            1e-6, List.of(1e-6), Double.POSITIVE_INFINITY, 0, 0, 500, () -> false);
+    Switching integrator = new Switching(bounded);
+    Run run = Run.of(integrator, RELAXATION, 0, new double[] {2, 0}, 16_150);
+    assertThat(run.result()).isEqualTo(StepResult.FAILED);
+    assertThat(integrator.methodChangeCount()).isGreaterThan(1);
+    IntegrationStatistics done = integrator.statistics();
+    assertThat(done.steps() + done.rejectedSteps()).isEqualTo(500);
+    assertThat(integrator.failure().cause()).isEqualTo(IntegrationFailure.Cause.TOO_MANY_STEPS);
+    assertThat(integrator.failure().lastSteps()).hasSize(10);
+  }
+
+  @Test
+  void stateIsTheSameBeforeAndAfterAChange() {
+    Switching integrator = new Switching(new IntegratorSettings(1e-5, 1e-5));
+    StepResult result = integrator.start(RELAXATION, 0, new double[] {2, 0}, 1000);
+    List<Double> ends = new ArrayList<>();
+    while (result == StepResult.ADVANCED) {
+      result = integrator.step();
+      ends.add(integrator.time());
+    }
+    assertThat(ends).isSorted().doesNotHaveDuplicates();
+    for (MethodChange change : integrator.methodChanges()) {
+      assertThat(ends).contains(change.time());
+    }
+  }
+}
