@@ -17,6 +17,11 @@ final class Report {
     return new Report(JsonParser.parseString(command.orFail().stdout()).getAsJsonObject());
   }
 
+  /** Reads the report of a command run in this process. */
+  static Report printedBy(Mechanic.Done command) {
+    return new Report(JsonParser.parseString(command.orFail().out()).getAsJsonObject());
+  }
+
   boolean has(String key) {
     return json.has(key);
   }

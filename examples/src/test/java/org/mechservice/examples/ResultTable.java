@@ -60,8 +60,9 @@ record ResultTable(List<String> columns, List<List<Double>> rows) {
     return largest;
   }
 
-  private List<Double> rowAt(double t) {
-    // Output times are k * 0.01 s: the nearest double to the reference's time is one rounding off.
+  /** Returns the row at a time, s. */
+  List<Double> rowAt(double t) {
+    // Output times are k * step: the nearest double to the reference's time is one rounding off.
     return rows.stream()
         .filter(row -> Math.abs(row.get(0) - t) < 1e-12)
         .findFirst()

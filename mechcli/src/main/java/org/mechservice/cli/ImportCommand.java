@@ -43,8 +43,8 @@ final class ImportCommand implements Callable<Integer> {
     try (Service service = Service.open(server)) {
       ImportedModel imported = service.connection().importModel(robot);
       PrintWriter err = spec.commandLine().getErr();
-      imported.losses().forEach(err::println);
-      int lost = imported.losses().size();
+      imported.messages().forEach(err::println);
+      int lost = imported.lost();
       if (strict && lost > 0) {
         throw new UsageException(
             "S-127 "

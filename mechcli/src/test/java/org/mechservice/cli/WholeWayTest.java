@@ -91,6 +91,30 @@ class WholeWayTest {
     assertThat(folder.resolve("arm.csv")).content().startsWith("t,shoulder.q,elbow.q,grip.q,");
   }
 
+  /** A link without mass at the end of a chain, and inertia that no body has. */
+  @Test
+  void whatIsOddInAnImportedModelIsToldAtOnce() throws Exception {
+    Path robot = folder.resolve("odd.urdf");
+    Files.writeString(
+        robot,
+        """
+        <robot name="odd">
+          <link name="base"/>
+          <link name="arm">
+            <inertial><mass value="1"/>
+              <inertia ixx="1" iyy="1" izz="3" ixy="0" ixz="0" iyz="0"/></inertial>
+          </link>
+          <link name="tip"/>
+          <joint name="j1" type="continuous"><parent link="base"/><child link="arm"/></joint>
+          <joint name="j2" type="continuous"><parent link="arm"/><child link="tip"/></joint>
+        </robot>
+        """);
+    assertThat(mech("import", robot.toString(), "-o", file("odd.xml"), "--strict")).isZero();
+    assertThat(err.toString())
+        .contains("odd.urdf:4:5: M-032 body \"arm\"")
+        .contains("odd.urdf:9: S-086 joint \"j2\" moves body \"tip\" and nothing beyond it");
+  }
+
   @Test
   void strictImportThatWouldLoseSomethingWritesNothing() {
     String robot = Path.of("..", "examples", "robot", "arm.urdf").toString();

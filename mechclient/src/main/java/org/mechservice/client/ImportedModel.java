@@ -6,10 +6,17 @@ import java.util.List;
  * A model of another format, translated by the server.
  *
  * @param text the model in MechML
- * @param losses what of the file is not in it, in file order
+ * @param messages what of the file is not in it, in file order, then what looks odd in the model
  */
-public record ImportedModel(String text, List<ModelMessage> losses) {
+public record ImportedModel(String text, List<ModelMessage> messages) {
+  private static final String LOSS = "M-085";
+
   public ImportedModel {
-    losses = List.copyOf(losses);
+    messages = List.copyOf(messages);
+  }
+
+  /** Returns how many things of the file are not in the model. */
+  public int lost() {
+    return (int) messages.stream().filter(message -> message.code().equals(LOSS)).count();
   }
 }

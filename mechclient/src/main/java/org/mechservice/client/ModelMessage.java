@@ -54,10 +54,11 @@ public record ModelMessage(
     return new ModelMessage(severity, code, text, name, line, column, path);
   }
 
-  /** Returns {@code file:line:column: code text}. */
+  /** Returns {@code file:line:column: code text}, as much of the place as is known. */
   @Override
   public String toString() {
-    String place = line > 0 ? fileName + ":" + line + ":" + column : fileName;
+    String place =
+        fileName + (line > 0 ? ":" + line : "") + (line > 0 && column > 0 ? ":" + column : "");
     String said = text.startsWith(code) ? text : code + " " + text;
     return place.isEmpty() ? said : place + ": " + said;
   }

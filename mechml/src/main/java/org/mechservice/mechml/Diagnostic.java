@@ -21,10 +21,10 @@ public record Diagnostic(
     int column,
     String path) {
 
-  /** Returns {@code file:line:column: code message}. */
+  /** Returns {@code file:line:column: code message}, as much of the place as is known. */
   @Override
   public String toString() {
-    String place = line > 0 ? file + ":" + line + ":" + column : file;
+    String place = file + (line > 0 ? ":" + line : "") + (line > 0 && column > 0 ? ":" + column : "");
     return place + ": " + code + " " + message;
   }
 }

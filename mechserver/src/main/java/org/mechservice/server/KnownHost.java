@@ -193,6 +193,11 @@ final class KnownHost {
     return reachable && !load.draining;
   }
 
+  /** Returns how many simulations it runs at once. */
+  int capacity() {
+    return info.capacity;
+  }
+
   /** Returns how many more simulations find a place at once; negative: so many wait. */
   synchronized int freePlaces() {
     return info.capacity - Math.max(load.sessions, load.running + load.queued) - placedAt.size();

@@ -3,6 +3,7 @@ package org.mechservice.mechml.urdf;
 import java.util.List;
 import org.mechservice.mechml.Diagnostic;
 import org.mechservice.mechml.MechmlException;
+import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
@@ -18,8 +19,9 @@ import org.mechservice.mechml.resolve.ModelResolver;
  *
  * @param document the model file
  * @param losses what of the robot's file is not in it, in file order: warnings M-085
+ * @param model what the model file says; its places are those of the robot's file
  */
-public record UrdfImport(Document document, List<Diagnostic> losses) {
+public record UrdfImport(Document document, List<Diagnostic> losses, MechmlModel model) {
   private static final String ROBOT = "robot";
 
   public UrdfImport {
@@ -45,8 +47,8 @@ public record UrdfImport(Document document, List<Diagnostic> losses) {
     diagnostics.throwIfErrors();
     Document document = new MechmlRobot(fileName, read, tree).document();
     // Its elements have the places of those they were made from: messages are about the robot's.
-    ModelResolver.resolve(document.root(), ReadOptions.NONE, diagnostics);
-    return new UrdfImport(document, losses.inFileOrder());
+    MechmlModel model = ModelResolver.resolve(document.root(), ReadOptions.NONE, diagnostics);
+    return new UrdfImport(document, losses.inFileOrder(), model);
   }
 
   private static void requireRobot(Element robot, Diagnostics diagnostics) throws MechmlException {

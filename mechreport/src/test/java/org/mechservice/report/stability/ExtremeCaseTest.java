@@ -3,6 +3,7 @@ package org.mechservice.report.stability;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.mechservice.report.measure.MeasuredRun;
 import org.mechservice.report.method.Method;
@@ -29,8 +30,9 @@ class ExtremeCaseTest {
             2,
             0,
             0,
-            new MeasuredRun.Errors(error, error, error, error),
-            0);
+            new MeasuredRun.Errors(error, error, error, error, Double.NaN, Double.NaN),
+            0,
+            Map.of());
     MethodOutcome method = MethodOutcome.of(METHOD, run, wanted);
     return new CaseOutcome(wanted, List.of(method), "", List.of(), "");
   }

@@ -26,6 +26,7 @@ final class CheckJson {
     JsonObject object = new JsonObject();
     object.addProperty("scene", scene.mechanism().name());
     object.addProperty("degreesOfFreedom", report.degreesOfFreedom());
+    object.addProperty("degreesOfFreedomByCount", report.freedomsByCount());
     object.addProperty("treeFreedoms", scene.degreesOfFreedom());
     object.addProperty("bodies", scene.mechanism().bodies().size());
     object.addProperty("mass", scene.mass() + scene.rodMass());
@@ -48,6 +49,7 @@ final class CheckJson {
     object.add("forces", gson.toJsonTree(ForceKind.of(scene.mechanism())));
     object.add("unused", gson.toJsonTree(report.model().unused()));
     object.add("warnings", warnings());
+    object.add("simpler", gson.toJsonTree(scene.offers()));
     object.add(
         "leftOut",
         gson.toJsonTree(

@@ -10,11 +10,11 @@ import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.scene.Finding;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
-import org.mechservice.sim.scene.InertiaCheck;
 import org.mechservice.sim.scene.LoopAnalysis;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.sim.scene.RoadmapEntry;
 import org.mechservice.sim.scene.SceneAnalysis;
+import org.mechservice.sim.scene.StiffnessForecast;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -60,11 +60,10 @@ public record CheckReport(
     Mechanism mechanism = model.mechanism();
     SceneAnalysis scene = SceneAnalysis.of(mechanism);
     LoopAnalysis loops = LoopAnalysis.of(mechanism, model.settings().run());
-    List<Finding> findings = new ArrayList<>(scene.findings());
-    if (findings.isEmpty()) {
-      InertiaCheck.of(mechanism, model.settings().run().tStart()).ifPresent(findings::add);
-    }
+    List<Finding> findings =
+        new ArrayList<>(scene.findingsAtStart(model.settings().run().tStart()));
     findings.addAll(loops.findings());
+    StiffnessForecast.of(mechanism, model.settings().run()).ifPresent(findings::add);
     try {
       return new CheckReport(
           model, scene, loops, findings, Optional.of(generation(model, scene)), "");
@@ -90,7 +89,7 @@ public record CheckReport(
     Program derivative = ArticulatedBodyEquations.derive(links);
     BuildOptions options = new BuildOptions(choice.formulation(), Set.of(), model.settings().run());
     return new Generation(
-        choice, derivative.operationCount(), LeftOut.of(scene, links, options, derivative));
+        choice, derivative.operationCount(), LeftOut.of(model, scene, links, options, derivative));
   }
 
   /** Returns what looks odd: what the file's reader noticed, then what the scene shows. */
@@ -106,10 +105,14 @@ public record CheckReport(
     return scene.roadmap();
   }
 
+  /** Returns the number of degrees of freedom by count: negative where equations repeat others. */
+  public int freedomsByCount() {
+    return scene.degreesOfFreedom() - loops.equations();
+  }
+
   /** Returns the number of degrees of freedom: by rank if it is known, else by count. */
   public int degreesOfFreedom() {
-    int equations = loops.isJudged() ? loops.independent() : loops.equations();
-    return scene.degreesOfFreedom() - equations;
+    return loops.isJudged() ? scene.degreesOfFreedom() - loops.independent() : freedomsByCount();
   }
 
   /** Returns the report for people, lines separated by line feeds. */

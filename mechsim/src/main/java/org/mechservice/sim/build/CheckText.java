@@ -35,6 +35,9 @@ final class CheckText {
       list("Not used", report.model().unused());
     }
     list("Warnings", report.warnings());
+    if (!scene.offers().isEmpty()) {
+      list("Could be simpler", scene.offers());
+    }
     report
         .generation()
         .ifPresent(
@@ -107,6 +110,7 @@ final class CheckText {
             + " independent of "
             + loops.equations()
             + (loops.equations() == 1 ? " equation" : " equations")
+            + (loops.redundant() == 0 ? "" : "; by count alone " + report.freedomsByCount())
         : tree + loops.equations() + " equations, by count alone";
   }
 
@@ -119,10 +123,12 @@ final class CheckText {
                     .append(generation.choice().formulation())
                     .append(" (")
                     .append(generation.choice().reason())
-                    .append("), ")
-                    .append(generation.operations())
-                    .append(" operations per evaluation\n"),
+                    .append(operations(generation.operations())),
             () -> text.append("Formulation: none: ").append(report.noGeneration()).append('\n'));
+  }
+
+  private static String operations(int count) {
+    return count == 0 ? ")\n" : "), " + count + " operations per evaluation\n";
   }
 
   private void roadmap() {

@@ -97,6 +97,20 @@ public record SceneAnalysis(
     return IntStream.range(0, count).mapToObj(unit).collect(Collectors.joining(" "));
   }
 
+  /**
+   * Returns what looks odd, and where nothing does, a joint that no inertia resists at the start.
+   *
+   * @param t time of the start, s
+   */
+  public List<Finding> findingsAtStart(double t) {
+    return findings.isEmpty() ? InertiaCheck.of(mechanism, t).stream().toList() : findings;
+  }
+
+  /** Returns what could be written more simply, as sentences. */
+  public List<String> offers() {
+    return SphericalChains.of(mechanism);
+  }
+
   /** Returns the number of degrees of freedom; a tree has one for each velocity. */
   public int degreesOfFreedom() {
     return mechanism.velocityCount();

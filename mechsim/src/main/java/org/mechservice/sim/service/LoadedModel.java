@@ -5,6 +5,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
+import org.mechservice.mechml.Diagnostic;
 import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.MechmlReader;
@@ -69,6 +70,11 @@ record LoadedModel(
             text,
             MechmlReader.read(fileName, content, other),
             userClasses);
+  }
+
+  /** Returns what its author should know before it runs: the reader's warnings, the scene's. */
+  List<Diagnostic> warnings() {
+    return SceneWarnings.of(model);
   }
 
   private static String sha256(byte[] content) {

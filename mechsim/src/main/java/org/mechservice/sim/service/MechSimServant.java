@@ -98,7 +98,7 @@ final class MechSimServant implements MechSimOperations {
       times.addTreating(System.nanoTime() - start);
       loaded = Optional.of(read);
       generateAhead(read);
-      return Wire.diagnostics(read.model().warnings());
+      return Wire.diagnostics(read.warnings());
     } catch (MechmlException e) {
       throw Refusal.model(e.diagnostics());
     }

@@ -1,6 +1,8 @@
 package org.mechservice.sim.service;
 
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.regex.Pattern;
 import org.mechservice.idl.DiagnosticSeqHolder;
@@ -8,6 +10,7 @@ import org.mechservice.idl.InvalidModel;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NotAvailable;
+import org.mechservice.mechml.Diagnostic;
 import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.document.DocumentWriter;
 import org.mechservice.mechml.urdf.UrdfImport;
@@ -23,7 +26,7 @@ public final class ModelImport {
    * Translates a file into MechML.
    *
    * @param foreign the file; the end of its name says what it is
-   * @param losses takes what of it is not in the result
+   * @param losses takes what of it is not in the result, then what looks odd in the model
    * @param limits what the host allows
    * @throws InvalidModel if the file cannot be used
    * @throws NotAvailable if its format is not known
@@ -44,7 +47,9 @@ public final class ModelImport {
     }
     try {
       UrdfImport imported = UrdfImport.of(foreign.fileName, foreign.content);
-      losses.value = Wire.diagnostics(imported.losses());
+      List<Diagnostic> said = new ArrayList<>(imported.losses());
+      said.addAll(SceneWarnings.of(imported.model()));
+      losses.value = Wire.diagnostics(said);
       return new ModelFile(
           ENDING.matcher(foreign.fileName).replaceFirst("") + ".xml",
           DocumentWriter.write(imported.document()).getBytes(StandardCharsets.UTF_8));

@@ -44,6 +44,47 @@ class CheckReportTest {
   }
 
   @Test
+  void freedomsAreCountedAndJudgedByRank() throws Exception {
+    CheckReport report = example("extremes/fourbar_redundant.xml");
+    assertThat(report.text())
+        .contains(
+            "Degrees of freedom: 1 (3 of the tree less 2 independent of 5 equations; by count alone"
+                + " -2)")
+        .contains("redundant equations: 3");
+    JsonObject json = JsonParser.parseString(report.json()).getAsJsonObject();
+    assertThat(json.get("degreesOfFreedom").getAsInt()).isEqualTo(1);
+    assertThat(json.get("degreesOfFreedomByCount").getAsInt()).isEqualTo(-2);
+  }
+
+  @Test
+  void masslessChainOfThreeCrossingHingesIsOfferedAsASphericalJoint() throws Exception {
+    CheckReport report = example("extremes/gimbal_q2_0.4.xml");
+    assertThat(report.text())
+        .contains("Could be simpler:\n  joints \"ja\", \"jb\", \"jc\" turn about one point")
+        .contains("needs neither body");
+    assertThat(JsonParser.parseString(report.json()).getAsJsonObject().getAsJsonArray("simpler"))
+        .hasSize(1);
+  }
+
+  @Test
+  void springsInTheChainAreNamedInTheOffer() throws Exception {
+    assertThat(example("driver/driver-free-c0.xml").scene().offers())
+        .hasSize(7)
+        .allMatch(offer -> offer.contains("What acts on the angles (\""));
+  }
+
+  /** Coaxial hinges, hinges with a heavy body between them, and two hinges are no ball joint. */
+  @ParameterizedTest
+  @CsvSource({
+    "extremes/coaxial_massless.xml",
+    "extremes/near_massless_0.xml",
+    "pendulum/pendulum.xml"
+  })
+  void otherChainsAreNotOffered(String file) throws Exception {
+    assertThat(example(file).text()).doesNotContain("Could be simpler");
+  }
+
+  @Test
   void theReportAsJsonHasTheSameContent() {
     JsonObject report =
         JsonParser.parseString(CheckReport.of(Scenes.model(Scenes.pendulum())).json())

@@ -285,7 +285,7 @@ abstract class AdamsPece extends SteppingIntegrator {
     progress.rejected(h, control.order(), error, attempt, limitingComponent(attempt));
     double smallest = bounds.smallest(progress.time());
     if (progress.notFiniteTooOften() || Math.abs(h) <= smallest) {
-      return Optional.of(cause(attempt));
+      return Optional.of(attempt.cause());
     }
     double size = Math.abs(inaccurate ? retry() : control.rejectNotFinite() * h);
     h = Math.copySign(Math.max(size, smallest), h);
@@ -299,14 +299,6 @@ abstract class AdamsPece extends SteppingIntegrator {
       jumps.rejected(h, control.order(), triedTime, control.error(), control.discrepancy());
     }
     return jumps.active() ? towardsJump(h) : control.reject() * h;
-  }
-
-  private static Cause cause(Attempt attempt) {
-    return switch (attempt) {
-      case NOT_FINITE -> Cause.NOT_FINITE;
-      case NOT_COMPLETED -> Cause.NOT_COMPLETED;
-      default -> Cause.STEP_TOO_SMALL;
-    };
   }
 
   /** Evaluates f at the end of the step being tried; returns false if told to stop instead. */

@@ -1,5 +1,7 @@
 package org.mechservice.solver.integration;
 
+import org.mechservice.solver.integration.IntegrationFailure.Cause;
+
 /** What a try of a step came to. */
 public enum Attempt {
   /** The step was accepted. */
@@ -15,5 +17,16 @@ public enum Attempt {
   /** Something was not finite. */
   NOT_FINITE,
   /** The stop signal was given; the try is taken up again. */
-  STOPPED
+  STOPPED;
+
+  /** Returns what to call it, where nothing more is known, when no smaller step is left. */
+  Cause cause() {
+    return switch (this) {
+      case NOT_FINITE -> Cause.NOT_FINITE;
+      case NOT_COMPLETED -> Cause.NOT_COMPLETED;
+      case NOT_CONVERGING -> Cause.NO_CONVERGENCE;
+      case SINGULAR_MATRIX -> Cause.SINGULAR_MATRIX;
+      default -> Cause.STEP_TOO_SMALL;
+    };
+  }
 }

@@ -22,7 +22,7 @@ abstract class BackwardMethod extends SteppingIntegrator {
   private final BackwardFormulas formulas;
   private final Mode mode;
   private final MaximumNorm norm = new MaximumNorm();
-  private final StepsToEnd bounds = new StepsToEnd();
+  private final StepSize step = new StepSize();
   private final BackwardOrderControl control;
   private final JumpWatch jumps = new JumpWatch();
 
@@ -31,34 +31,18 @@ abstract class BackwardMethod extends SteppingIntegrator {
 
   private StepEquations equations = StepEquations.none();
   private BackwardDifferences differences = new BackwardDifferences(0);
-  private FirstStep firstStep = new FirstStep(0);
 
-  /** Size and end of the step being tried; size 0 as long as the first is not chosen. */
-  private double h;
-
+  /** End of the step being tried. */
   private double triedTime;
 
   /** End of the problem. */
   private double tEnd;
-
-  /** First step asked for; 0 for the method's choice. */
-  private double initialStep;
-
-  private double longestFirstStep;
-
-  /** Whether the problem went on from another state, or across a declared jump. */
-  private boolean restarted;
 
   /** Whether state and derivative of a start are still to be completed. */
   private boolean startDue;
 
   /** Whether a step is begun. */
   private boolean begun;
-
-  /** Size and order that the differences are written for. */
-  private double writtenSize;
-
-  private int writtenOrder;
 
   /**
    * @throws IllegalArgumentException if a setting is out of range
@@ -84,15 +68,14 @@ abstract class BackwardMethod extends SteppingIntegrator {
   private StepEquations explicit(OdeSystem system, double t0, double tEnd) {
     RightHandSide rightHandSide = new RightHandSide(system, settings.stop());
     rightHandSide.breakpoints().begin(system, t0, tEnd);
-    return new ExplicitEquations(rightHandSide, smallSizes(system.dimension()));
+    return new ExplicitEquations(rightHandSide, settings.smallSizes(system.dimension()));
   }
 
   /** Begins a problem. */
   final StepResult begin(StepEquations equations, double t0, double[] y0, double tEnd) {
     prepare(equations, t0, tEnd);
     beginProgress(t0);
-    restarted = false;
-    return beginAt(t0, y0, settings.initialStep());
+    return beginAt(t0, y0, settings.initialStep(), false);
   }
 
   private void prepare(StepEquations equations, double t0, double tEnd) {
@@ -103,15 +86,12 @@ abstract class BackwardMethod extends SteppingIntegrator {
     }
     this.tEnd = tEnd;
     differences = new BackwardDifferences(n);
-    firstStep = new FirstStep(n);
-    relativeTolerance = settings.relativeTolerance();
-    double[] absoluteTolerances = settings.absoluteTolerances(n);
     boolean standard = mode != Mode.FAITHFUL && toleranceFactor == 1;
-    if (standard && equations.manifold().anyAlgebraic()) {
-      tighten(absoluteTolerances);
-    }
-    norm.begin(relativeTolerance, absoluteTolerances, equations.manifold());
-    bounds.begin(t0, tEnd, settings.maxStep());
+    boolean tighter = standard && equations.manifold().anyAlgebraic();
+    IntegratorSettings tested = tighter ? settings.tightened(ALGEBRAIC_PART) : settings;
+    relativeTolerance = tested.relativeTolerance();
+    norm.begin(relativeTolerance, tested.absoluteTolerances(n), equations.manifold());
+    step.begin(n, t0, tEnd, settings.maxStep());
   }
 
   private void beginProgress(double t0) {
@@ -126,7 +106,7 @@ abstract class BackwardMethod extends SteppingIntegrator {
       equations.breakpoints().pass();
     }
     StepResult result = beginAnew(t, y);
-    this.longestFirstStep = longestFirstStep;
+    step.boundFirst(longestFirstStep);
     return result;
   }
 
@@ -141,8 +121,7 @@ abstract class BackwardMethod extends SteppingIntegrator {
   final StepResult takeOver(double t, double[] y) {
     equations.breakpoints().passUpTo(t);
     progress.beginAgain(t);
-    restarted = false;
-    return beginAt(t, y, 0);
+    return beginAt(t, y, 0, false);
   }
 
   /** Returns how fast the solution can change, by the Jacobian formed last. */
@@ -152,22 +131,17 @@ abstract class BackwardMethod extends SteppingIntegrator {
 
   private StepResult beginAnew(double t, double[] y) {
     progress.beginAgain(t);
-    restarted = true;
-    return beginAt(t, y, 0);
+    return beginAt(t, y, 0, true);
   }
 
   /** Begins at order 1, with a step of the given size or, if that is 0, of the method's choice. */
-  private StepResult beginAt(double t, double[] y, double initialStep) {
+  private StepResult beginAt(double t, double[] y, double initialStep, boolean restarted) {
     control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER), restarted);
     jumps.begin();
-    bounds.stopAt(equations.breakpoints().next());
-    this.initialStep = initialStep;
-    longestFirstStep = Double.POSITIVE_INFINITY;
-    h = 0;
+    step.beginAt(initialStep, restarted);
+    step.stopAt(equations.breakpoints().next());
     triedTime = t;
     begun = false;
-    writtenSize = 1;
-    writtenOrder = 1;
     differences.begin(y);
     norm.weigh(differences.state());
     equations.beginAnew();
@@ -186,26 +160,8 @@ abstract class BackwardMethod extends SteppingIntegrator {
     startDue = false;
     norm.weigh(differences.state());
     return attempt == Attempt.PASSED
-        ? progress.goOn(bounds.reachedAt(t))
+        ? progress.goOn(step.endsAt(t))
         : fail(equations.causeAtStart(attempt), equations.componentAtStart(attempt));
-  }
-
-  private void tighten(double[] absoluteTolerances) {
-    double smallest = IntegratorSettings.SMALLEST_RELATIVE_TOLERANCE;
-    relativeTolerance = Math.max(ALGEBRAIC_PART * relativeTolerance, smallest);
-    for (int l = 0; l < absoluteTolerances.length; l++) {
-      absoluteTolerances[l] = Math.max(ALGEBRAIC_PART * absoluteTolerances[l], Double.MIN_NORMAL);
-    }
-  }
-
-  /** Returns the size at which the absolute tolerance takes over from the relative one. */
-  final double[] smallSizes(int dimension) {
-    double[] sizes = settings.absoluteTolerances(dimension);
-    for (int l = 0; l < sizes.length; l++) {
-      double size = sizes[l] / settings.relativeTolerance();
-      sizes[l] = Double.isFinite(size) ? size : sizes[l];
-    }
-    return sizes;
   }
 
   /** Returns the norm that errors are judged by. */
@@ -241,7 +197,7 @@ abstract class BackwardMethod extends SteppingIntegrator {
       }
       if (attempt == Attempt.PASSED) {
         accept();
-        return progress.goOn(bounds.reachedAt(progress.time()));
+        return progress.goOn(step.endsAt(progress.time()));
       }
       Optional<Cause> cause = repair(attempt);
       if (cause.isPresent()) {
@@ -269,78 +225,31 @@ abstract class BackwardMethod extends SteppingIntegrator {
     if (!begun && !beginStep()) {
       return Attempt.STOPPED;
     }
-    writeDifferences();
+    if (step.write(differences, control.order())) {
+      control.rescaled();
+      equations.changeStep();
+    }
     return equations.factor(hGamma());
   }
 
   /** Bounds the step, the first one being chosen before; returns false if told to stop instead. */
   private boolean beginStep() {
-    if (h == 0 && !chooseFirstStep()) {
+    if (!step.prepare(progress.time(), equations, differences, norm, relativeTolerance)) {
       return false;
     }
-    h = bounded(h);
     control.beginStep();
     begun = true;
     return true;
   }
 
-  /**
-   * Returns the step to try instead of a proposed one. The smallest size grows with t; a step that
-   * was at it and was accepted keeps its size, lest it change at every step and never be outgrown.
-   */
-  private double bounded(double proposed) {
-    double t = progress.time();
-    double size = bounds.bounded(t, proposed);
-    boolean raised = Math.abs(size) == bounds.smallest(t);
-    return raised && proposed == writtenSize ? proposed : size;
-  }
-
-  private boolean chooseFirstStep() {
-    double t0 = progress.time();
-    double longest = bounds.bounded(t0, Math.copySign(Double.MAX_VALUE, tEnd - t0));
-    double size = initialStep;
-    if (size == 0) {
-      double smallest = bounds.smallest(t0);
-      double passing =
-          firstStep.size(
-              equations,
-              t0,
-              differences.state(),
-              differences.slope(),
-              norm,
-              longest,
-              smallest,
-              relativeTolerance);
-      double usual = equations.cautious(passing, Math.abs(tEnd - t0));
-      double chosen = restarted ? firstStep.afterRestart(usual, differences.slope(), norm) : usual;
-      double first = Math.min(longestFirstStep, chosen);
-      size = passing == 0 ? 0 : Math.max(smallest, first);
-    }
-    h = Math.copySign(size, longest);
-    return size > 0;
-  }
-
-  /** Rewrites the differences if size or order has changed. */
-  private void writeDifferences() {
-    int k = control.order();
-    if (h == writtenSize && k == writtenOrder) {
-      return;
-    }
-    differences.rescale(h / writtenSize, k);
-    writtenSize = h;
-    writtenOrder = k;
-    control.rescaled();
-    equations.changeStep();
-  }
-
   private double hGamma() {
-    return h / formulas.leading(control.order());
+    return step.size() / formulas.leading(control.order());
   }
 
   /** Predicts and iterates. */
   private Attempt solve() {
     if (!equations.begun()) {
-      triedTime = bounds.endOf(progress.time(), h);
+      triedTime = step.endOf(progress.time());
       differences.predict(control.order(), formulas);
       norm.weigh(differences.state(), differences.predicted);
       equations.begin(differences, norm);
@@ -353,7 +262,7 @@ abstract class BackwardMethod extends SteppingIntegrator {
     if (control.error() <= 1) {
       return Attempt.PASSED;
     }
-    jumps.failed(h, control.error());
+    jumps.failed(step.size(), control.error());
     boolean jumped = equations.solutionMayJump() && jumps.solutionJumped(control.error());
     return jumped ? Attempt.PASSED : Attempt.TOO_INACCURATE;
   }
@@ -361,10 +270,10 @@ abstract class BackwardMethod extends SteppingIntegrator {
   private void accept() {
     int k = control.order();
     differences.accept(k);
-    progress.accepted(h, triedTime, k, control.error());
+    progress.accepted(step.size(), triedTime, k, control.error());
     jumps.accepted(control.error());
     equations.moveOn(hGamma(), differences);
-    h *= control.accept(differences, norm);
+    step.propose(control.accept(differences, norm));
     if (control.error() > 1) {
       control.restart();
     }
@@ -382,20 +291,19 @@ abstract class BackwardMethod extends SteppingIntegrator {
   private Optional<Cause> repair(Attempt attempt) {
     boolean inaccurate = attempt == Attempt.TOO_INACCURATE;
     double error = inaccurate ? control.error() : Double.NaN;
-    progress.rejected(h, control.order(), error, attempt, limitingComponent(attempt));
+    progress.rejected(step.size(), control.order(), error, attempt, limitingComponent(attempt));
     if (progress.notFiniteTooOften()) {
       return Optional.of(Cause.NOT_FINITE);
     }
     if (!inaccurate && equations.renew(hGamma())) {
       return Optional.empty();
     }
-    double smallest = bounds.smallest(progress.time());
-    if (Math.abs(h) <= smallest) {
-      return Optional.of(inaccurate ? Cause.STEP_TOO_SMALL : equations.cause(attempt));
+    if (!step.canBeReduced(progress.time())) {
+      return Optional.of(equations.cause(attempt, tEnd - progress.start(), norm));
     }
     double factor = inaccurate ? control.reject(differences, norm) : UNSOLVED_REDUCTION;
-    h = Math.copySign(Math.max(factor * Math.abs(h), smallest), h);
-    if (inaccurate && jumps.derivativeJumped(h)) {
+    step.reduce(factor, progress.time());
+    if (inaccurate && jumps.derivativeJumped(step.size())) {
       control.restart();
     }
     return Optional.empty();
@@ -408,7 +316,7 @@ abstract class BackwardMethod extends SteppingIntegrator {
   }
 
   private StepResult fail(Cause cause, int component) {
-    return progress.fail(cause, h, control.order(), component, norm);
+    return progress.fail(cause, step.size(), control.order(), component, norm);
   }
 
   @Override
@@ -455,18 +363,13 @@ abstract class BackwardMethod extends SteppingIntegrator {
       begun = false;
     }
     equations.transfer(state);
-    bounds.stopAt(equations.breakpoints().next());
+    step.stopAt(equations.breakpoints().next());
     progress.transfer(state);
     differences.transfer(state);
     control.transfer(state);
     jumps.transfer(state);
-    h = state.number(h);
     triedTime = state.number(triedTime);
-    initialStep = state.number(initialStep);
-    restarted = state.flag(restarted);
-    longestFirstStep = state.number(longestFirstStep);
-    writtenSize = state.number(writtenSize);
-    writtenOrder = state.integer(writtenOrder);
+    step.transfer(state);
   }
 
   /** A problem given anew, of which nothing is known yet. */

@@ -1,6 +1,5 @@
 package org.mechservice.solver.integration;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -33,9 +32,6 @@ public final class EventIntegration implements ResidualIntegrator {
     1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.25, 0.5, 0.75, 1
   };
 
-  /** Part of what is left of the problem by which to look ahead after a restart. */
-  private static final double LOOK_AHEAD = Math.sqrt(Math.ulp(1.0));
-
   /**
    * Longest first step after an event, relative to the distance from the one before: events may
    * follow each other faster than the tolerance has eyes for.
@@ -44,25 +40,12 @@ public final class EventIntegration implements ResidualIntegrator {
 
   private final Integrator integrator;
   private final EventFunctions functions;
-  private final EventSigns signs;
-  private final EventSearch search;
-  private final EventSearch.Path path = this::evaluate;
+  private final EventValues values;
   private final AccumulationMonitor accumulation = new AccumulationMonitor();
   private final RecentSteps recentSteps = new RecentSteps();
-  private final boolean[] occurred;
-
-  private CompletedSystem completed = CompletedSystem.NOTHING_PASSIVE;
   private Optional<IntegrationFailure> failure = Optional.empty();
 
-  /** Values at the points searched last and next. */
-  private double[] gBefore;
-
-  private double[] gHere;
-
-  /** State and derivative at the point looked at, and the state to restart from. */
-  private double[] y = {};
-
-  private double[] yDot = {};
+  /** State to restart from. */
   private double[] restarted = {};
 
   private double tEnd;
@@ -85,12 +68,7 @@ public final class EventIntegration implements ResidualIntegrator {
   public EventIntegration(Integrator integrator, EventFunctions functions) {
     this.integrator = integrator;
     this.functions = functions;
-    int count = functions.count();
-    signs = new EventSigns(functions);
-    search = new EventSearch(signs, count);
-    occurred = new boolean[count];
-    gBefore = new double[count];
-    gHere = new double[count];
+    values = new EventValues(integrator, functions);
   }
 
   @Override
@@ -126,14 +104,12 @@ public final class EventIntegration implements ResidualIntegrator {
     accumulation.begin(t0);
     recentSteps.clear();
     events = 0;
-    Arrays.fill(occurred, false);
+    values.forget();
     return settle(result, t0);
   }
 
   private void prepare(Object system, int dimension, double tEnd) {
-    completed = system instanceof CompletedSystem some ? some : CompletedSystem.NOTHING_PASSIVE;
-    y = new double[dimension];
-    yDot = new double[dimension];
+    values.prepare(system, dimension);
     restarted = new double[dimension];
     this.tEnd = tEnd;
     failure = Optional.empty();
@@ -150,11 +126,7 @@ public final class EventIntegration implements ResidualIntegrator {
     if (result == StepResult.FAILED) {
       return result;
     }
-    if (!evaluate(t, gBefore)) {
-      return fail(Cause.EVENT_NOT_FINITE);
-    }
-    signs.begin(gBefore);
-    return result;
+    return values.begin(t) ? result : fail(Cause.EVENT_NOT_FINITE);
   }
 
   @Override
@@ -180,7 +152,9 @@ public final class EventIntegration implements ResidualIntegrator {
         running = false;
         return result;
       }
-      lookAhead();
+      if (stateChanged) {
+        values.lookAhead(time, tEnd);
+      }
     }
     StepResult result = integrator.step();
     if (result == StepResult.STOPPED) {
@@ -193,22 +167,6 @@ public final class EventIntegration implements ResidualIntegrator {
     double[] parts = justRestarted ? PARTS_AFTER_RESTART : PARTS;
     justRestarted = false;
     return searchStep(result, parts);
-  }
-
-  /** Sees which way the functions go on from a state that was changed. */
-  private void lookAhead() {
-    if (!stateChanged) {
-      return;
-    }
-    double stretch = LOOK_AHEAD * (tEnd - time);
-    integrator.interpolate(time, y, yDot);
-    for (int l = 0; l < y.length; l++) {
-      y[l] += stretch * yDot[l];
-    }
-    if (completed.complete(time + stretch, y)) {
-      functions.evaluate(time + stretch, y, gHere);
-      signs.lean(occurred, gBefore, gHere);
-    }
   }
 
   /** Searches the step just taken from point to point. */
@@ -224,21 +182,20 @@ public final class EventIntegration implements ResidualIntegrator {
     for (double part : parts) {
       double to = part == 1 ? end : begin + part * (end - begin);
       while (from != to) {
-        if (!evaluate(to, gHere)) {
+        if (!values.lookAt(to)) {
           return fail(Cause.EVENT_NOT_FINITE);
         }
-        if (!signs.anyEvent(gHere)) {
-          signs.observe(gHere);
-          keep();
+        if (!values.anyEvent()) {
+          values.moveOn();
           from = to;
           continue;
         }
         double nearest = Math.min(Math.abs(from), Math.abs(to));
         double width = EventSearch.width(nearest, end - begin);
-        if (!search.locate(from, gBefore, to, gHere, width, path)) {
+        if (!values.locate(from, to, width)) {
           return fail(Cause.EVENT_NOT_FINITE);
         }
-        from = search.time();
+        from = values.time();
         Reaction reaction = react();
         if (reaction != Reaction.CONTINUE) {
           return cut(from, reaction);
@@ -249,26 +206,12 @@ public final class EventIntegration implements ResidualIntegrator {
     return result;
   }
 
-  /** Makes the values here those before the next point. */
-  private void keep() {
-    double[] freed = gBefore;
-    gBefore = gHere;
-    gHere = freed;
-  }
-
   /** Lets the functions' owner react to the event found. */
   private Reaction react() {
     events++;
-    double t = search.time();
-    double[] behind = search.behind();
-    for (int i = 0; i < occurred.length; i++) {
-      occurred[i] = signs.event(i, behind[i]);
-    }
-    evaluate(t, gHere);
-    System.arraycopy(y, 0, restarted, 0, y.length);
-    Reaction reaction = functions.occurred(t, restarted, occurred);
-    signs.passed(occurred, search.before(), behind);
-    keep();
+    values.determine(restarted);
+    Reaction reaction = functions.occurred(values.time(), restarted, values.occurred());
+    values.pass();
     return reaction;
   }
 
@@ -284,24 +227,11 @@ public final class EventIntegration implements ResidualIntegrator {
       return fail(Cause.EVENTS_ACCUMULATE);
     }
     restartDue = true;
-    functions.evaluate(t, restarted, gBefore);
-    if (RightHandSide.firstNotFinite(gBefore) >= 0) {
+    stateChanged = !values.standsAt(restarted);
+    if (!values.goOnFrom(t, restarted, stateChanged)) {
       return fail(Cause.EVENT_NOT_FINITE);
     }
-    stateChanged = !Arrays.equals(restarted, y);
-    if (stateChanged) {
-      signs.place(gBefore);
-    }
     return StepResult.ADVANCED;
-  }
-
-  private boolean evaluate(double t, double[] g) {
-    integrator.interpolate(t, y, yDot);
-    if (!completed.complete(t, y)) {
-      return false;
-    }
-    functions.evaluate(t, y, g);
-    return RightHandSide.firstNotFinite(g) < 0;
   }
 
   private StepResult fail(Cause cause) {
@@ -320,7 +250,7 @@ public final class EventIntegration implements ResidualIntegrator {
 
   /** Returns whether a function had a change of sign in the last event. */
   public boolean occurred(int function) {
-    return occurred[function];
+    return values.occurred()[function];
   }
 
   @Override
@@ -390,11 +320,8 @@ public final class EventIntegration implements ResidualIntegrator {
   }
 
   private void transfer(StateTransfer state) {
-    state.require("number of event functions", occurred.length);
-    signs.transfer(state);
     accumulation.transfer(state);
     recentSteps.transfer(state);
-    state.numbers(gBefore);
     state.numbers(restarted);
     time = state.number(time);
     direction = state.number(direction);
@@ -403,13 +330,8 @@ public final class EventIntegration implements ResidualIntegrator {
     restartDue = state.flag(restartDue);
     justRestarted = state.flag(justRestarted);
     stateChanged = state.flag(stateChanged);
-    for (int i = 0; i < occurred.length; i++) {
-      occurred[i] = state.flag(occurred[i]);
-    }
     events = state.integer(events);
-    if (functions instanceof SavedSystem saved) {
-      saved.transfer(state);
-    }
+    values.transfer(state);
   }
 
   @Override

@@ -164,6 +164,12 @@ final class ExplicitEquations extends StepEquations {
     return RightHandSide.firstNotFinite(derivative);
   }
 
+  /** {@inheritDoc} In h f they vanish with the step. */
+  @Override
+  double roundOff(double hGamma, ErrorNorm norm) {
+    return 0;
+  }
+
   /** y'' = ∂f/∂t + J f, the former by a difference. */
   @Override
   boolean curvature(double t0, double[] y0, double[] slope, double h, double[] curvature) {

@@ -110,16 +110,30 @@ public record IntegratorSettings(
 
   /** Returns the settings with the tolerances that the error tests use. */
   IntegratorSettings working() {
-    double factor = toleranceFactor();
+    return tightened(toleranceFactor());
+  }
+
+  /** Returns the settings with a part of the tolerances, as far as the arithmetic allows. */
+  IntegratorSettings tightened(double part) {
     return new IntegratorSettings(
-        factor * relativeTolerance,
-        absoluteTolerance.stream().map(tolerance -> factor * tolerance).toList(),
+        Math.max(part * relativeTolerance, SMALLEST_RELATIVE_TOLERANCE),
+        absoluteTolerance.stream().map(size -> Math.max(part * size, Double.MIN_NORMAL)).toList(),
         maxStep,
         initialStep,
         maxOrder,
         maxSteps,
         stop,
         mode);
+  }
+
+  /** Returns the sizes at which the absolute tolerances take over from the relative one. */
+  double[] smallSizes(int dimension) {
+    double[] sizes = absoluteTolerances(dimension);
+    for (int l = 0; l < sizes.length; l++) {
+      double size = sizes[l] / relativeTolerance;
+      sizes[l] = Double.isFinite(size) ? size : sizes[l];
+    }
+    return sizes;
   }
 
   /**

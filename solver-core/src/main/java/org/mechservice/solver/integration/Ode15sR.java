@@ -49,7 +49,7 @@ public final class Ode15sR extends BackwardMethod implements ResidualIntegrator 
     ResidualLinearisation linearisation =
         system instanceof LinearisedSystem own
             ? new OwnLinearisation(own, residual)
-            : new StoredLinearisation(system, residual, smallSizes(yDot0.length));
+            : new StoredLinearisation(system, residual, settings.smallSizes(yDot0.length));
     return new ResidualEquations(residual, linearisation, yDot0, tEnd, norm(), settings);
   }
 

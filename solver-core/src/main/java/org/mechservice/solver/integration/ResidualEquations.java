@@ -241,6 +241,20 @@ final class ResidualEquations extends StepEquations {
   }
 
   @Override
+  double roundOff(double hGamma, ErrorNorm norm) {
+    if (!factorAnew(hGamma)) {
+      return 0;
+    }
+    double[] moved = ahead;
+    for (int l = 0; l < moved.length; l++) {
+      moved[l] = Math.ulp(1.0) * linearisation.magnitude(l);
+    }
+    linearisation.solve(hGamma, moved);
+    double size = norm.of(moved);
+    return Double.isFinite(size) ? size : 0;
+  }
+
+  @Override
   double cautious(double passing, double interval) {
     return Math.min(FIRST_STEP_PART * passing, FIRST_STEP_SHARE * interval);
   }

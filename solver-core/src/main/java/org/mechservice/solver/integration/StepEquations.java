@@ -11,6 +11,15 @@ import org.mechservice.solver.integration.IntegrationFailure.Cause;
  * they are.
  */
 abstract class StepEquations {
+  /** Rounding errors, in units of the tolerance, that can keep a step from passing its tests. */
+  private static final double FELT_ROUND_OFF = 0.1;
+
+  /**
+   * Part of the interval that a step may have which is not short. In short ones all equations look
+   * as if they were exact to few digits that determine less than they should.
+   */
+  private static final double USUAL_PART = 1e-3;
+
   private final Manifold manifold;
   private final NewtonIteration newton;
 
@@ -95,6 +104,12 @@ abstract class StepEquations {
 
   /** Returns the component that made the last evaluation not finite; −1 if none did. */
   abstract int notFiniteInEvaluation();
+
+  /**
+   * Returns how far, in units of the tolerance, the rounding errors of the equations move the
+   * solution of a step; 0 if nothing is known of them. Factors the matrix of that step.
+   */
+  abstract double roundOff(double hGamma, ErrorNorm norm);
 
   /**
    * Estimates y'' at the start of the problem.
@@ -290,16 +305,21 @@ abstract class StepEquations {
     return true;
   }
 
-  /** Returns what to call a failure of the equations that no step size mends. */
-  final Cause cause(Attempt attempt) {
-    if (attempt == Attempt.NOT_FINITE) {
-      return Cause.NOT_FINITE;
+  /**
+   * Returns what to call a failure that no step size mends.
+   *
+   * @param interval of the problem, signed
+   */
+  final Cause cause(Attempt attempt, double interval, ErrorNorm norm) {
+    boolean solvable = attempt == Attempt.TOO_INACCURATE || attempt == Attempt.NOT_CONVERGING;
+    if (!solvable) {
+      return attempt.cause();
     }
-    if (attempt == Attempt.NOT_COMPLETED) {
-      return Cause.NOT_COMPLETED;
+    boolean singular = reciprocalCondition() < Math.ulp(1.0);
+    if (roundOff(USUAL_PART * interval, norm) > FELT_ROUND_OFF) {
+      return Cause.TOLERANCE_TOO_TIGHT;
     }
-    boolean singular = attempt == Attempt.SINGULAR_MATRIX || reciprocalCondition() < Math.ulp(1.0);
-    return singular ? Cause.SINGULAR_MATRIX : Cause.NO_CONVERGENCE;
+    return singular && attempt == Attempt.NOT_CONVERGING ? Cause.SINGULAR_MATRIX : attempt.cause();
   }
 
   /** Returns the component that made the equations fail. */

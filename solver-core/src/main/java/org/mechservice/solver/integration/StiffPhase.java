@@ -9,7 +9,8 @@ import java.util.Arrays;
  * <p>An Adams method spends two evaluations a step, and at the limit of its stability a step is 0.8
  * / L long, with L the norm of the Jacobian formed last. The norm is never less than the fastest
  * rate, so that the comparison favours the implicit method, which is at work; evaluations for
- * Jacobians by differences count against it.
+ * Jacobians by differences count against it. As long as its steps grow, as they do for a while from
+ * its start, it is not judged.
  */
 final class StiffPhase {
   private static final int WINDOW = 20;
@@ -53,10 +54,19 @@ final class StiffPhase {
       return false;
     }
     int latest = (slot + time.length - 1) % time.length;
+    if (size(latest - 1) > size(slot)) {
+      return false;
+    }
     double covered = Math.abs(time[latest] - time[slot]);
     long spent = evaluations[latest] - evaluations[slot];
     double ofAdams = ADAMS_EVALUATIONS * covered * fastestRate / ADAMS_LIMIT;
     return ofAdams <= WORTH_A_CHANGE * spent;
+  }
+
+  /** Returns how long the step after a slot was. */
+  private double size(int after) {
+    int from = (after + time.length) % time.length;
+    return Math.abs(time[(from + 1) % time.length] - time[from]);
   }
 
   /** Carries the state between two steps over. */

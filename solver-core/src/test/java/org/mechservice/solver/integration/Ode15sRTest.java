@@ -308,4 +308,17 @@ class Ode15sRTest extends IntegratorContract {
     assertThat(integrator.failure().cause()).isEqualTo(IntegrationFailure.Cause.NOT_FINITE);
     assertThat(integrator.failure().worstComponent()).isEqualTo(1);
   }
+
+  @Test
+  void tolerancesBelowTheRoundOffOfTheEquationsAreRefusedByName() {
+    // The currents of the transistors hang on differences of voltages of 5 V over 0.026 V: at 1e-11
+    // all digits are delivered, a tenth of that is less than the equations can tell.
+    ResidualProblem amplifier = ResidualProblem.named("TransistorAmplifier");
+    assertThat(ResidualRun.of(amplifier, 1e-11).digits()).isGreaterThan(10);
+    ResidualRun run = ResidualRun.of(amplifier, 1e-12);
+    assertThat(run.result()).isEqualTo(StepResult.FAILED);
+    assertThat(run.integrator().failure().cause())
+        .isEqualTo(IntegrationFailure.Cause.TOLERANCE_TOO_TIGHT);
+    assertThat(run.integrator().failure().worstComponent()).isBetween(0, 7);
+  }
 }

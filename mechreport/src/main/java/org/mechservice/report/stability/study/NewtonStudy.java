@@ -9,6 +9,7 @@ import org.mechservice.client.MechSession;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.Method;
 import org.mechservice.report.page.SolverChart;
+import org.mechservice.report.stability.Chain;
 import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
@@ -133,11 +134,7 @@ final class NewtonStudy implements Study {
     double h = 1e-2;
     StudyPage.Table table =
         page.table(
-            "Contraction against age, h = 0.01 s",
-            "age, s",
-            "full",
-            "forces only",
-            "differenced");
+            "Contraction against age, h = 0.01 s", "age, s", "full", "forces only", "differenced");
     SolverChart chart = new SolverChart("age of the Jacobian, s", "contraction");
     Map<Kind, double[]> rates = new EnumMap<>(Kind.class);
     for (Kind kind : Kind.values()) {

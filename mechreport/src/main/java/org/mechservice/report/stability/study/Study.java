@@ -24,7 +24,8 @@ public interface Study {
         new StartStudy(bench),
         new ConditionStudy(bench),
         new NewtonStudy(bench),
-        new AutoStudy(bench));
+        new AutoStudy(bench),
+        new ServiceStudy(bench));
   }
 
   /**

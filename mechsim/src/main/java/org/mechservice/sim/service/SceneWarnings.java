@@ -1,0 +1,40 @@
+package org.mechservice.sim.service;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.mechml.Diagnostic;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.Severity;
+import org.mechservice.sim.scene.Finding;
+import org.mechservice.sim.scene.SceneAnalysis;
+import org.mechservice.sim.scene.StiffnessForecast;
+import org.mechservice.solver.api.RunSettings;
+
+/** What is said of a model as soon as it is read, without waiting for a run to fail. */
+final class SceneWarnings {
+  private SceneWarnings() {}
+
+  /**
+   * Returns the reader's warnings, then joints that move nothing or that no inertia resists, and
+   * whether the run of the file will take very many steps.
+   */
+  static List<Diagnostic> of(MechmlModel model) {
+    List<Diagnostic> warnings = new ArrayList<>(model.warnings());
+    RunSettings run = model.settings().run();
+    List<Finding> findings =
+        new ArrayList<>(SceneAnalysis.of(model.mechanism()).findingsAtStart(run.tStart()));
+    StiffnessForecast.of(model.mechanism(), run).ifPresent(findings::add);
+    for (Finding finding : findings) {
+      warnings.add(
+          new Diagnostic(
+              Severity.WARNING,
+              finding.code(),
+              finding.text(),
+              finding.origin().file(),
+              finding.origin().line(),
+              0,
+              ""));
+    }
+    return warnings;
+  }
+}
