@@ -7,6 +7,7 @@ import org.mechservice.solver.integration.IntegratorFactory;
 import org.mechservice.solver.integration.IntegratorSettings;
 import org.mechservice.solver.integration.Ode113;
 import org.mechservice.solver.integration.Ode15s;
+import org.mechservice.solver.integration.Switching;
 import org.mechservice.solver.integration.suite.SuiteProblem;
 
 /** The integrators that are compared: ours, and those of Hipparchus that fit the same problems. */
@@ -17,6 +18,8 @@ public enum Method {
   DE,
   /** Ours. */
   ODE15S,
+  /** Ours: ode113, and ode15s where it gets stiff. */
+  SWITCHING,
   /** Adams and Moulton of fixed order, of Hipparchus. */
   HIPPARCHUS_ADAMS,
   /** Dormand and Prince of order 8, of Hipparchus. */
@@ -28,6 +31,7 @@ public enum Method {
       case ODE113 -> own(Ode113::new, tolerance);
       case DE -> own(De::new, tolerance);
       case ODE15S -> own(Ode15s::new, tolerance);
+      case SWITCHING -> own(Switching::new, tolerance);
       case HIPPARCHUS_ADAMS ->
           new HipparchusRun(new AdamsMoultonIntegrator(6, 0, 1e9, tolerance, tolerance));
       case HIPPARCHUS_DOP853 ->

@@ -7,6 +7,7 @@ import org.mechservice.solver.integration.IntegratorSettings;
 import org.mechservice.solver.integration.Ode113;
 import org.mechservice.solver.integration.Ode15s;
 import org.mechservice.solver.integration.StepResult;
+import org.mechservice.solver.integration.Switching;
 import org.mechservice.solver.integration.suite.SuiteProblem;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Param;
@@ -21,7 +22,7 @@ public class StepMemory extends Measured {
   private static final double NEVER = 1e15;
 
   /** What integrates. */
-  @Param({"ODE113", "DE", "ODE15S"})
+  @Param({"ODE113", "DE", "ODE15S", "SWITCHING"})
   public String method = "";
 
   private Integrator integrator = new Ode113(new IntegratorSettings(1e-6, 1e-6));
@@ -33,6 +34,7 @@ public class StepMemory extends Measured {
         switch (method) {
           case "ODE113" -> Ode113::new;
           case "DE" -> De::new;
+          case "SWITCHING" -> Switching::new;
           default -> Ode15s::new;
         };
     integrator = factory.create(new IntegratorSettings(1e-6, 1e-6));

@@ -1,6 +1,7 @@
 package org.mechservice.benchmarks;
 
 import org.mechservice.solver.integration.suite.SuiteProblem;
+import org.openjdk.jmh.annotations.AuxCounters;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
@@ -9,7 +10,7 @@ import org.openjdk.jmh.annotations.State;
 
 /**
  * Whole runs of small problems, and the right-hand sides alone: what is left per step is the
- * integrator's own work.
+ * integrator's own work. {@code run:step} is the time of a step with its evaluations.
  */
 @State(Scope.Benchmark)
 public class StepOverhead extends Measured {
@@ -35,7 +36,23 @@ public class StepOverhead extends Measured {
 
   /** Integrates from start to end. */
   @Benchmark
-  public Method.Cost run() {
-    return run.toEnd(equations);
+  public Method.Cost run(Work work) {
+    Method.Cost cost = run.toEnd(equations);
+    work.step += cost.steps();
+    work.evaluation += cost.evaluations();
+    return cost;
+  }
+
+  /**
+   * What the time is shared among: JMH tells that of a step, and of an evaluation with its part.
+   */
+  @State(Scope.Thread)
+  @AuxCounters(AuxCounters.Type.OPERATIONS)
+  public static class Work {
+    /** Accepted steps. */
+    public long step;
+
+    /** Evaluations of the right-hand side. */
+    public long evaluation;
   }
 }

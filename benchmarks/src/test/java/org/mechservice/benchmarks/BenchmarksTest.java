@@ -30,14 +30,16 @@ class BenchmarksTest {
     whole.problem = "Hires";
     whole.method = Method.ODE15S;
     whole.prepare();
-    assertThat(whole.run().evaluations()).isPositive();
+    StepOverhead.Work work = new StepOverhead.Work();
+    assertThat(whole.run(work).evaluations()).isPositive();
+    assertThat(work.step).isPositive();
     RightHandSide one = new RightHandSide();
     one.problem = "Hires";
     one.prepare();
     assertThat(one.evaluate()).hasSize(8);
   }
 
-  @ValueSource(strings = {"ODE113", "DE", "ODE15S"})
+  @ValueSource(strings = {"ODE113", "DE", "ODE15S", "SWITCHING"})
   @ParameterizedTest
   void integrationWithoutEndGoesOn(String method) {
     StepMemory memory = new StepMemory();

@@ -8,6 +8,7 @@ import com.google.gson.JsonParser;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.Progress;
 import org.mechservice.idl.SimState;
@@ -78,7 +79,33 @@ final class EndedRunJson {
     json.addProperty("stepOrder", failure.stepOrder);
     json.addProperty("part", failure.part);
     json.addProperty("advice", failure.advice);
+    JsonArray steps = new JsonArray();
+    for (StepTried tried : failure.lastSteps) {
+      steps.add(step(tried));
+    }
+    json.add("lastSteps", steps);
     return json;
+  }
+
+  /** A step that did not get as far as an error has none. */
+  private static JsonObject step(StepTried tried) {
+    JsonObject json = new JsonObject();
+    json.addProperty("simTime", tried.simTime);
+    json.addProperty("stepSize", tried.stepSize);
+    json.addProperty("stepOrder", tried.stepOrder);
+    if (Double.isFinite(tried.errorRatio)) {
+      json.addProperty("errorRatio", tried.errorRatio);
+    }
+    return json;
+  }
+
+  private static StepTried step(JsonObject json) {
+    JsonElement error = json.get("errorRatio");
+    return new StepTried(
+        json.get("simTime").getAsDouble(),
+        json.get("stepSize").getAsDouble(),
+        json.get("stepOrder").getAsInt(),
+        error == null ? Double.NaN : error.getAsDouble());
   }
 
   /**
@@ -165,6 +192,15 @@ final class EndedRunJson {
         json.get("stepOrder").getAsInt(),
         string(json, "part"),
         string(json, "advice"),
-        new StepTried[0]);
+        steps(json.getAsJsonArray("lastSteps")));
+  }
+
+  /** Files written before steps were kept have none. */
+  private static StepTried[] steps(@Nullable JsonArray tried) {
+    return tried == null
+        ? new StepTried[0]
+        : tried.asList().stream()
+            .map(element -> step(element.getAsJsonObject()))
+            .toArray(StepTried[]::new);
   }
 }

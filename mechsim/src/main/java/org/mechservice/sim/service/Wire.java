@@ -46,6 +46,10 @@ final class Wire {
         .toArray(NameValue[]::new);
   }
 
+  private static StepTried step(Failure.Step step) {
+    return new StepTried(step.time(), step.stepSize(), step.order(), step.error());
+  }
+
   static FailureRecord failure(Failure failure) {
     return new FailureRecord(
         failure.code(),
@@ -55,6 +59,6 @@ final class Wire {
         failure.order(),
         failure.part(),
         failure.advice(),
-        new StepTried[0]);
+        failure.lastSteps().stream().map(Wire::step).toArray(StepTried[]::new));
   }
 }

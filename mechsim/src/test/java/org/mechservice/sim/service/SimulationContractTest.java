@@ -11,6 +11,7 @@ import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.IMechSimRemote;
@@ -24,7 +25,11 @@ import org.mechservice.idl.Progress;
 import org.mechservice.idl.ResultBlockHolder;
 import org.mechservice.idl.ResultCursor;
 import org.mechservice.idl.SimState;
+import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.simulation.SolverVersion;
 import org.omg.CORBA.DoubleHolder;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 import org.omg.CORBA.UserException;
@@ -271,6 +276,39 @@ class SimulationContractTest {
       FailureRecord failure = failureOf(there);
       assertThat(failure.code).isEqualTo("S-062");
       assertThat(failure.text).isEqualTo("the end time is odd");
+    }
+  }
+
+  @Test
+  void stepsThatLedToAFailureReachTheClient() throws UserException {
+    List<Failure.Step> steps =
+        List.of(
+            new Failure.Step(1, 1e-3, 4, 0.5, "accepted"),
+            new Failure.Step(1.001, 1e-3, 4, Double.NaN, "something was not finite"));
+    Failure failed = new Failure("N-001", "It is not finite.", 1.001, 1e-3, 4, "", "").after(steps);
+    Solver failing =
+        (model, request, sink, control) ->
+            new RunReport(
+                new Outcome.Failed(failed),
+                "Model",
+                "DTR",
+                request.settings(),
+                1,
+                1,
+                4,
+                0,
+                1.001,
+                0.1,
+                OptionalDouble.empty(),
+                OptionalDouble.empty(),
+                false,
+                SolverVersion.CURRENT);
+    try (HostedClient there = HostedClient.with(failing)) {
+      FailureRecord failure = failureOf(there);
+      assertThat(failure.lastSteps).hasSize(2);
+      assertThat(failure.lastSteps[0].errorRatio).isEqualTo(0.5);
+      assertThat(failure.lastSteps[1].simTime).isEqualTo(1.001);
+      assertThat(failure.lastSteps[1].errorRatio).isNaN();
     }
   }
 

@@ -1,5 +1,7 @@
 package org.mechservice.solver.api;
 
+import java.util.List;
+
 /**
  * Why a run could not go on.
  *
@@ -10,6 +12,7 @@ package org.mechservice.solver.api;
  * @param order order of the method tried; 0 before the first step
  * @param part the joint, body or state it happened at; empty if none can be named
  * @param advice what to do about it
+ * @param lastSteps steps tried last, in order of time; empty if it did not happen in a step
  */
 public record Failure(
     String code,
@@ -18,7 +21,46 @@ public record Failure(
     double stepSize,
     int order,
     String part,
-    String advice) {
+    String advice,
+    List<Step> lastSteps) {
+
+  public Failure {
+    lastSteps = List.copyOf(lastSteps);
+  }
+
+  /** A failure without the steps that led to it. */
+  public Failure(
+      String code,
+      String cause,
+      double time,
+      double stepSize,
+      int order,
+      String part,
+      String advice) {
+    this(code, cause, time, stepSize, order, part, advice, List.of());
+  }
+
+  /**
+   * A step that was tried.
+   *
+   * @param time simulated time at which it began, s
+   * @param stepSize s
+   * @param order order of the method
+   * @param error estimated error over what the tolerances allow; NaN if it did not get so far
+   * @param result what became of it, such as {@code accepted}
+   */
+  public record Step(double time, double stepSize, int order, double error, String result) {
+    @Override
+    public String toString() {
+      String tried = "t=" + time + " s, h=" + stepSize + " s, order " + order;
+      return tried + (Double.isNaN(error) ? "" : ", error " + (float) error) + ": " + result;
+    }
+  }
+
+  /** Returns the failure with the steps that led to it. */
+  public Failure after(List<Step> steps) {
+    return new Failure(code, cause, time, stepSize, order, part, advice, steps);
+  }
 
   /** Returns the failure as one message. */
   public String message() {

@@ -121,6 +121,11 @@ public record RunReport(
     if (outcome instanceof Outcome.Failed failed) {
       map.put("outcome", "failed");
       map.put("failure", failed.failure().message());
+      List<Failure.Step> steps = failed.failure().lastSteps();
+      if (!steps.isEmpty()) {
+        map.put(
+            "lastSteps", String.join("\n", steps.stream().map(Failure.Step::toString).toList()));
+      }
     } else {
       map.put("outcome", outcome instanceof Outcome.Stopped ? "stopped" : "completed");
     }

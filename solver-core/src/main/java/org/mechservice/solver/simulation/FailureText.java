@@ -1,5 +1,6 @@
 package org.mechservice.solver.simulation;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.mechservice.solver.api.Defects;
@@ -8,6 +9,7 @@ import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.integration.Attempt;
 import org.mechservice.solver.integration.IntegrationFailure;
 
 /** Says in the words of mechanics why a run could not go on. */
@@ -102,6 +104,25 @@ final class FailureText {
               failure,
               state(model, failure.worstComponent()),
               "Loosen the tolerances or shorten the interval.");
+    };
+  }
+
+  /** Returns the steps that were tried last. */
+  static List<Failure.Step> steps(IntegrationFailure failure) {
+    return failure.lastSteps().stream()
+        .map(s -> new Failure.Step(s.time(), s.stepSize(), s.order(), s.error(), told(s.attempt())))
+        .toList();
+  }
+
+  private static String told(Attempt attempt) {
+    return switch (attempt) {
+      case PASSED -> "accepted";
+      case TOO_INACCURATE -> "error too large";
+      case NOT_CONVERGING -> "its equations were not solved";
+      case SINGULAR_MATRIX -> "its matrix was singular";
+      case NOT_COMPLETED -> "the loops could not be closed";
+      case NOT_FINITE -> "something was not finite";
+      case STOPPED -> "stopped";
     };
   }
 

@@ -347,12 +347,12 @@ public final class Simulation implements Solver {
       if (defect.isEmpty() && FailureText.mayLieInLoops(failure.cause())) {
         defect = equations.obstacle();
       }
-      if (defect.isPresent()) {
-        return new Outcome.Failed(
-            FailureText.of(defect.get(), failure.time(), failure.stepSize(), failure.order()));
-      }
-      return new Outcome.Failed(
-          FailureText.of(failure, model.description(), equations.singularJoint(), events.part()));
+      Failure told =
+          defect.isPresent()
+              ? FailureText.of(defect.get(), failure.time(), failure.stepSize(), failure.order())
+              : FailureText.of(
+                  failure, model.description(), equations.singularJoint(), events.part());
+      return new Outcome.Failed(told.after(FailureText.steps(failure)));
     }
 
     private Outcome rowFailed(double t, int column) {

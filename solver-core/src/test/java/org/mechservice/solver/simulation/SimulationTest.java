@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
@@ -15,6 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.Outcome;
@@ -127,6 +129,12 @@ class SimulationTest {
     Outcome.Failed failed = (Outcome.Failed) report.outcome();
     assertThat(failed.failure().code()).isEqualTo("N-001");
     assertThat(failed.failure().time()).isCloseTo(1, within(0.1));
+    List<Failure.Step> steps = failed.failure().lastSteps();
+    assertThat(steps).hasSize(10);
+    assertThat(steps.get(9).result()).isEqualTo("something was not finite");
+    assertThat(("" + report.asMap().get("lastSteps")).lines().toList())
+        .hasSize(10)
+        .allSatisfy(line -> assertThat(line).matches("t=.* s, h=.* s, order \\d+.*: .*"));
     assertThat(rows.rows).hasSize(4);
     assertThat(rows.rows).allSatisfy(row -> assertThat(row[1]).isFinite());
   }
