@@ -23,10 +23,10 @@ import org.junit.jupiter.api.Test;
 class FuzzPageTest {
   private static final Path PAGE = Path.of("..", "docs", "reports", "fuzz.md");
   private static final long SEED = Long.getLong("fuzz.seed", 20031);
-  private static final int EXAMPLES = 60_000;
-  private static final int DRAWN = 40_000;
-  private static final int ROBOTS = 20_000;
-  private static final int EXPRESSIONS = 1_000_000;
+  private static final int EXAMPLES = 20_000;
+  private static final int DRAWN = 20_000;
+  private static final int ROBOTS = 10_000;
+  private static final int EXPRESSIONS = 300_000;
 
   /** Files after which every class that reading needs has been asked for. */
   private static final int FIRST = 500;
