@@ -89,9 +89,7 @@ public record CheckReport(
     Program derivative = ArticulatedBodyEquations.derive(links);
     BuildOptions options = new BuildOptions(choice.formulation(), Set.of(), model.settings().run());
     return new Generation(
-        choice,
-        derivative.operationCount(),
-        LeftOut.of(model, scene, links, options, derivative));
+        choice, derivative.operationCount(), LeftOut.of(model, scene, links, options, derivative));
   }
 
   /** Returns what looks odd: what the file's reader noticed, then what the scene shows. */
@@ -114,9 +112,7 @@ public record CheckReport(
 
   /** Returns the number of degrees of freedom: by rank if it is known, else by count. */
   public int degreesOfFreedom() {
-    return loops.isJudged()
-        ? scene.degreesOfFreedom() - loops.independent()
-        : freedomsByCount();
+    return loops.isJudged() ? scene.degreesOfFreedom() - loops.independent() : freedomsByCount();
   }
 
   /** Returns the report for people, lines separated by line feeds. */
