@@ -74,7 +74,7 @@ final class StabilityCommand implements Callable<Integer> {
   private int measure(String wanted) throws IOException {
     try (Service service = Service.open(server);
         ProgressLine line = new ProgressLine(spec.commandLine().getErr())) {
-      Bench bench = new Bench(service.connection()::openSession, quick, line);
+      Bench bench = new Bench(service.connection()::openSession, quick, wantedCases(), line);
       List<Study> studies =
           Study.all(bench).stream()
               .filter(one -> wanted.equals(ALL) || wanted.equals(one.name()))

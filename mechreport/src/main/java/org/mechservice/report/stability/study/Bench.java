@@ -36,16 +36,25 @@ public final class Bench {
 
   private final Supplier<MechSession> sessions;
   private final boolean quick;
+  private final List<ExtremeCase> cases;
   private final Progress progress;
 
   /**
    * @param sessions opens one per scene
    * @param quick shorter runs, fewer points
+   * @param cases of the suite, for studies that run them all
    */
-  public Bench(Supplier<MechSession> sessions, boolean quick, Progress progress) {
+  public Bench(
+      Supplier<MechSession> sessions, boolean quick, List<ExtremeCase> cases, Progress progress) {
     this.sessions = sessions;
     this.quick = quick;
+    this.cases = List.copyOf(cases);
     this.progress = progress;
+  }
+
+  /** Returns the cases of the suite to run. */
+  List<ExtremeCase> cases() {
+    return cases;
   }
 
   /** Returns whether the figures are to be few. */

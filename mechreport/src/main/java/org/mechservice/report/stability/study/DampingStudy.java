@@ -55,12 +55,7 @@ final class DampingStudy implements Study {
             + " rad each; 1 s, tolerance %.0e. %s against %s, processor time, median of %d warm"
             + " runs. Eigenvalues: of the equations linearised in the independent coordinates at"
             + " the start. Runs are stopped after %.0f s.",
-        BARS,
-        TOLERANCE,
-        EXPLICIT.name(),
-        IMPLICIT.name(),
-        REPEATS,
-        limit);
+        BARS, TOLERANCE, EXPLICIT.name(), IMPLICIT.name(), REPEATS, limit);
     StudyPage.Table table =
         page.table(
             "Sweeps",

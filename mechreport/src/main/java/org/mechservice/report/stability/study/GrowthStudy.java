@@ -99,8 +99,7 @@ final class GrowthStudy implements Study {
     page.shows(integrator + ": the amplitude decays", decays);
   }
 
-  private Growth growth(
-      Function<IntegratorSettings, Integrator> maker, int order, double size) {
+  private Growth growth(Function<IntegratorSettings, Integrator> maker, int order, double size) {
     double periods = bench.quick() ? 20 : 200;
     double end = Math.max(2 * Math.PI * periods, 10 * WARM_UP_STEPS * size);
     IntegratorSettings settings =

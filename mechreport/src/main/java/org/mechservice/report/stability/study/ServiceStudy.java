@@ -36,8 +36,8 @@ final class ServiceStudy implements Study {
     return "service";
   }
 
-  /** What came of a run: its numbers, and how it ended or why it did not begin. */
-  private record Ended(List<double[]> rows, String words) {
+  /** What came of a run: its numbers, and how it ended or, if it was refused, why. */
+  private record Ended(List<double[]> rows, String words, boolean begun) {
     boolean sameBits(Ended other) {
       boolean same = rows.size() == other.rows.size();
       for (int i = 0; same && i < rows.size(); i++) {
@@ -61,7 +61,7 @@ final class ServiceStudy implements Study {
     int cases = 0;
     int same = 0;
     List<String> different = new ArrayList<>();
-    List<ExtremeCase> suite = ExtremeCase.suite();
+    List<ExtremeCase> suite = bench.cases();
     for (ExtremeCase wanted : suite) {
       bench.at(wanted.name(), (double) cases / suite.size());
       cases++;
@@ -69,7 +69,10 @@ final class ServiceStudy implements Study {
       Ended local = run(wanted, false);
       boolean stopped = remote.words().equals(OUT_OF_TIME) || local.words().equals(OUT_OF_TIME);
       boolean bits = stopped ? sameStart(remote, local) : remote.sameBits(local);
-      boolean words = stopped || remote.words().equals(local.words());
+      // Two refusals alike say nothing, unless the scene is one to be refused.
+      boolean begun = remote.begun() && local.begun();
+      boolean refusal = wanted.expectation() == ExtremeCase.Expectation.REFUSAL;
+      boolean words = (begun || refusal) && (stopped || remote.words().equals(local.words()));
       table.row(
           wanted.name(),
           remote.rows().size(),
@@ -89,17 +92,17 @@ final class ServiceStudy implements Study {
 
   private static boolean sameStart(Ended remote, Ended local) {
     int rows = Math.min(remote.rows().size(), local.rows().size());
-    return new Ended(remote.rows().subList(0, rows), "")
-        .sameBits(new Ended(local.rows().subList(0, rows), ""));
+    return new Ended(remote.rows().subList(0, rows), "", true)
+        .sameBits(new Ended(local.rows().subList(0, rows), "", true));
   }
 
   private Ended run(ExtremeCase wanted, boolean remote) {
     List<double[]> rows = new ArrayList<>();
     try {
       String words = bench.with(wanted, session -> run(session, remote, rows));
-      return new Ended(rows, words);
+      return new Ended(rows, words, true);
     } catch (ServiceException e) {
-      return new Ended(rows, String.valueOf(e.getMessage()));
+      return new Ended(rows, String.valueOf(e.getMessage()), false);
     }
   }
 
