@@ -29,6 +29,7 @@ class DocumentedCommandsIT {
         "README.md",
         "examples/pendulum/README.md",
         "examples/robot/README.md",
+        "examples/elements/README.md",
         "examples/sweep/README.md"
       })
   void everyCommandOfThePageWorks(String page) throws IOException {

@@ -60,7 +60,8 @@ class SceneIT {
           "pendulum/variants/branching.xml",
           "pendulum/variants/cart.xml",
           "pendulum/variants/millimetre.xml",
-          "pendulum/variants/ode113.xml");
+          "pendulum/variants/ode113.xml",
+          "sweep/seat.xml");
 
   /** Moments of inertia of the body of benchmarks/dzhanibekov.xml, kg m^2. */
   private static final double[] MIDDLE_AXIS_BODY = {1, 2, 3};

@@ -62,7 +62,8 @@ class JointDefinitionTest {
           q[i] /= norm;
         }
       }
-      double[] v = random.doubles(Math.min(positions, 6) - (type.equals("S") ? 1 : 0), -1, 1).toArray();
+      double[] v =
+          random.doubles(Math.min(positions, 6) - (type.equals("S") ? 1 : 0), -1, 1).toArray();
       return new Case(type, a1, direction(random), direction(random), q, v);
     }
 
@@ -143,9 +144,11 @@ class JointDefinitionTest {
   private static final Vector3 POINT1 = new Vector3(0.3, -0.2, 0.7);
   private static final Vector3 POINT2 = new Vector3(-0.4, 0.1, 0.2);
   private static final List<Vector3> PROBES =
-      List.of(new Vector3(0, 0, 0), new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1));
+      List.of(
+          new Vector3(0, 0, 0), new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1));
 
-  private static Mechanism mechanism(Case one, String joints, String starts) throws MechmlException {
+  private static Mechanism mechanism(Case one, String joints, String starts)
+      throws MechmlException {
     String text =
         """
         <MechML>
@@ -163,8 +166,13 @@ class JointDefinitionTest {
         </MechML>
         """
             .formatted(
-                point(POINT1), vector("a", one.a1()), vector("b", one.b1()), point(POINT2),
-                vector("a", one.a2()), joints, starts);
+                point(POINT1),
+                vector("a", one.a1()),
+                vector("b", one.b1()),
+                point(POINT2),
+                vector("a", one.a2()),
+                joints,
+                starts);
     return MechmlReader.read("joint.xml", text.getBytes(StandardCharsets.UTF_8)).mechanism();
   }
 
@@ -177,7 +185,8 @@ class JointDefinitionTest {
   }
 
   private static String point(Vector3 p) {
-    return String.format(Locale.ROOT, "<point name='p' x='%s' y='%s' z='%s'/>", p.x(), p.y(), p.z());
+    return String.format(
+        Locale.ROOT, "<point name='p' x='%s' y='%s' z='%s'/>", p.x(), p.y(), p.z());
   }
 
   private static String vector(String name, Vector3 v) {
@@ -236,7 +245,10 @@ class JointDefinitionTest {
             pose.r().plus(direction(random).times(0.1)));
     LoopEquations broken = loops(one, elsewhere, turning, sliding);
     double worst =
-        IntStream.range(0, broken.count()).mapToDouble(i -> Math.abs(broken.value[i])).max().orElse(0);
+        IntStream.range(0, broken.count())
+            .mapToDouble(i -> Math.abs(broken.value[i]))
+            .max()
+            .orElse(0);
     assertThat(worst).isGreaterThan(1e-3);
   }
 
@@ -248,14 +260,11 @@ class JointDefinitionTest {
       throws MechmlException {
     double[] e = eulerParameters(pose.turn());
     double[] q = {e[0], e[1], e[2], e[3], pose.r().x(), pose.r().y(), pose.r().z()};
-    double[] v = {
-      turning.x(), turning.y(), turning.z(), sliding.x(), sliding.y(), sliding.z()
-    };
+    double[] v = {turning.x(), turning.y(), turning.z(), sliding.x(), sliding.y(), sliding.z()};
     String free =
         "<joint name='free' type='F'><body1 name='Ground' point='p'/>"
             + "<body2 name='link' point='p'/></joint>";
-    Mechanism mechanism =
-        mechanism(one, free + one.joint("j", " cut='true'"), start("free", q, v));
+    Mechanism mechanism = mechanism(one, free + one.joint("j", " cut='true'"), start("free", q, v));
     TreeMotion motion = motion(mechanism, 13);
     LoopEquations loops = new LoopEquations(motion.tree());
     loops.place(motion, 0);
@@ -303,7 +312,9 @@ class JointDefinitionTest {
   private static double[] fromReference(TreeMotion motion, Vector3 probe) {
     double[] origin = motion.tree().bodyOrigin;
     int at = 3 * motion.tree().linkOfBody[0];
-    return new double[] {origin[at] + probe.x(), origin[at + 1] + probe.y(), origin[at + 2] + probe.z()};
+    return new double[] {
+      origin[at] + probe.x(), origin[at + 1] + probe.y(), origin[at + 2] + probe.z()
+    };
   }
 
   /** The matrix of Euler parameters e0 (the scalar), e1, e2, e3. */

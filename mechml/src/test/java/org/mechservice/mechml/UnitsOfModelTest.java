@@ -215,7 +215,9 @@ class UnitsOfModelTest {
   @Test
   void leadOfAScrewIsItsWayInAWholeTurn() throws Exception {
     String screw =
-        ModelText.of("H").withUnits("massUnits='kg' lengthUnits='mm' angleUnits='deg'").text()
+        ModelText.of("H")
+            .withUnits("massUnits='kg' lengthUnits='mm' angleUnits='deg'")
+            .text()
             .replace("type='H'", "type='H' lead='6'");
     Screw joint =
         (Screw)

@@ -222,7 +222,8 @@ public final class ExpressionParser {
     } else if (token.is("*") && text.startsWith("**", Math.max(0, token.offset() - 1))) {
       return "; the power of two numbers is written 2^3";
     } else if (UnitSymbols.all().contains(token.text())) {
-      return "; a unit stands in an attribute beside the value's, as unit=" + Quoted.of(token.text());
+      return "; a unit stands in an attribute beside the value's, as unit="
+          + Quoted.of(token.text());
     }
     return "";
   }

@@ -10,14 +10,66 @@ final class Damage {
   /** Words that mean something somewhere in a file, or should not. */
   private static final List<String> WORDS =
       List.of(
-          "<", ">", "/>", "</", "\"", "'", "&", "&amp;", "&#0;", "&#x10FFFF;", "&x;", "<!--", "-->",
-          "<![CDATA[", "]]>", "<?x?>", "<!DOCTYPE MechML>", "<!ENTITY x SYSTEM \"file:///etc/passwd\">",
-          "\u0000", "\uFFFE", "\uFEFF", "\uD83D\uDE00", "\r", "\r\n", "1e999", "NaN", "Infinity", "-1",
-          "1/0", "(((", "1e-320", "unit=\"deg\"", "unit=\"kg\"", "type=\"F\"", "vector2=\"u1\"",
-          "name=\"\"", "name=\"Ground\"", "<body/>", "<joint/>", ";", "PI", "^^", "sqrt(", "0^0",
-          "-1^0.5", "t", "j1.q", "j1.v[9]", "'a b'.q", "Ground.p1.x", "s", "1e5000000000", "1;2;3",
-          "evil.Evil.class", "java.lang.Runtime", "../../evil.class", "http://localhost/x.dtd",
-          "9".repeat(400), "a".repeat(3000), "(".repeat(500));
+          "<",
+          ">",
+          "/>",
+          "</",
+          "\"",
+          "'",
+          "&",
+          "&amp;",
+          "&#0;",
+          "&#x10FFFF;",
+          "&x;",
+          "<!--",
+          "-->",
+          "<![CDATA[",
+          "]]>",
+          "<?x?>",
+          "<!DOCTYPE MechML>",
+          "<!ENTITY x SYSTEM \"file:///etc/passwd\">",
+          "\u0000",
+          "\uFFFE",
+          "\uFEFF",
+          "\uD83D\uDE00",
+          "\r",
+          "\r\n",
+          "1e999",
+          "NaN",
+          "Infinity",
+          "-1",
+          "1/0",
+          "(((",
+          "1e-320",
+          "unit=\"deg\"",
+          "unit=\"kg\"",
+          "type=\"F\"",
+          "vector2=\"u1\"",
+          "name=\"\"",
+          "name=\"Ground\"",
+          "<body/>",
+          "<joint/>",
+          ";",
+          "PI",
+          "^^",
+          "sqrt(",
+          "0^0",
+          "-1^0.5",
+          "t",
+          "j1.q",
+          "j1.v[9]",
+          "'a b'.q",
+          "Ground.p1.x",
+          "s",
+          "1e5000000000",
+          "1;2;3",
+          "evil.Evil.class",
+          "java.lang.Runtime",
+          "../../evil.class",
+          "http://localhost/x.dtd",
+          "9".repeat(400),
+          "a".repeat(3000),
+          "(".repeat(500));
 
   private static final List<String> CHARSETS =
       List.of("UTF-16", "UTF-16LE", "UTF-16BE", "ISO-8859-1", "US-ASCII", "UTF-32");
@@ -61,7 +113,8 @@ final class Damage {
 
   private byte[] recoded(byte[] content) {
     String charset = CHARSETS.get(random.nextInt(CHARSETS.size()));
-    return new String(content, StandardCharsets.UTF_8).getBytes(java.nio.charset.Charset.forName(charset));
+    return new String(content, StandardCharsets.UTF_8)
+        .getBytes(java.nio.charset.Charset.forName(charset));
   }
 
   /** Replaces the next attribute's value by a word or by another value of the file. */

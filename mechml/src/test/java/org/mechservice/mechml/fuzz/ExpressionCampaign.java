@@ -13,9 +13,44 @@ import org.mechservice.mechml.expression.Scope;
 final class ExpressionCampaign {
   private static final List<String> WORDS =
       List.of(
-          "1", "0", ".5", "1e3", "1e308", "2.", "+", "-", "*", "/", "^", "(", ")", ",", ".", "PI", "x",
-          "'a b'", "'", "sqrt(", "atan2(", "Math.", "max(", "smoothStep(", " ", "\t", "e5", "#",
-          "\u00e9", "\uD83D", "1e-400", "log(", "pow(", "System.exit(0)", "[", "]", "q[0]", ";");
+          "1",
+          "0",
+          ".5",
+          "1e3",
+          "1e308",
+          "2.",
+          "+",
+          "-",
+          "*",
+          "/",
+          "^",
+          "(",
+          ")",
+          ",",
+          ".",
+          "PI",
+          "x",
+          "'a b'",
+          "'",
+          "sqrt(",
+          "atan2(",
+          "Math.",
+          "max(",
+          "smoothStep(",
+          " ",
+          "\t",
+          "e5",
+          "#",
+          "\u00e9",
+          "\uD83D",
+          "1e-400",
+          "log(",
+          "pow(",
+          "System.exit(0)",
+          "[",
+          "]",
+          "q[0]",
+          ";");
 
   private final Random random;
   private int finite;
@@ -47,7 +82,10 @@ final class ExpressionCampaign {
     }
   }
 
-  /** Right expressions: they have the value worked out beside them, and are refused if they have none. */
+  /**
+   * Right expressions: they have the value worked out beside them, and are refused if they have
+   * none.
+   */
   void expressions(int count) {
     for (int i = 0; i < count; i++) {
       RandomExpression drawn = RandomExpression.draw(random, 6);

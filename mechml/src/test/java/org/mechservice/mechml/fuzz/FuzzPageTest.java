@@ -91,7 +91,8 @@ class FuzzPageTest {
         SEED);
     line("");
     line("Every file is read, or refused with messages that have a code and name nothing of the");
-    line("program; anything else would fail the test. No class is looked for but those that the first");
+    line(
+        "program; anything else would fail the test. No class is looked for but those that the first");
     line("%d files of each kind need. A slice of this runs in `mvn verify`.", FIRST);
     line("");
     line("| files | read | refused | most memory for one | longest time for one |");
@@ -106,8 +107,7 @@ class FuzzPageTest {
     line(
         "| right ones: the value is that worked out while they were drawn, to the last bit, and they"
             + " are refused where there is none | %d | %d |",
-        expressions.finite(),
-        expressions.refused());
+        expressions.finite(), expressions.refused());
     line("");
     line("Files that each message was about:");
     line("");

@@ -26,8 +26,8 @@ final class Ordeal {
 
   /**
    * Most that reading a file may allocate: files here are below 100 kB, entities may blow an
-   * attribute up to 100 000 characters, and each of its 200 000 elements at most costs a few hundred
-   * bytes.
+   * attribute up to 100 000 characters, and each of its 200 000 elements at most costs a few
+   * hundred bytes.
    */
   private static final long MOST_BYTES = 256L << 20;
 
@@ -35,7 +35,8 @@ final class Ordeal {
 
   /** What only a programmer would understand. */
   private static final Pattern NOISE =
-      Pattern.compile("MSG_|\\bat org\\.|Exception|\\bnull\\b|java\\.(util|lang\\.[A-Z]\\w+Error)|[\n\r]");
+      Pattern.compile(
+          "MSG_|\\bat org\\.|Exception|\\bnull\\b|java\\.(util|lang\\.[A-Z]\\w+Error)|[\n\r]");
 
   private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
   private final Map<String, Integer> codes = new TreeMap<>();

@@ -15,9 +15,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Draws files that obey the grammar: every element and attribute of the DTD occurs, with values that
- * are right in some files and now and then of the wrong kind in others. Three bodies hang on Ground in a
- * random tree, so that many of the files are models.
+ * Draws files that obey the grammar: every element and attribute of the DTD occurs, with values
+ * that are right in some files and now and then of the wrong kind in others. Three bodies hang on
+ * Ground in a random tree, so that many of the files are models.
  */
 final class RandomFile {
   private static final Pattern ELEMENT = Pattern.compile("<!ELEMENT (\\w+)\\s+([^>]+)>");
@@ -33,18 +33,53 @@ final class RandomFile {
   private static final List<String> PLAIN = List.of("1", "2", "0.5", "PI/6", "sqrt(2)", "3e-2");
   private static final List<String> NUMBERS =
       List.of(
-          "0", "1", "-1", "0.5", "2", "1e3", "1e-3", "PI/6", "k", "2*k", "sqrt(2)", "-.5", "1;2",
-          "1;0;0;0", "1;0;0;0;0;0;1", "0;0;0;1;0;0", "1;1;1;1;1;1", "-3", "1e9", "1/3");
+          "0",
+          "1",
+          "-1",
+          "0.5",
+          "2",
+          "1e3",
+          "1e-3",
+          "PI/6",
+          "k",
+          "2*k",
+          "sqrt(2)",
+          "-.5",
+          "1;2",
+          "1;0;0;0",
+          "1;0;0;0;0;0;1",
+          "0;0;0;1;0;0",
+          "1;1;1;1;1;1",
+          "-3",
+          "1e9",
+          "1/3");
   private static final List<String> CALM_FORMULAS = List.of("1", "sin(2*t)", "exp(-t)");
   private static final List<String> FORMULAS =
       List.of(
-          "1", "t", "sin(2*t)", "j0.q", "j1.v", "j0.q[1]", "a.p.x", "b.q.vz", "k*t", "j0.q - 0.1*j1.q",
-          "tune*j2.q", "0.1*sin(s)", "step(t-1)", "exp(-t)*j3.q", "1/(1+t^2)", "j0.q;t", "atan2(t,1)");
+          "1",
+          "t",
+          "sin(2*t)",
+          "j0.q",
+          "j1.v",
+          "j0.q[1]",
+          "a.p.x",
+          "b.q.vz",
+          "k*t",
+          "j0.q - 0.1*j1.q",
+          "tune*j2.q",
+          "0.1*sin(s)",
+          "step(t-1)",
+          "exp(-t)*j3.q",
+          "1/(1+t^2)",
+          "j0.q;t",
+          "atan2(t,1)");
   private static final List<String> UNITS =
-      List.of("m", "mm", "rad", "deg", "kg", "N", "N/m", "N*mm/rad", "m/s", "s", "kg*m^2", "1", "x");
+      List.of(
+          "m", "mm", "rad", "deg", "kg", "N", "N/m", "N*mm/rad", "m/s", "s", "kg*m^2", "1", "x");
 
   /** Elements that seldom stand several times. */
-  private static final List<String> FEW = List.of("Joints", "jointVal", "vector", "point", "profile");
+  private static final List<String> FEW =
+      List.of("Joints", "jointVal", "vector", "point", "profile");
 
   /** Attributes that hold formulas. */
   private static final List<String> OF_STATE =
@@ -109,7 +144,8 @@ final class RandomFile {
         text.append(">\n");
         group(text, model, new int[] {0}, true);
         if (name.equals("Parameters")) {
-          text.append("<parameter name='k' value='3'/><parameter name='tune' value='2' tunable='true'/>");
+          text.append(
+              "<parameter name='k' value='3'/><parameter name='tune' value='2' tunable='true'/>");
         }
         text.append("</").append(name).append(">\n");
       }
@@ -197,12 +233,14 @@ final class RandomFile {
     String name = attribute.name();
     return switch (element) {
       case "output" -> name.equals("columns") != inModel && !name.equals("unit");
-      case "event", "inertiaTensor", "integrator", "contact", "JointConstraint" -> attribute.required();
+      case "event", "inertiaTensor", "integrator", "contact", "JointConstraint" ->
+          attribute.required();
       case "CoordConstraint" -> name.equals("name") || name.equals("expression");
       case "body1" -> true;
       case "body2" -> attribute.required();
       default ->
-          attribute.required() || (!name.toLowerCase(Locale.ROOT).endsWith("unit") && random.nextInt(4) == 0);
+          attribute.required()
+              || (!name.toLowerCase(Locale.ROOT).endsWith("unit") && random.nextInt(4) == 0);
     };
   }
 
@@ -258,7 +296,8 @@ final class RandomFile {
     for (String body : BODIES) {
       text.append("<body name='").append(body).append("'>");
       for (String point : PLACES) {
-        text.append("<point name='%s' x='%s' y='0.5' z='%s'/>".formatted(point, number(), number()));
+        text.append(
+            "<point name='%s' x='%s' y='0.5' z='%s'/>".formatted(point, number(), number()));
       }
       text.append("<vector name='u' vx='1' vy='0' vz='0'/><vector name='v' vx='0' vy='1' vz='0'/>");
       text.append("<vector name='w' vx='1' vy='%s' vz='1'/>".formatted(number()));
@@ -280,7 +319,8 @@ final class RandomFile {
   private void joints(StringBuilder text) {
     text.append("<Joints>\n");
     for (int i = 0; i < JOINTS.size(); i++) {
-      List<String> types = i < 2 ? List.of("R", "P", "H") : List.of("R", "P", "C", "U", "S", "PL", "H", "W");
+      List<String> types =
+          i < 2 ? List.of("R", "P", "H") : List.of("R", "P", "C", "U", "S", "PL", "H", "W");
       String type = one(isWild() ? List.of("F", "W", "S") : types);
       text.append("<joint name='%s' type='%s'".formatted(JOINTS.get(i), type));
       text.append(type.equals("H") ? " pitch='0.1'" : "");

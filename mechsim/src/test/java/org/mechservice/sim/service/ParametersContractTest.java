@@ -115,7 +115,8 @@ class ParametersContractTest {
   }
 
   private static void assertRefused(IMechSimRemote run, String code, String... namesAndValues) {
-    InvalidOption refused = catchThrowableOfType(InvalidOption.class, () -> set(run, namesAndValues));
+    InvalidOption refused =
+        catchThrowableOfType(InvalidOption.class, () -> set(run, namesAndValues));
     assertThat(refused.code).isEqualTo(code);
   }
 
