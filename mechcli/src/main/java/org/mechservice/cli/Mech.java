@@ -15,6 +15,7 @@ import picocli.CommandLine.IVersionProvider;
     subcommands = {
       SimulateCommand.class,
       SweepCommand.class,
+      FetchCommand.class,
       CheckCommand.class,
       BuildCommand.class,
       ImportCommand.class,

@@ -11,6 +11,7 @@ import org.mechservice.client.CheckpointStore;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.ModelMessage;
 import org.mechservice.client.PreparedRun;
+import org.mechservice.client.RemoteRun;
 import org.mechservice.client.RunResult;
 import org.mechservice.client.ServiceException;
 import org.mechservice.client.SimulationOptions;
@@ -97,8 +98,17 @@ final class SimulateCommand implements Callable<Integer> {
       try (PreparedRun run = prepare(session, options, news);
           ResultFiles files = ResultFiles.open(out)) {
         interrupt.cancels(run);
+        tellIdentity(run);
         return simulate(run, news, files, store);
       }
+    }
+  }
+
+  /** Who loses this process finds the run again by its identity. */
+  private void tellIdentity(PreparedRun run) {
+    if (run instanceof RemoteRun remote && !server.address().isEmpty() && !quiet && !json) {
+      err().println("simulation " + remote.id());
+      err().flush();
     }
   }
 

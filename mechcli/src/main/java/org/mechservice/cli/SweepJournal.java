@@ -46,13 +46,14 @@ final class SweepJournal implements AutoCloseable {
     List<String> kept = new ArrayList<>(List.of(sweep.toString()));
     if (Files.exists(file)) {
       List<String> lines = Files.readAllLines(file, StandardCharsets.UTF_8);
-      if (!lines.isEmpty() && !lines.get(0).equals(sweep.toString())) {
+      boolean ours = lines.isEmpty() || lines.get(0).equals(sweep.toString());
+      if (!ours && lines.size() > 1) {
         throw new UsageException(
             "S-165 "
                 + file
                 + " has points of another sweep; delete it, or choose another file with --out");
       }
-      for (String line : lines.subList(Math.min(1, lines.size()), lines.size())) {
+      for (String line : lines.stream().skip(1).toList()) {
         try {
           SweepRow row = row(JsonParser.parseString(line).getAsJsonObject());
           rows.put(row.point(), row);
@@ -88,9 +89,13 @@ final class SweepJournal implements AutoCloseable {
     Files.deleteIfExists(file);
   }
 
+  /** Leaves the file for the next process, if there is a point in it. */
   @Override
   public void close() throws IOException {
     out.close();
+    if (rows.isEmpty()) {
+      Files.deleteIfExists(file);
+    }
   }
 
   private static JsonObject json(SweepRow row) {

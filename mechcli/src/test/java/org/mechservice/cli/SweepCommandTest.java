@@ -257,12 +257,22 @@ class SweepCommandTest {
   void pointsOfAnotherSweepAreNotTakenOver() throws Exception {
     Path file = folder.resolve("parts.csv");
     Path part = folder.resolve("parts.csv.part");
-    Files.writeString(part, "{\"model\":\"other.xml\"}\n");
+    String left = "{\"model\":\"other.xml\"}\n{\"point\":1}\n";
+    Files.writeString(part, left);
     assertThat(sweep(SEAT, "--set", "damping=500:4500:5", "--out", file.toString()))
         .isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(err.toString()).startsWith("S-165 ").contains("parts.csv.part");
     assertThat(file).doesNotExist();
-    assertThat(part).hasContent("{\"model\":\"other.xml\"}");
+    assertThat(part).hasContent(left);
+  }
+
+  @Test
+  void sweepThatIsRefusedAtOnceStandsInNoOnesWay() throws Exception {
+    Path file = folder.resolve("parts.csv");
+    assertThat(sweep(SEAT, "--set", "colour=1:2:2", "--out", file.toString()))
+        .isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(folder.resolve("parts.csv.part")).doesNotExist();
+    assertThat(sweep(SEAT, "--set", "damping=500,4500", "--out", file.toString())).isZero();
   }
 
   @Test

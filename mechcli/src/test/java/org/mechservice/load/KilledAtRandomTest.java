@@ -60,9 +60,13 @@ class KilledAtRandomTest {
   @Test
   void killedOnceEach() throws Exception {
     try (Killing killing = new Killing(SEED, folder)) {
+      Inside server = killing.insideServer();
       for (Killed killed : Killed.values()) {
         killed.in(killing);
         killing.assertWitnessSawNothing();
+        if (killed == Killed.HOST) {
+          assertThat(killing.insideServer().objects()).isEqualTo(server.objects());
+        }
       }
     }
   }

@@ -104,7 +104,9 @@ final class SphericalChains {
             .filter(j -> mechanism.joints().get(j).attachment().parent() == middle)
             .boxed()
             .toList();
-    return beyond.size() == 1 && meet(index, beyond.get(0)) ? Optional.of(beyond.get(0)) : Optional.empty();
+    return beyond.size() == 1 && meet(index, beyond.get(0))
+        ? Optional.of(beyond.get(0))
+        : Optional.empty();
   }
 
   private boolean meet(int index, int other) {
@@ -125,7 +127,9 @@ final class SphericalChains {
 
   private String text(List<Integer> chain) {
     String joints =
-        chain.stream().map(j -> quoted(mechanism.joints().get(j).name())).collect(Collectors.joining(", "));
+        chain.stream()
+            .map(j -> quoted(mechanism.joints().get(j).name()))
+            .collect(Collectors.joining(", "));
     String bodies =
         chain.stream()
             .limit(2)
