@@ -85,7 +85,7 @@ final class StabilityCommand implements Callable<Integer> {
             "S-041 --measure is \"" + wanted + "\"; there are " + known + " and " + ALL);
       }
       for (Study one : studies) {
-        spec.commandLine().getOut().println(one.write(folder, line));
+        spec.commandLine().getOut().println(one.write(folder, bench));
         spec.commandLine().getOut().flush();
       }
     }

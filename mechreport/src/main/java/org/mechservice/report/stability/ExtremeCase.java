@@ -28,11 +28,6 @@ public record ExtremeCase(
   private static final String FOLDER = "/org/mechservice/report/extremes/";
   private static final int FIELDS = 6;
 
-  /** A scene too long for a file that people read. */
-  private static final String LONG_CHAIN = "chain_1000.xml";
-
-  private static final int LONG_CHAIN_BARS = 1000;
-
   /** What must happen. */
   public enum Expectation {
     /** At least one method moves it within the bound; none is silently wrong. */
@@ -81,10 +76,9 @@ public record ExtremeCase(
         Double.parseDouble(fields[5]));
   }
 
-  /** Returns the scene's MechML; chains are long and written anew each time. */
+  /** Returns the scene's MechML. */
   public byte[] content() {
-    String content = file.equals(LONG_CHAIN) ? Chain.hanging(LONG_CHAIN_BARS).text() : text(file);
-    return content.getBytes(StandardCharsets.UTF_8);
+    return text(file).getBytes(StandardCharsets.UTF_8);
   }
 
   private static String text(String name) {

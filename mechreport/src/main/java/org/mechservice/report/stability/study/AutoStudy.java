@@ -19,7 +19,6 @@ import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.Method;
 import org.mechservice.report.method.MethodList;
 import org.mechservice.report.method.ModelProblem;
-import org.mechservice.report.stability.Chain;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ModelDescription;
 

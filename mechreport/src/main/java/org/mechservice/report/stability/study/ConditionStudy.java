@@ -5,7 +5,6 @@ import java.util.List;
 import org.mechservice.client.MechSession;
 import org.mechservice.report.method.Method;
 import org.mechservice.report.page.SolverChart;
-import org.mechservice.report.stability.Chain;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ResidualModel;

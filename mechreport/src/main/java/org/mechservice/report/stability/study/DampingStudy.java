@@ -9,7 +9,6 @@ import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.Method;
 import org.mechservice.report.method.ModelProblem;
 import org.mechservice.report.page.SolverChart;
-import org.mechservice.report.stability.Chain;
 import org.mechservice.solver.api.ExplicitModel;
 
 /** Steps and cost of explicit and implicit methods as damping and stiffness grow. */

@@ -9,7 +9,6 @@ import org.mechservice.client.MechSession;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.Method;
 import org.mechservice.report.page.SolverChart;
-import org.mechservice.report.stability.Chain;
 import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;

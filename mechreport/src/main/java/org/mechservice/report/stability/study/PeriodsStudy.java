@@ -15,7 +15,6 @@ import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.Method;
 import org.mechservice.report.method.MethodList;
 import org.mechservice.report.page.SolverChart;
-import org.mechservice.report.stability.Chain;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.Model;

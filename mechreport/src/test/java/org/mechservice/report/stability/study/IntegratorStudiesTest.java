@@ -25,7 +25,7 @@ class IntegratorStudiesTest {
   @TempDir Path folder;
 
   private List<String[]> figures(Study study) throws IOException {
-    study.write(folder, Progress.SILENT);
+    study.write(folder, BENCH);
     List<String[]> rows = new ArrayList<>();
     for (String line : Files.readAllLines(folder.resolve("stability-" + study.name() + ".csv"))) {
       rows.add(line.split(",", -1));

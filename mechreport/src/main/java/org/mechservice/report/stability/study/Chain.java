@@ -1,4 +1,4 @@
-package org.mechservice.report.stability;
+package org.mechservice.report.stability.study;
 
 import java.util.Locale;
 
@@ -13,7 +13,7 @@ import java.util.Locale;
  * @param angle of every hinge at the start, rad; the first turns from the horizontal
  * @param end of the run, s
  */
-public record Chain(
+record Chain(
     int bars,
     double firstMass,
     double massRatio,
@@ -22,13 +22,8 @@ public record Chain(
     double angle,
     double end) {
 
-  /** Returns a chain of equal bars that falls from near the horizontal for a moment. */
-  static Chain hanging(int bars) {
-    return new Chain(bars, 1, 1, 0, 0, 0.001, 0.1);
-  }
-
   /** Returns the scene as text. */
-  public String text() {
+  String text() {
     StringBuilder text = new StringBuilder("<?xml version=\"1.0\"?>\n");
     text.append("<!DOCTYPE MechML SYSTEM \"MechML.dtd\">\n<MechML><MBSsimulation><dynamic>");
     add(text, "<timeSet tini=\"0\" tend=\"%s\" tstep=\"%s\"/>", end, end / 10);
