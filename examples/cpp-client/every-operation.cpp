@@ -144,15 +144,15 @@ ms::NameValueSeq options(std::initializer_list<std::pair<const char*, const char
   return options;
 }
 
-ms::SimState stateAfter(ms::IMechSimRemote_ptr run, ms::SimState left) {
+void await(ms::IMechSimRemote_ptr run, ms::SimState wanted) {
   for (int i = 0; i < 6000; ++i) {
     ms::Progress_var progress = run->getProgress();
-    if (progress->state != left && progress->state != ms::SIM_QUEUED) {
-      return progress->state;
+    if (progress->state == wanted) {
+      return;
     }
     std::this_thread::sleep_for(10ms);
   }
-  throw std::runtime_error("the simulation does not go on");
+  throw std::runtime_error("the simulation does not get there");
 }
 
 void readRows(ms::IMechSimRemote_ptr run) {
@@ -179,9 +179,9 @@ void steer(ms::MechSim_ptr session) {
   require(std::string(id).size() == 36, "a simulation's identity is a UUID");
   ms::ChannelSeq_var states = CALL(IMechSimRemote, stateChannels, run);
   CALL(IMechSimRemote, stepOnce, run);
-  require(stateAfter(run, ms::SIM_RUNNING) == ms::SIM_PAUSED, "held after a step");
+  await(run, ms::SIM_PAUSED);
   CALL(IMechSimRemote, runTo, run, 0.5);
-  require(stateAfter(run, ms::SIM_RUNNING) == ms::SIM_PAUSED, "held at the time");
+  await(run, ms::SIM_PAUSED);
   ms::OctetSeq_var saved = CALL(IMechSimRemote, checkpoint, run);
   CALL(IMechSimRemote, resume, run);
   CALL(IMechSimRemote, pause, run);
@@ -189,7 +189,7 @@ void steer(ms::MechSim_ptr session) {
   ms::DoubleSeq_var state = CALL(IMechSimRemote, getStates, run, time);
   require(state->length() == states->length(), "a number for each state");
   CALL(IMechSimRemote, cancel, run);
-  require(stateAfter(run, ms::SIM_RUNNING) == ms::SIM_CANCELLED, "cancelled");
+  await(run, ms::SIM_CANCELLED);
   ms::IMechSimRemote_var again =
       session->createSimulation(options({{"t-end", "1e6"}, {"t-step", "1e3"}}), ms::IMechClient::_nil());
   CALL(IMechSimRemote, restore, again, saved);
@@ -215,7 +215,7 @@ void fail(ms::MechSim_ptr session, ms::ModelFile model) {
   ms::DiagnosticSeq_var said = session->loadModel(model, ms::ModelFileSeq());
   ms::IMechSimRemote_var run = session->createSimulation(ms::NameValueSeq(), ms::IMechClient::_nil());
   run->start();
-  require(stateAfter(run, ms::SIM_RUNNING) == ms::SIM_FAILED, "failed");
+  await(run, ms::SIM_FAILED);
   ms::FailureRecord_var failure = CALL(IMechSimRemote, failure, run);
   require(std::string(failure->code).substr(0, 2) == "N-", "a code of the catalogue");
 }
@@ -275,7 +275,7 @@ ms::IMechSimRemote_ptr endless(ms::MechSim_ptr session, const ms::ModelFile& mod
   ms::IMechSimRemote_var run =
       session->createSimulation(options({{"t-end", "1e9"}, {"t-step", "1e5"}}), callback);
   run->start();
-  require(stateAfter(run, ms::SIM_CREATED) == ms::SIM_RUNNING, "runs");
+  await(run, ms::SIM_RUNNING);
   return run._retn();
 }
 
@@ -293,7 +293,7 @@ void administrate(ms::MechServer_ptr server, ms::MechAdmin_ptr admin, const ms::
   require(total > 0, "simulations");
   ms::SimDetail_var detail = CALL(MechAdmin, showSimulation, admin, id);
   CALL(MechAdmin, killSimulation, admin, id, "enough");
-  require(stateAfter(run, ms::SIM_RUNNING) == ms::SIM_CANCELLED, "killed");
+  await(run, ms::SIM_CANCELLED);
   ms::ServiceEventSeq_var events = CALL(MechAdmin, events, admin, 0, 10, 0);
   require(events->length() > 0, "events");
   ms::LogLineSeq_var logs = CALL(MechAdmin, logs, admin, "", 0, 10);

@@ -3,6 +3,7 @@ package org.mechservice.benchmarks;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Set;
 import org.mechservice.mechml.MechmlException;
@@ -21,11 +22,17 @@ final class Scenes {
 
   private Scenes() {}
 
-  /** Returns {@code pendulum}, {@code driver}, or a chain such as {@code chain200}. */
+  /**
+   * Returns {@code pendulum}, {@code driver}, a model that is compared with other programs ({@code
+   * pend5}, {@code pend5s}, {@code driver41}, {@code spatial200}), or a chain such as {@code
+   * chain200}.
+   */
   static MechmlModel named(String name) {
     return switch (name) {
       case "pendulum" -> read("pendulum/pendulum.xml");
       case "driver" -> read("driver/driver-free-c0.xml");
+      case "pend5", "pend5s", "driver41" -> table(name, name);
+      case "spatial200" -> table("chain200", name);
       default ->
           new MechmlModel(
               LinkChain.of(Integer.parseInt(name.substring("chain".length()))),
@@ -34,22 +41,44 @@ final class Scenes {
     };
   }
 
+  private static MechmlModel table(String file, String name) {
+    return new MechmlModel(
+        TimingTable.read(new String(bytes(file + ".csv"), StandardCharsets.UTF_8), name),
+        new SimulationSettings(SETTINGS, "auto"),
+        List.of());
+  }
+
   private static MechmlModel read(String resource) {
-    try (InputStream in = Scenes.class.getResourceAsStream(resource)) {
-      if (in == null) {
-        throw new IllegalStateException(resource + " is missing");
-      }
-      return MechmlReader.read(resource, in.readAllBytes());
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
+    try {
+      return MechmlReader.read(resource, bytes(resource));
     } catch (MechmlException e) {
       throw new IllegalStateException(resource, e);
     }
   }
 
+  private static byte[] bytes(String resource) {
+    try (InputStream in = Scenes.class.getResourceAsStream(resource)) {
+      if (in == null) {
+        throw new IllegalStateException(resource + " is missing");
+      }
+      return in.readAllBytes();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
   /** Returns the code generated for a scene, at work. */
   static Model generated(MechmlModel scene) {
-    BuildOptions options = new BuildOptions("DTR", Set.of(), SETTINGS);
+    return generated(scene, "DTR", SETTINGS);
+  }
+
+  /** Returns the same in RR-JF. */
+  static Model linearised(MechmlModel scene) {
+    return generated(scene, "RR-JF", new RunSettings(0, 1, 0.1, "ode15sR", 1e-6, 1e-6));
+  }
+
+  private static Model generated(MechmlModel scene, String formulation, RunSettings settings) {
+    BuildOptions options = new BuildOptions(formulation, Set.of(), settings);
     return ModelFactory.compile(scene, options, ModelFactory.generate(scene, options))
         .newInstance();
   }

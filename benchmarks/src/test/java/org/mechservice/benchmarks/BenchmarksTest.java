@@ -2,8 +2,12 @@ package org.mechservice.benchmarks;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -76,5 +80,24 @@ class BenchmarksTest {
     generated.scene = "pendulum";
     generated.prepare();
     assertThat(generated.derivative()).hasSize(10).doesNotContain(Double.NaN);
+  }
+
+  @ValueSource(strings = {"pend5", "pend5s", "driver41"})
+  @ParameterizedTest
+  void modelsForOtherProgramsAreWrittenAsTheyRead(String scene, @TempDir Path folder)
+      throws IOException {
+    PeerEvaluations evaluation = new PeerEvaluations();
+    evaluation.scene = scene;
+    evaluation.prepare();
+    assertThat(evaluation.derivative()).doesNotContain(Double.NaN);
+    PeerJacobians jacobian = new PeerJacobians();
+    jacobian.scene = scene;
+    jacobian.prepare();
+    assertThat(jacobian.derivatives()).doesNotContain(Double.NaN);
+    PeerModels.main(new String[] {folder.toString(), scene});
+    assertThat(Files.readString(folder.resolve(scene + ".c")))
+        .contains("int derivative(double t, double *y, double *yDot)")
+        .doesNotContain("[]", "private", "Math.");
+    assertThat(Files.readString(folder.resolve(scene + ".xml"))).contains("<joint type='hinge'");
   }
 }

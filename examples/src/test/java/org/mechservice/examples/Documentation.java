@@ -17,10 +17,29 @@ final class Documentation {
    * @param page a Markdown file
    */
   static List<String> commandsOf(Path page) throws IOException {
+    return commandsIn(Files.readAllLines(page));
+  }
+
+  /** Returns the lines of a page's section, of second level. */
+  static List<String> section(Path page, String title) throws IOException {
+    List<String> lines = Files.readAllLines(page);
+    int start = lines.indexOf("## " + title) + 1;
+    if (start == 0) {
+      throw new AssertionError(page + " has no section \"" + title + "\"");
+    }
+    int end = start;
+    while (end < lines.size() && !lines.get(end).startsWith("## ")) {
+      end++;
+    }
+    return lines.subList(start, end);
+  }
+
+  /** Returns the commands in the {@code sh} blocks of some lines, like {@link #commandsOf}. */
+  static List<String> commandsIn(List<String> lines) {
     List<String> commands = new ArrayList<>();
     boolean inBlock = false;
     String begun = "";
-    for (String line : Files.readAllLines(page)) {
+    for (String line : lines) {
       if (line.startsWith("```")) {
         inBlock = !inBlock && line.equals("```sh");
       } else if (inBlock && line.endsWith("\\")) {

@@ -24,7 +24,14 @@ class DocumentedCommandsIT {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"README.md", "examples/pendulum/README.md", "examples/robot/README.md"})
+  @ValueSource(
+      strings = {
+        "README.md",
+        "examples/pendulum/README.md",
+        "examples/robot/README.md",
+        "examples/elements/README.md",
+        "examples/sweep/README.md"
+      })
   void everyCommandOfThePageWorks(String page) throws IOException {
     WorkingTree.mirrorIn(directory);
     Terminal terminal = new Terminal(directory);

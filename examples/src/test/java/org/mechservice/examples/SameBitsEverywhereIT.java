@@ -2,11 +2,14 @@ package org.mechservice.examples;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -137,6 +140,33 @@ class SameBitsEverywhereIT {
       assertThat(directory.resolve(place))
           .hasSameBinaryContentAs(directory.resolve("stiff-remote.csv"));
     }
+  }
+
+  /** Lines of the figures of the extreme scenes run on the server and here. */
+  private static List<String> extremesRemoteAndLocal(String... further) throws IOException {
+    List<String> all = new ArrayList<>(List.of("stability", "--quick", "--measure", "service"));
+    all.addAll(List.of("--server", Service.url(port), "-o", "same"));
+    all.addAll(List.of(further));
+    terminal.mech(all.toArray(String[]::new)).orFail();
+    List<String> lines = Files.readAllLines(directory.resolve("same/stability-service.csv"));
+    return lines.subList(2, lines.size());
+  }
+
+  @Test
+  void extremeScenesGiveTheSameBitsAndWordsRemoteAndLocal() throws IOException {
+    assertThat(
+            extremesRemoteAndLocal(
+                "--case", "stiff_1e9_c1e5", "--case", "massless_tip", "--case", "start_off_1e-6"))
+        .hasSize(3)
+        .allSatisfy(line -> assertThat(line).contains(",yes,yes,"));
+  }
+
+  @Test
+  @Tag("soak")
+  void wholeSuiteGivesTheSameBitsAndWordsRemoteAndLocal() throws IOException {
+    assertThat(extremesRemoteAndLocal())
+        .isNotEmpty()
+        .allSatisfy(line -> assertThat(line).contains(",yes,yes,"));
   }
 
   @Test

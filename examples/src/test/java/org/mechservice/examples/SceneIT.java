@@ -60,7 +60,8 @@ class SceneIT {
           "pendulum/variants/branching.xml",
           "pendulum/variants/cart.xml",
           "pendulum/variants/millimetre.xml",
-          "pendulum/variants/ode113.xml");
+          "pendulum/variants/ode113.xml",
+          "sweep/seat.xml");
 
   /** Moments of inertia of the body of benchmarks/dzhanibekov.xml, kg m^2. */
   private static final double[] MIDDLE_AXIS_BODY = {1, 2, 3};
@@ -91,8 +92,18 @@ class SceneIT {
     String tEnd = Double.toString(tLast);
     ResultTable results =
         simulate(
-            model, "--integrator", integrator, "--rtol", rtol, "--atol", atol, "--t-step", tStep,
-            "--t-end", tEnd, "--quiet");
+            model,
+            "--integrator",
+            integrator,
+            "--rtol",
+            rtol,
+            "--atol",
+            atol,
+            "--t-step",
+            tStep,
+            "--t-end",
+            tEnd,
+            "--quiet");
     double error =
         ReferenceSolution.of(EXAMPLES.resolve(model)).orElseThrow().errorOf(results, tLast);
     assertThat(error).isLessThan(bound);
@@ -153,7 +164,13 @@ class SceneIT {
     String model = "benchmarks/dzhanibekov.xml";
     ResultTable results =
         simulate(
-            model, "--rtol", "1e-10", "--atol", "1e-10", "--columns", "joints,bodies,energy",
+            model,
+            "--rtol",
+            "1e-10",
+            "--atol",
+            "1e-10",
+            "--columns",
+            "joints,bodies,energy",
             "--quiet");
     double[] energy = results.column("energy.kinetic");
     double[] moment = angularMomentum(results);
@@ -166,7 +183,8 @@ class SceneIT {
 
   /** Returns |L| at each time: inertia 1, 2, 3 kg m^2 about the body's axes. */
   private static double[] angularMomentum(ResultTable results) {
-    String body = results.columns().stream().filter(c -> c.endsWith(".wx")).findFirst().orElseThrow();
+    String body =
+        results.columns().stream().filter(c -> c.endsWith(".wx")).findFirst().orElseThrow();
     String name = body.substring(0, body.length() - 3);
     double[][] e = new double[4][];
     for (int i = 0; i < 4; i++) {
@@ -201,8 +219,14 @@ class SceneIT {
   void fastRotorKeepsItsEulerParametersNormal() {
     ResultTable results =
         simulate(
-            "extremes/high_spin_1e5_sym.xml", "--rtol", "1e-10", "--atol", "1e-12", "--t-end",
-            "0.01", "--quiet");
+            "extremes/high_spin_1e5_sym.xml",
+            "--rtol",
+            "1e-10",
+            "--atol",
+            "1e-12",
+            "--t-end",
+            "0.01",
+            "--quiet");
     for (List<Double> row : results.rows()) {
       double norm = row.subList(1, 5).stream().mapToDouble(x -> x * x).sum();
       assertThat(Math.sqrt(norm)).isCloseTo(1, within(1e-12));

@@ -2,13 +2,15 @@ package org.mechservice.examples;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.DataInputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.spi.ToolProvider;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
@@ -89,13 +91,12 @@ class StandaloneJarIT {
         }
       }
       ZipEntry solver = zip.getEntry(Launcher.SOLVER);
-      try (DataInputStream in = new DataInputStream(zip.getInputStream(solver))) {
-        assertThat(in.readUTF()).endsWith("Main");
-        int count = in.readInt();
-        for (int i = 0; i < count; i++) {
-          Path file = folder.resolve(in.readUTF().replace('.', '/') + ".class");
-          write(file, in.readNBytes(in.readInt()));
-        }
+      Map<String, byte[]> classes = new HashMap<>();
+      try (InputStream in = zip.getInputStream(solver)) {
+        assertThat(Launcher.read(in, classes)).endsWith("Main");
+      }
+      for (Map.Entry<String, byte[]> file : classes.entrySet()) {
+        write(folder.resolve(file.getKey().replace('.', '/') + ".class"), file.getValue());
       }
     }
     return folder;

@@ -58,6 +58,9 @@ final class BuildCommand implements Callable<Integer> {
 
   @Mixin private ServerOption server = new ServerOption();
 
+  @Option(names = "--host", paramLabel = "NAME", description = "Host of the server to build on.")
+  private String host = "";
+
   @Mixin private UserCodeOption userCode = new UserCodeOption();
 
   @Spec private CommandSpec spec = CommandSpec.create();
@@ -68,7 +71,7 @@ final class BuildCommand implements Callable<Integer> {
     SimulationOptions asInFile = parameters.addTo(SimulationOptions.asInFile());
     SimulationOptions options = method.addTo(compact ? asInFile.compact() : asInFile);
     try (Service service = Service.open(server);
-        MechSession session = service.connection().openSession()) {
+        MechSession session = service.connection().openSession(host)) {
       session.loadModel(model, userCode.folder()).forEach(spec.commandLine().getErr()::println);
       BuiltJar jar = session.build(options, standalone);
       if (sourceFolder.isPresent()) {

@@ -18,23 +18,28 @@ final class CancelOnInterrupt implements AutoCloseable {
 
   private final CountDownLatch finished = new CountDownLatch(1);
   private final Thread hook = new Thread(this::interrupted, "cancel-on-interrupt");
-  private volatile Optional<PreparedRun> run = Optional.empty();
+  private volatile Optional<Runnable> cancel = Optional.empty();
 
   CancelOnInterrupt() {
     Runtime.getRuntime().addShutdownHook(hook);
   }
 
   /** Names the run to cancel. */
-  void cancels(PreparedRun cancelled) {
-    run = Optional.of(cancelled);
+  void cancels(PreparedRun run) {
+    cancels(run::cancel);
+  }
+
+  /** Says how to cancel. */
+  void cancels(Runnable how) {
+    cancel = Optional.of(how);
   }
 
   private void interrupted() {
-    if (run.isEmpty()) {
+    if (cancel.isEmpty()) {
       return;
     }
     try {
-      run.get().cancel();
+      cancel.get().run();
       if (!finished.await(LONGEST_WAIT_SECONDS, TimeUnit.SECONDS)) {
         LOG.warn("S-045 the run did not stop within {} s", LONGEST_WAIT_SECONDS);
       }

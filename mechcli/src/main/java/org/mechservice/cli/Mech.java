@@ -14,6 +14,8 @@ import picocli.CommandLine.IVersionProvider;
     description = "Simulates multibody systems written in MechML.",
     subcommands = {
       SimulateCommand.class,
+      SweepCommand.class,
+      FetchCommand.class,
       CheckCommand.class,
       BuildCommand.class,
       ImportCommand.class,

@@ -23,7 +23,7 @@ final class MethodOptions {
 
   @Option(
       names = "--integrator",
-      paramLabel = "auto|ode113|DE|ode15s|ode15sR",
+      paramLabel = "auto|ode113|DE|ode15s|ode15sR|switching",
       hideParamSyntax = true,
       description = "Integration method: auto, ode113, DE, ode15s, ode15sR or switching.")
   private String integrator = "";

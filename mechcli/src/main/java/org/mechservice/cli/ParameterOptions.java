@@ -2,15 +2,12 @@ package org.mechservice.cli;
 
 import java.util.List;
 import org.mechservice.client.SimulationOptions;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** Which simulation of a file is meant, and what its parameters are set to. */
 final class ParameterOptions {
-  @Option(
-      names = "--simulation",
-      paramLabel = "NAME|N",
-      description = "Simulation of the file, by name or number; without it the first.")
-  private String simulation = "";
+  @Mixin private SimulationChoice choice = new SimulationChoice();
 
   @Option(
       names = "--set",
@@ -19,20 +16,13 @@ final class ParameterOptions {
           "Value of a parameter, in its unit, instead of the file's; may be given several times.")
   private List<String> assignments = List.of();
 
-  @Option(
-      names = "--tunable",
-      paramLabel = "PARAMETER",
-      description =
-          "Keep a parameter as an input that may be set before a run; may be given several times.")
-  private List<String> tunable = List.of();
-
   /**
    * Returns the options given with these added.
    *
    * @throws UsageException if an assignment is none, or a parameter is set twice
    */
   SimulationOptions addTo(SimulationOptions options) {
-    SimulationOptions all = simulation.isEmpty() ? options : options.simulation(simulation);
+    SimulationOptions all = choice.addTo(options);
     List<String> names = assignments.stream().map(ParameterOptions::nameIn).toList();
     for (int i = 0; i < names.size(); i++) {
       String name = names.get(i);
@@ -41,9 +31,6 @@ final class ParameterOptions {
       }
       String assignment = assignments.get(i);
       all = all.parameter(name, assignment.substring(assignment.indexOf('=') + 1).strip());
-    }
-    for (String name : tunable) {
-      all = all.tunable(name.strip());
     }
     return all;
   }

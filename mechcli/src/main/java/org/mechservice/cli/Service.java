@@ -10,9 +10,6 @@ import org.mechservice.sim.host.HostOptions;
 
 /** The service a command asks: one on the network, or one started for this command alone. */
 final class Service implements AutoCloseable {
-  /** What the user of this process has written may run in it. */
-  private static final ServerSettings EMBEDDED =
-      new ServerSettings("127.0.0.1", 0, new HostOptions("embedded", 1).withUserCode(true));
 
   private final Optional<MechServerProcess> embedded;
   private final MechConnection connection;
@@ -29,12 +26,26 @@ final class Service implements AutoCloseable {
    * @throws org.mechservice.client.ServerLostException if nobody answers there
    */
   static Service open(ServerOption asked) {
+    return open(asked, 1);
+  }
+
+  /**
+   * Connects to a service.
+   *
+   * @param asked which; none: an embedded server on a free loopback port
+   * @param capacity simulations that an embedded server runs at once
+   * @throws org.mechservice.client.ServerLostException if nobody answers there
+   */
+  static Service open(ServerOption asked, int capacity) {
     if (!asked.address().isEmpty()) {
       return new Service(
           Optional.empty(),
           MechConnection.open(asked.address(), JarCache.ofUser(), asked.identity()));
     }
-    MechServerProcess server = MechServerProcess.start(EMBEDDED);
+    // What the user of this process has written may run in it.
+    HostOptions embedded = new HostOptions("embedded", capacity).withUserCode(true);
+    MechServerProcess server =
+        MechServerProcess.start(new ServerSettings("127.0.0.1", 0, embedded));
     try {
       return new Service(Optional.of(server), MechConnection.open(server.url()));
     } catch (ServiceException e) {

@@ -6,12 +6,12 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.mechservice.client.CheckpointStore;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.ModelMessage;
 import org.mechservice.client.PreparedRun;
+import org.mechservice.client.RemoteRun;
 import org.mechservice.client.RunResult;
 import org.mechservice.client.ServiceException;
 import org.mechservice.client.SimulationOptions;
@@ -58,22 +58,7 @@ final class SimulateCommand implements Callable<Integer> {
 
   @Mixin private ParameterOptions parameters = new ParameterOptions();
 
-  @Option(names = "--rtol", paramLabel = "R", description = "Relative tolerance.")
-  private Optional<Double> relativeTolerance = Optional.empty();
-
-  @Option(
-      names = "--atol",
-      paramLabel = "A",
-      description =
-          "Absolute tolerance, SI: one, or four A;B;C;D for positions, angles, velocities, angular"
-              + " velocities.")
-  private Optional<String> absoluteTolerance = Optional.empty();
-
-  @Option(names = "--t-end", paramLabel = "T", description = "End of the run, s.")
-  private Optional<Double> endTime = Optional.empty();
-
-  @Option(names = "--t-step", paramLabel = "H", description = "Distance of the rows, s.")
-  private Optional<Double> outputStep = Optional.empty();
+  @Mixin private RunOptions run = new RunOptions();
 
   @Option(
       names = "--out",
@@ -113,8 +98,17 @@ final class SimulateCommand implements Callable<Integer> {
       try (PreparedRun run = prepare(session, options, news);
           ResultFiles files = ResultFiles.open(out)) {
         interrupt.cancels(run);
+        tellIdentity(run);
         return simulate(run, news, files, store);
       }
+    }
+  }
+
+  /** Who loses this process finds the run again by its identity. */
+  private void tellIdentity(PreparedRun run) {
+    if (run instanceof RemoteRun remote && !server.address().isEmpty() && !quiet && !json) {
+      err().println("simulation " + remote.id());
+      err().flush();
     }
   }
 
@@ -126,11 +120,8 @@ final class SimulateCommand implements Callable<Integer> {
   }
 
   private SimulationOptions options() {
-    SimulationOptions options = method.addTo(parameters.addTo(SimulationOptions.asInFile()));
-    options = relativeTolerance.map(options::relativeTolerance).orElse(options);
-    options = absoluteTolerance.map(options::absoluteTolerances).orElse(options);
-    options = endTime.map(options::endTime).orElse(options);
-    options = outputStep.map(options::outputStep).orElse(options);
+    SimulationOptions options =
+        run.addTo(method.addTo(parameters.addTo(SimulationOptions.asInFile())));
     return strict ? options.strict() : options;
   }
 

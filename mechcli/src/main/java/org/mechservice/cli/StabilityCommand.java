@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.mechservice.report.stability.CaseOutcome;
+import org.mechservice.report.stability.ExtremeCase;
 import org.mechservice.report.stability.StabilityReport;
 import org.mechservice.report.stability.study.Bench;
 import org.mechservice.report.stability.study.Study;
@@ -41,11 +42,18 @@ final class StabilityCommand implements Callable<Integer> {
   private double limitSeconds = 5;
 
   @Option(
+      names = "--case",
+      paramLabel = "NAME",
+      description = "Run this case of the suite only, such as chain_1000; may be repeated.")
+  private List<String> cases = List.of();
+
+  @Option(
       names = "--measure",
       paramLabel = "STUDY",
       description = {
         "Measure a property instead, one page each with its figures as CSV: growth, periods, noise,"
-            + " damping, singular, start, condition, newton, auto; or all."
+            + " damping, singular, start, condition, newton, auto, service; or"
+            + " all."
       })
   private Optional<String> study = Optional.empty();
 
@@ -66,7 +74,7 @@ final class StabilityCommand implements Callable<Integer> {
   private int measure(String wanted) throws IOException {
     try (Service service = Service.open(server);
         ProgressLine line = new ProgressLine(spec.commandLine().getErr())) {
-      Bench bench = new Bench(service.connection()::openSession, quick, line);
+      Bench bench = new Bench(service.connection()::openSession, quick, wantedCases(), line);
       List<Study> studies =
           Study.all(bench).stream()
               .filter(one -> wanted.equals(ALL) || wanted.equals(one.name()))
@@ -77,11 +85,22 @@ final class StabilityCommand implements Callable<Integer> {
             "S-041 --measure is \"" + wanted + "\"; there are " + known + " and " + ALL);
       }
       for (Study one : studies) {
-        spec.commandLine().getOut().println(one.write(folder, line));
+        spec.commandLine().getOut().println(one.write(folder, bench));
         spec.commandLine().getOut().flush();
       }
     }
     return ExitStatus.DONE;
+  }
+
+  private List<ExtremeCase> wantedCases() {
+    List<ExtremeCase> suite = ExtremeCase.suite();
+    for (String name : cases) {
+      if (suite.stream().noneMatch(one -> one.name().equals(name))) {
+        String known = String.join(", ", suite.stream().map(ExtremeCase::name).toList());
+        throw new UsageException("S-041 --case is \"" + name + "\"; there are " + known);
+      }
+    }
+    return suite.stream().filter(one -> cases.isEmpty() || cases.contains(one.name())).toList();
   }
 
   private int suite() throws IOException {
@@ -90,7 +109,8 @@ final class StabilityCommand implements Callable<Integer> {
     try (Service service = Service.open(server);
         ProgressLine line = new ProgressLine(spec.commandLine().getErr())) {
       outcomes =
-          new StabilityReport(service.connection()::openSession, limitSeconds, line).write(page);
+          new StabilityReport(service.connection()::openSession, limitSeconds, line)
+              .write(page, wantedCases());
     }
     long good = outcomes.stream().filter(CaseOutcome::asExpected).count();
     spec.commandLine()

@@ -65,7 +65,7 @@ class CyclesTest {
   /** Idle threads of pools end after a while, and connections are seen to be closed. */
   private static Inside settled(ServiceJvm server) throws Exception {
     Inside last = server.inside();
-    for (int i = 0; i < 5; i++) {
+    for (int i = 0; i < 3; i++) {
       Thread.sleep(1000);
       Inside next = server.inside();
       if (next.threads() >= last.threads() && next.files() >= last.files()) {

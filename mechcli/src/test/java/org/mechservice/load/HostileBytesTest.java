@@ -52,7 +52,8 @@ class HostileBytesTest {
             "A server with `-Xmx128m` gets byte streams of each kind, one connection each, none of"
                 + " which it can have expected; mutations are valid messages of a client's whole"
                 + " way through the service, recorded on the wire, with bytes changed, cut out, or"
-                + " put in. After each kind an honest client, who is connected all the time,"
+                + " put in; those that are still valid open sessions, which end with"
+                + " their lease. After each kind an honest client, who is connected all the time,"
                 + " simulates and gets its rows to the last bit. Heap after a full collection.",
             SEED);
     page.line("| kind | streams | heap in use | CORBA objects | threads | open files |");

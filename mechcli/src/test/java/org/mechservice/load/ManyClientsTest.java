@@ -32,7 +32,7 @@ class ManyClientsTest {
 
   @Test
   void someClientsGetWhatOneAloneGets() throws Exception {
-    assertThat(work(8)).hasSize(8);
+    assertThat(work(6)).hasSize(6);
   }
 
   @Tag("soak")

@@ -109,7 +109,6 @@ class SlowReadersTest {
             seen.medianMillis(),
             seen.longestMillis(),
             seen.runSeconds());
-    System.err.println(line);
     if (page != null) {
       page.line("%s", line);
     }

@@ -78,6 +78,11 @@ final class LeaseRenewal implements AutoCloseable {
       }
     }
 
+    /** Stops renewing; the object stays as long as others keep it. */
+    void release() {
+      released.set(true);
+    }
+
     /** Stops renewing and destroys the object; if the server is lost, its lease ends by itself. */
     @Override
     public void close() {

@@ -2,13 +2,13 @@ package org.mechservice.client;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.cert.Certificate;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.idl.DiagnosticSeqHolder;
 import org.mechservice.idl.IMechClient;
+import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.orb.Endpoint;
@@ -100,6 +100,16 @@ public final class MechConnection implements AutoCloseable {
   }
 
   /**
+   * Asks how many simulations the hosts of the server run at once.
+   *
+   * @throws ServerLostException if the server is lost
+   */
+  public int places() {
+    ServerChoice.Chosen server = servers.chosen();
+    return ServiceDescription.of(server.calls().get(server.server()::getInfo)).places();
+  }
+
+  /**
    * Opens a session wherever there is room.
    *
    * @throws LimitExceededException if the server takes no more sessions
@@ -129,6 +139,20 @@ public final class MechConnection implements AutoCloseable {
   }
 
   /**
+   * Takes up a run again by its id, on whichever host it is: one that goes on, or that has ended
+   * and is kept.
+   *
+   * @param simId the run's {@linkplain RemoteRun#id identity}
+   * @throws NotFoundException if there is no such run, or not any more
+   * @throws LimitExceededException if the host takes no more sessions
+   */
+  public ReattachedRun reattach(String simId) {
+    ServerChoice.Chosen server = servers.chosen();
+    IMechSimRemote found = server.calls().get(() -> server.server().findSimulation(simId));
+    return new ReattachedRun(simId, callsTo(found, server), leases, found);
+  }
+
+  /**
    * Lets the server translate a model of another format into MechML.
    *
    * @param file a robot in URDF
@@ -138,7 +162,7 @@ public final class MechConnection implements AutoCloseable {
    */
   public ImportedModel importModel(Path file) throws IOException {
     String name = String.valueOf(file.getFileName());
-    ModelFile foreign = new ModelFile(name, Files.readAllBytes(file));
+    ModelFile foreign = new ModelFile(name, ModelBytes.of(file));
     ServerChoice.Chosen server = servers.chosen();
     DiagnosticSeqHolder losses = new DiagnosticSeqHolder();
     try {
@@ -165,8 +189,8 @@ public final class MechConnection implements AutoCloseable {
   }
 
   /** A session may live on a host of its own; messages then name that address. */
-  private RemoteCalls callsTo(MechSim session, ServerChoice.Chosen server) {
-    Endpoint place = orb.endpointOf(session);
+  private RemoteCalls callsTo(org.omg.CORBA.Object object, ServerChoice.Chosen server) {
+    Endpoint place = orb.endpointOf(object);
     return place.equals(orb.endpointOf(server.server()))
         ? server.calls()
         : new RemoteCalls(place.toString());

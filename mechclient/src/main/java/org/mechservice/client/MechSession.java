@@ -2,7 +2,6 @@ package org.mechservice.client;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -75,7 +74,7 @@ public final class MechSession implements AutoCloseable {
    * @throws InvalidModelException if the model cannot be used; says what and where
    */
   public List<ModelMessage> loadModel(Path file, Optional<Path> userCode) throws IOException {
-    byte[] content = Files.readAllBytes(file);
+    byte[] content = ModelBytes.of(file);
     String name = String.valueOf(file.getFileName());
     UserFiles classes = new UserFiles(file, userCode);
     while (true) {

@@ -15,8 +15,19 @@ import org.mechservice.idl.ServerInfo;
  */
 public record ServiceDescription(
     String name, String apiVersion, String version, Instant startedAt, List<String> capabilities) {
+  private static final String PLACES = "places=";
+
   public ServiceDescription {
     capabilities = List.copyOf(capabilities);
+  }
+
+  /** Returns how many simulations the server's hosts run at once; 1 if it does not say. */
+  int places() {
+    return capabilities.stream()
+        .filter(capability -> capability.matches(PLACES + "\\d{1,6}"))
+        .mapToInt(capability -> Integer.parseInt(capability.substring(PLACES.length())))
+        .findFirst()
+        .orElse(1);
   }
 
   /** Returns whether the server sets runs up in one call, which it does since API 1.1. */

@@ -24,7 +24,8 @@ public record Diagnostic(
   /** Returns {@code file:line:column: code message}, as much of the place as is known. */
   @Override
   public String toString() {
-    String place = file + (line > 0 ? ":" + line : "") + (line > 0 && column > 0 ? ":" + column : "");
+    String place =
+        file + (line > 0 ? ":" + line : "") + (line > 0 && column > 0 ? ":" + column : "");
     return place + ": " + code + " " + message;
   }
 }

@@ -48,7 +48,10 @@ class SceneFileTest {
   @Test
   void everySceneHasItsExampleWhereItIsLookedFor() throws Exception {
     Set<String> written =
-        SCENES.lines().map(line -> line.split(", ", -1)[0]).collect(Collectors.toCollection(TreeSet::new));
+        SCENES
+            .lines()
+            .map(line -> line.split(", ", -1)[0])
+            .collect(Collectors.toCollection(TreeSet::new));
     assertThat(written)
         .containsExactlyInAnyOrderElementsOf(
             Resources.text("scenes").lines().map(name -> name.replace(".json", "")).toList());

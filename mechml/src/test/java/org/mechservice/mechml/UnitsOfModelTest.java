@@ -1,16 +1,26 @@
 package org.mechservice.mechml;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.mechservice.mechml.expression.Evaluation;
+import org.mechservice.mechml.expression.ExpressionParser;
+import org.mechservice.mechml.expression.Scope;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Prismatic;
 import org.mechservice.solver.mechanism.Revolute;
+import org.mechservice.solver.mechanism.Screw;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -156,5 +166,65 @@ class UnitsOfModelTest {
                     + "<integrator name='ode113' relTol='1e-6' absTol='1e-8'/>"
                     + "<formulation name='DSR' closure='penalty' alpha='2e8' mu='1/2'/>");
     assertThat(model.read().settings().closure()).isEqualTo("penalty:alpha=2.0E8,mu=0.5");
+  }
+
+  /** Lists mix lengths and angles, each in its own unit of the file; Euler parameters have none. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "C | vector='u' | vector='u' | 10;90 | 20;180 | 0.01;PI/2 | 0.02;PI",
+        "PL | vector='u' vector2='w' | vector='u' | 10;20;90 | 1;2;180 | 0.01;0.02;PI/2 | 1e-3;2e-3;PI",
+        "U | vector='u' | vector='w' | 90;45 | 180;90 | PI/2;PI/4 | PI;PI/2",
+        "S | | | 1;0;0;0 | 90;0;180 | 1;0;0;0 | PI/2;0;PI",
+        "F | | | 1;0;0;0;1;2;3 | 90;0;0;4;5;6 | 1;0;0;0;1e-3;2e-3;3e-3 | PI/2;0;0;4e-3;5e-3;6e-3"
+      })
+  void listsOfAFileInMillimetresAndDegreesAreInMetresAndRadians(
+      String type,
+      @Nullable String end1,
+      @Nullable String end2,
+      String q,
+      String v,
+      String qSi,
+      String vSi)
+      throws Exception {
+    String parts =
+        "<point name='p' x='0' y='0' z='0'/><vector name='u' vx='1' vy='0' vz='0'/>"
+            + "<vector name='w' vx='0' vy='1' vz='0'/>";
+    ModelText model =
+        ModelText.of(type)
+            .withUnits("massUnits='kg' lengthUnits='mm' angleUnits='deg'")
+            .withGround(parts)
+            .withLink(parts)
+            .withEnds(
+                "name='Ground' point='p' " + (end1 == null ? "" : end1),
+                "name='link' point='p' " + (end2 == null ? "" : end2))
+            .withJointVal("<jointVal name='j' posVals='%s' velVals='%s'/>".formatted(q, v));
+    double[] y = new double[13];
+    model.mechanism().initialState(y);
+    List<Double> expected = new ArrayList<>();
+    for (String number : (qSi + ";" + vSi).split(";", -1)) {
+      expected.add(Evaluation.of(ExpressionParser.parse(number.strip()), Scope.CONSTANTS));
+    }
+    for (int i = 0; i < expected.size(); i++) {
+      assertThat(y[i]).isCloseTo(expected.get(i), within(1e-15));
+    }
+  }
+
+  /** 6 mm a turn. */
+  @Test
+  void leadOfAScrewIsItsWayInAWholeTurn() throws Exception {
+    String screw =
+        ModelText.of("H")
+            .withUnits("massUnits='kg' lengthUnits='mm' angleUnits='deg'")
+            .text()
+            .replace("type='H'", "type='H' lead='6'");
+    Screw joint =
+        (Screw)
+            MechmlReader.read("screw.xml", screw.getBytes(StandardCharsets.UTF_8))
+                .mechanism()
+                .joints()
+                .get(0);
+    assertThat(joint.pitch()).isCloseTo(0.006 / (2 * Math.PI), within(1e-18));
   }
 }

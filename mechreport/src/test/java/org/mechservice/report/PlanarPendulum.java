@@ -8,10 +8,10 @@ import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.RunSettings;
 
 /** q'' = −9.81 sin q − c q', from rest at one radian, for two seconds. */
-final class PlanarPendulum implements ExplicitModel {
+public final class PlanarPendulum implements ExplicitModel {
   private final double damping;
 
-  PlanarPendulum(double damping) {
+  public PlanarPendulum(double damping) {
     this.damping = damping;
   }
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -98,6 +99,37 @@ class ReportTest {
     SceneFindings found = findings(goodJudge(), "RK4", new RungeKuttaSolver(0.16), 0);
     assertThat(Doubts.of(found)).singleElement().asString().startsWith("DTR RK4 does not converge");
     assertThat(ScenePage.of(found)).contains("class=\"doubt\">DTR RK4 does not converge");
+  }
+
+  @Test
+  void referenceThatNoMethodConvergesToIsExposedInOneSentence() throws IOException {
+    SceneFindings one = findings(goodJudge(), "ode113", new RuntimeSolver(), 1e-3);
+    SceneFindings other = findings(goodJudge(), "DE", new RuntimeSolver(), 1e-3);
+    List<Method> methods = List.of(one.methods().get(0), other.methods().get(0));
+    List<Point> points = new ArrayList<>(one.points());
+    points.addAll(other.points());
+    SceneFindings both =
+        new SceneFindings(
+            one.model(),
+            one.file(),
+            one.states(),
+            one.freedoms(),
+            one.endOfFile(),
+            methods,
+            one.leftOut(),
+            one.judge(),
+            points,
+            one.spectrum(),
+            one.shares(),
+            one.freshStarts(),
+            one.effort(),
+            one.csv(),
+            one.versions());
+
+    assertThat(Doubts.of(both))
+        .singleElement()
+        .asString()
+        .startsWith("No method converges to the reference");
   }
 
   @Test

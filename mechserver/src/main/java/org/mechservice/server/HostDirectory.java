@@ -73,7 +73,10 @@ final class HostDirectory implements AutoCloseable {
 
   /** Takes a host in, in place of an earlier one of its name. */
   void add(KnownHost host) {
-    hosts.put(host.name(), host);
+    KnownHost earlier = hosts.put(host.name(), host);
+    if (earlier != null) {
+      earlier.gone();
+    }
     synchronized (dropped) {
       dropped.removeIf(gone -> gone.name().equals(host.name()));
     }
@@ -254,6 +257,7 @@ final class HostDirectory implements AutoCloseable {
 
   private void drop(KnownHost host, String why) {
     if (hosts.remove(host.name(), host)) {
+      host.gone();
       outbound.forbid(host.endpoint().host(), host.endpoint().port());
       host.dropped(why);
       synchronized (dropped) {
@@ -272,6 +276,7 @@ final class HostDirectory implements AutoCloseable {
   /** Takes a host that signs off out. */
   void signOff(KnownHost host) {
     if (hosts.remove(host.name(), host)) {
+      host.gone();
       outbound.forbid(host.endpoint().host(), host.endpoint().port());
       host.dropped("it signed off");
       journal.tell(

@@ -46,9 +46,10 @@ final class HostRegistryServant implements HostRegistryOperations {
     requireNameFree(info, endpoint);
     call(info, host, endpoint);
     KnownHost known = new KnownHost(info, host, false, endpoint);
+    HostRegistration registration = registration(known);
     directory.add(known);
     limits.joined(known);
-    return registration(known);
+    return registration;
   }
 
   private static void requireUsable(HostInfo info) throws InvalidOption {
@@ -146,14 +147,14 @@ final class HostRegistryServant implements HostRegistryOperations {
             new HostRegistrationPOATie(
                 GuardedServant.of(
                     HostRegistrationOperations.class, registration, registration::called)));
-    registration.object = Optional.of(object);
+    // A host that is killed never calls again; its registration must not stay for ever.
+    host.whenGone(object::close);
     return HostRegistrationHelper.unchecked_narrow(object.reference());
   }
 
   /** A host's standing; its renewal is the host's heartbeat. */
   private final class Registration implements HostRegistrationOperations {
     private final KnownHost host;
-    private volatile Optional<ActiveObject> object = Optional.empty();
 
     Registration(KnownHost host) {
       this.host = host;
@@ -162,7 +163,6 @@ final class HostRegistryServant implements HostRegistryOperations {
     /** A host that was dropped, or replaced by another of its name, must register anew. */
     void called() {
       if (directory.find(host.name()).filter(present -> present == host).isEmpty()) {
-        object.ifPresent(ActiveObject::close);
         throw new OBJECT_NOT_EXIST("not registered any more");
       }
       host.renew();
@@ -176,7 +176,6 @@ final class HostRegistryServant implements HostRegistryOperations {
     @Override
     public void destroy() {
       directory.signOff(host);
-      object.ifPresent(ActiveObject::close);
     }
   }
 }

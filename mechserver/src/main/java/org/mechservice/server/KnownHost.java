@@ -35,6 +35,7 @@ final class KnownHost {
   private long answeredAt = System.currentTimeMillis();
   private final Deque<Long> unanswered = new ArrayDeque<>();
   private final Deque<HostCalls.Question<?>> owed = new ArrayDeque<>();
+  private volatile Runnable farewell = () -> {};
 
   /**
    * @param host how it is asked
@@ -46,6 +47,16 @@ final class KnownHost {
     this.host = host;
     this.own = own;
     this.endpoint = endpoint;
+  }
+
+  /** Has something done when the host is known no longer. */
+  void whenGone(Runnable last) {
+    farewell = last;
+  }
+
+  /** Called when the host is known no longer. */
+  void gone() {
+    farewell.run();
   }
 
   String name() {
@@ -180,6 +191,11 @@ final class KnownHost {
   /** Returns whether the host may get new sessions. */
   synchronized boolean open() {
     return reachable && !load.draining;
+  }
+
+  /** Returns how many simulations it runs at once. */
+  int capacity() {
+    return info.capacity;
   }
 
   /** Returns how many more simulations find a place at once; negative: so many wait. */

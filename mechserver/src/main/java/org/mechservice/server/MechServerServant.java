@@ -1,5 +1,6 @@
 package org.mechservice.server;
 
+import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.API_VERSION;
@@ -67,8 +68,11 @@ final class MechServerServant implements MechServerOperations {
 
   @Override
   public ServerInfo getInfo() {
-    return new ServerInfo(
-        name, API_VERSION.value, ServiceVersion.CURRENT, startedAt, CAPABILITIES.clone());
+    int places =
+        directory.all().stream().filter(KnownHost::open).mapToInt(KnownHost::capacity).sum();
+    String[] capabilities = Arrays.copyOf(CAPABILITIES, CAPABILITIES.length + 1);
+    capabilities[CAPABILITIES.length] = "places=" + places;
+    return new ServerInfo(name, API_VERSION.value, ServiceVersion.CURRENT, startedAt, capabilities);
   }
 
   @Override

@@ -99,8 +99,13 @@ final class GrammarCheck {
         MessageCode.VALUE_NOT_IN_LIST,
         element,
         Phrase.of(
-            "%s is %s; it must be one of %s",
-            attribute.name(), Quoted.of(attribute.value()), String.join(", ", rule.choices())));
+            "%s is %s; it must be one of %s%s",
+            attribute.name(),
+            Quoted.of(attribute.value()),
+            String.join(", ", rule.choices()),
+            Choices.meant(attribute.value(), rule.choices())
+                .map(meant -> "; did you mean " + Quoted.of(meant) + "?")
+                .orElse("")));
   }
 
   /** Unknown and misplaced children are passed over, so that each fault is reported once. */

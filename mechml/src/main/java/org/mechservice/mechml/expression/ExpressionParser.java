@@ -8,6 +8,7 @@ import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Nearest;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.mechml.unit.UnitSymbols;
 
 /** Reads an expression by recursive descent; one method per rule of the grammar. */
 public final class ExpressionParser {
@@ -16,11 +17,13 @@ public final class ExpressionParser {
 
   private static final Pattern INDEX = Pattern.compile("[0-9]");
 
+  private final String text;
   private final Tokenizer tokenizer;
   private Token token;
   private int depth;
 
   private ExpressionParser(String text) throws ExpressionException {
+    this.text = text;
     this.tokenizer = new Tokenizer(text);
     this.token = tokenizer.next();
   }
@@ -206,10 +209,22 @@ public final class ExpressionParser {
 
   private ExpressionException unexpected(String expected) {
     String found = token.kind() == Token.Kind.END ? "the end" : Quoted.of(token.text());
-    String hint = token.is(",") && depth == 0 ? "; decimals have a point" : "";
     return new ExpressionException(
         MessageCode.EXPRESSION_SYNTAX,
         token.offset(),
-        "expected " + expected + ", found " + found + hint);
+        "expected " + expected + ", found " + found + hint());
+  }
+
+  /** Returns what those write who know another notation. */
+  private String hint() {
+    if (token.is(",") && depth == 0) {
+      return "; decimals have a point";
+    } else if (token.is("*") && text.startsWith("**", Math.max(0, token.offset() - 1))) {
+      return "; the power of two numbers is written 2^3";
+    } else if (UnitSymbols.all().contains(token.text())) {
+      return "; a unit stands in an attribute beside the value's, as unit="
+          + Quoted.of(token.text());
+    }
+    return "";
   }
 }

@@ -97,7 +97,14 @@ final class IntegratorReader {
 
   private Optional<AbsoluteTolerances> absoluteTolerances(Element element) {
     List<AttributeText> items = AttributeText.itemsOf(element, "absTol");
-    if (items.size() != 1 && !values.hasCount(items, 4)) {
+    if (items.size() != 1 && items.size() != 4) {
+      diagnostics.error(
+          MessageCode.VALUE_COUNT,
+          element.place(),
+          Phrase.of(
+              "%s: absTol holds %d values; 1 is needed, or 4 separated by \";\": for positions, angles,"
+                  + " velocities and angular velocities",
+              element.label(), items.size()));
       return Optional.empty();
     }
     List<Double> tolerances = new ArrayList<>();

@@ -4,9 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.mechml.Diagnostic;
 import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.MechmlReader;
@@ -120,5 +125,55 @@ class UrdfImportTest {
   void robotWithoutLossesHasNone() throws MechmlException {
     assertThat(UrdfImport.of("robot.urdf", ARM.getBytes(StandardCharsets.UTF_8)).losses())
         .isEmpty();
+  }
+
+  /** base - l1 - l2 - ..., a hinge each. */
+  private static String chain(int length) {
+    StringBuilder text = new StringBuilder("<robot name='r'><link name='l0'/>");
+    for (int i = 1; i <= length; i++) {
+      text.append(
+          ("<link name='l%d'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0'"
+                  + " ixz='0' iyz='0'/></inertial></link><joint name='j%d' type='continuous'>"
+                  + "<parent link='l%d'/><child link='l%d'/></joint>")
+              .formatted(i, i, i - 1, i));
+    }
+    return text.append("</robot>").toString();
+  }
+
+  private static List<String> codes(String robot) {
+    try {
+      UrdfImport.of("r.urdf", robot.getBytes(StandardCharsets.UTF_8));
+      return List.of();
+    } catch (MechmlException e) {
+      return e.diagnostics().stream().map(Diagnostic::code).distinct().toList();
+    }
+  }
+
+  @Test
+  void longChainIsReadAndOneBeyondTheLimitIsRefusedOnce() {
+    assertThat(codes(chain(5_000))).isEmpty();
+    assertThat(codes(chain(10_000))).containsExactly("M-004");
+  }
+
+  /** Each file with one thing wrong ends in one message about it. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "<link name=\"tip\"> | <link name=\"arm\"> | M-015",
+        "<joint name=\"b\" | <joint name=\"a\" | M-015",
+        "<child link=\"tip\"/> | <child link=\"top\"/> | M-014",
+        "<child link=\"tip\"/> | <child link=\"base\"/> | M-083",
+        "<mass value=\"2\"/> | <mass value=\"NaN\"/> | M-082",
+        "<mass value=\"2\"/> | <mass value=\"1e999\"/> | M-082",
+        "joint=\"a\" multiplier | joint=\"b\" multiplier | M-084",
+        "multiplier=\"-2\" | multiplier=\"inf\" | M-082",
+        "type=\"prismatic\" | type=\"sliding\" | M-009",
+        "<robot name=\"r\"> | <!DOCTYPE robot [<!ENTITY a '1'>]><robot name=\"r\"> | M-005"
+      })
+  void oneFaultIsOneMessage(String right, String wrong, String code) {
+    assertThat(ARM).contains(right);
+    assertThat(codes(ARM.replaceFirst(Pattern.quote(right), Matcher.quoteReplacement(wrong))))
+        .containsExactly(code);
   }
 }

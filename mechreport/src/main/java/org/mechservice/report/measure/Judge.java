@@ -143,7 +143,7 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
   }
 
   /** Keeps the times at which the reference can tell errors that matter, but two at least. */
-  private static Judge cut(Reference reference, RunGrid grid) {
+  static Judge cut(Reference reference, RunGrid grid) {
     int count = reference.times().length;
     while (count > 2 && unknownAt(reference, count - 1) > CUT) {
       count--;

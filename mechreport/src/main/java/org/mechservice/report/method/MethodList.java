@@ -6,6 +6,7 @@ import org.mechservice.client.InvalidOptionException;
 import org.mechservice.client.LocalModel;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.NotAvailableException;
+import org.mechservice.client.ServerLostException;
 import org.mechservice.client.ServiceException;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.solver.api.DependentStates;
@@ -46,6 +47,12 @@ public record MethodList(List<Candidate> candidates, List<LeftOut> leftOut) {
             LocalModel model = session.fetchModel(options(method));
             candidates.add(new Candidate(method, model::newModel, model.solver()));
           } catch (InvalidOptionException | NotAvailableException e) {
+            leftOut.add(new LeftOut(method, String.valueOf(e.getMessage())));
+          } catch (ServerLostException e) {
+            // A build that takes too long is no reason to be silent about the other methods.
+            if (candidates.isEmpty()) {
+              throw e;
+            }
             leftOut.add(new LeftOut(method, String.valueOf(e.getMessage())));
           }
         }

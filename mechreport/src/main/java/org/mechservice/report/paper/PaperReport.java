@@ -123,8 +123,13 @@ public final class PaperReport {
    *
    * @param explicit DTR with DE
    * @param implicit RR-JF with ode15sR
+   * @param ratios of their costs at equal errors; none where no error is known
    */
-  record RunPair(Timed explicit, Timed implicit) {}
+  record RunPair(Timed explicit, Timed implicit, List<EqualErrors.Ratio> ratios) {
+    RunPair {
+      ratios = List.copyOf(ratios);
+    }
+  }
 
   /**
    * A method's runs.
@@ -148,7 +153,12 @@ public final class PaperReport {
       Candidate implicit = candidate(session, IMPLICIT);
       try (MethodRunner runner = runner(explicit)) {
         progress.at("runs of the " + label, 0.4, Double.NaN);
-        return interleaved(runner, explicit, implicit);
+        RunPair pair = interleaved(runner, explicit, implicit);
+        progress.at("equal errors of the " + label, 0.45, Double.NaN);
+        return new RunPair(
+            pair.explicit(),
+            pair.implicit(),
+            EqualErrors.of(runner, explicit, implicit, LIMIT_SECONDS));
       }
     }
   }
@@ -177,7 +187,7 @@ public final class PaperReport {
       first.add(runner.run(explicit, TOLERANCE, round, LIMIT_SECONDS));
       second.add(runner.run(implicit, TOLERANCE, round, LIMIT_SECONDS));
     }
-    return new RunPair(timed(first), timed(second));
+    return new RunPair(timed(first), timed(second), List.of());
   }
 
   /** The first runs warm up. */

@@ -47,13 +47,13 @@ public final class StabilityReport {
   }
 
   /**
-   * Runs the suite and writes its page.
+   * Runs cases and writes their page.
    *
+   * @param suite cases, in the order of the page
    * @return outcomes, in the order of the suite
    * @throws IOException if the page cannot be written
    */
-  public List<CaseOutcome> write(Path page) throws IOException {
-    List<ExtremeCase> suite = ExtremeCase.suite();
+  public List<CaseOutcome> write(Path page, List<ExtremeCase> suite) throws IOException {
     List<CaseOutcome> outcomes = new ArrayList<>();
     long started = System.nanoTime();
     for (ExtremeCase wanted : suite) {

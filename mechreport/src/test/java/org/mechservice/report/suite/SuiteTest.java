@@ -56,7 +56,10 @@ class SuiteTest {
     "rigid, DE",
     "chain6, ode113",
     "hires, ode15s",
-    "weissinger, ode15sR"
+    "weissinger, ode15sR",
+    "rigid, Hipparchus DormandPrince853",
+    "rigid, Hipparchus GraggBulirschStoer",
+    "rigid, Hipparchus AdamsMoulton 8"
   })
   void integratorsReachTheVerifiedEnd(String id, String integrator) {
     SuiteRun run = SuiteRunner.runs(named(id), integrator, new double[] {1e-8}, 60).get(0);

@@ -14,8 +14,6 @@ import java.util.Optional;
 import org.mechservice.sim.build.jar.Sha256;
 import org.mechservice.sim.build.javac.SolverClasses;
 import org.mechservice.solver.pack.KeptClasses;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /**
  * The runtime JAR as the build has packed it, which takes longer than a small simulation. With it
@@ -23,7 +21,6 @@ import org.slf4j.LoggerFactory;
  * that was compiled since has another hash; then the JAR is not used.
  */
 public final class BuiltRuntime {
-  private static final Logger LOG = LoggerFactory.getLogger(BuiltRuntime.class);
   private static final String JAR = "runtime.jar";
   private static final String LIST = "runtime.list";
 
@@ -42,8 +39,7 @@ public final class BuiltRuntime {
           : Optional.of(
               RuntimeJar.of(jar.readAllBytes(), new HashSet<>(lines.subList(1, lines.size()))));
     } catch (IOException e) {
-      LOG.warn("the runtime JAR of the build cannot be read; packing it again: {}", e.toString());
-      return Optional.empty();
+      throw new UncheckedIOException("the runtime JAR of the build cannot be read", e);
     }
   }
 

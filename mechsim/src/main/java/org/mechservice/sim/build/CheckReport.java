@@ -89,7 +89,7 @@ public record CheckReport(
     Program derivative = ArticulatedBodyEquations.derive(links);
     BuildOptions options = new BuildOptions(choice.formulation(), Set.of(), model.settings().run());
     return new Generation(
-        choice, derivative.operationCount(), LeftOut.of(scene, links, options, derivative));
+        choice, derivative.operationCount(), LeftOut.of(model, scene, links, options, derivative));
   }
 
   /** Returns what looks odd: what the file's reader noticed, then what the scene shows. */

@@ -2,6 +2,7 @@ package org.mechservice.sim.build;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.dynamics.Link;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.scene.SceneAnalysis;
@@ -22,15 +23,21 @@ final class LeftOut {
   /**
    * Lists the omissions of a model.
    *
-   * @param scene what it was generated from
+   * @param model what it was generated from
+   * @param scene its analysis
    * @param links the same in computing frames
    * @param options what it was built for
    * @param derivative its equations
    */
   static List<Omission> of(
-      SceneAnalysis scene, Links links, BuildOptions options, Program derivative) {
+      MechmlModel model,
+      SceneAnalysis scene,
+      Links links,
+      BuildOptions options,
+      Program derivative) {
     LeftOut leftOut = new LeftOut();
     leftOut.language(scene.mechanism(), links);
+    leftOut.author(model);
     leftOut.scene(scene);
     leftOut.frames(links);
     leftOut.equations(derivative);
@@ -59,8 +66,15 @@ final class LeftOut {
     if (mechanism.forces().isEmpty()) {
       add("force elements", "the scene has no forces but gravity");
     }
-    add("events", "the scene has none");
-    add("outputs of its own", "the scene has none");
+  }
+
+  private void author(MechmlModel model) {
+    if (model.watchedMechanism().events().isEmpty()) {
+      add("events", "the scene has none");
+    }
+    if (model.outputs().isEmpty()) {
+      add("outputs of its own", "the scene has none");
+    }
   }
 
   private static boolean moves(Links links, LinkKind kind) {

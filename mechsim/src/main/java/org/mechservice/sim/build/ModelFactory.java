@@ -149,7 +149,7 @@ public final class ModelFactory {
         choice.formulation().equals("RR-JF")
             ? Optional.of(ResidualDerivatives.derive(links))
             : Optional.empty();
-    List<Omission> leftOut = LeftOut.of(scene, links, options, derivative);
+    List<Omission> leftOut = LeftOut.of(model, scene, links, options, derivative);
     ModelClass written =
         new ModelClass(
             mechanism,
@@ -167,7 +167,7 @@ public final class ModelFactory {
     Set<ColumnGroup> further = DataColumns.of(model, options, true);
     return new GeneratedModel(
         ModelPlan.of(written),
-        further.isEmpty()
+        further.isEmpty() && !needsData(model.watchedMechanism())
             ? Optional.empty()
             : Optional.of(
                 new CompactClass(
@@ -180,6 +180,13 @@ public final class ModelFactory {
         choice.reason(),
         derivative.operationCount(),
         leftOut);
+  }
+
+  /** Parameters and what happens along a run are kept as data beside the code. */
+  private static boolean needsData(Mechanism mechanism) {
+    return !mechanism.parameters().isEmpty()
+        || !mechanism.events().isEmpty()
+        || !mechanism.timeJumps(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY).isEmpty();
   }
 
   private static Optional<ModelClass.ForceValues> forceValues(Links links, BuildOptions options) {

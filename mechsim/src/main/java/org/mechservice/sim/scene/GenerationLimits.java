@@ -3,10 +3,8 @@ package org.mechservice.sim.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
-import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.UserForceElement;
@@ -39,10 +37,10 @@ public final class GenerationLimits {
         mechanism.forces().stream()
             .filter(UserForceElement.class::isInstance)
             .map(ForceElement::name));
-    add(beyond, "tunable parameters", mechanism.parameters().stream().map(Parameter::name));
-    add(beyond, "events", mechanism.events().stream().map(Event::name));
-    List<Double> jumps = mechanism.timeJumps(0, Double.POSITIVE_INFINITY);
-    add(beyond, "jumps at the times", jumps.stream().map(time -> time + " s"));
+    add(
+        beyond,
+        "tunable parameters in coefficients of forces",
+        SettledCoefficients.withParameters(mechanism).stream());
     return beyond;
   }
 

@@ -157,9 +157,10 @@ final class RunStore implements AutoCloseable {
     }
   }
 
-  /** Returns a run that is kept. */
+  /** Returns a run that is kept; one whose time is over is not, although it may not be deleted. */
   Optional<KeptRun> find(String simId) {
-    return Optional.ofNullable(kept.get(simId));
+    return Optional.ofNullable(kept.get(simId))
+        .filter(run -> run.until() > System.currentTimeMillis());
   }
 
   /** Deletes a run whose client does not need it any more, remembering that there was one. */

@@ -50,6 +50,9 @@ public final class Program {
   /** An input that is replaced before the program is complete. */
   public static final int PLACEHOLDER = TIME - 1;
 
+  /** The input that is the first parameter of the model; others follow, SI units. */
+  public static final int PARAMETER = 1 << 29;
+
   private final Expressions expressions;
   private final List<Section> sections;
   private final Map<Scalar, String> names;

@@ -3,12 +3,13 @@ package org.mechservice.sim.build;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayInputStream;
-import java.io.DataInputStream;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.jar.JarEntry;
 import java.util.jar.JarInputStream;
 import org.junit.jupiter.api.Test;
@@ -110,13 +111,9 @@ class DataColumnsTest {
     try (JarInputStream stream = new JarInputStream(new ByteArrayInputStream(jar.bytes()))) {
       for (JarEntry e = stream.getNextJarEntry(); e != null; e = stream.getNextJarEntry()) {
         if (e.getName().equals(Launcher.SOLVER)) {
-          DataInputStream in = new DataInputStream(stream);
-          in.readUTF();
-          int count = in.readInt();
-          for (int i = 0; i < count; i++) {
-            names.add(in.readUTF());
-            in.readNBytes(in.readInt());
-          }
+          Map<String, byte[]> classes = new TreeMap<>();
+          Launcher.read(stream, classes);
+          names.addAll(classes.keySet());
         }
       }
     }

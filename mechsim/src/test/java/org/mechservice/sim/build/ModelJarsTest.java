@@ -3,7 +3,6 @@ package org.mechservice.sim.build;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayInputStream;
-import java.io.DataInputStream;
 import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -11,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -29,6 +29,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.jar.LeanClass;
 import org.mechservice.sim.build.jar.ReproducibleJar;
 import org.mechservice.sim.build.jar.Sha256;
+import org.mechservice.sim.build.jar.SolidClasses;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.pack.PackedClasses;
@@ -226,7 +227,7 @@ class ModelJarsTest {
   @Test
   void theStandaloneJarHoldsOnlyWhatItReaches() throws IOException {
     PackedJar jar = ModelFactory.standaloneJar(pendulum("DE"), SHA);
-    List<String> solver = classesIn(Objects.requireNonNull(entries(jar).get(Launcher.SOLVER)));
+    Set<String> solver = classesIn(Objects.requireNonNull(entries(jar).get(Launcher.SOLVER)));
     assertThat(solver)
         .hasSizeLessThan(runtimeClasses().size() * 9 / 10)
         .contains("org.mechservice.solver.standalone.Standalone")
@@ -237,16 +238,24 @@ class ModelJarsTest {
     assertThat(manifest(jar).getValue("Main-Class")).isEqualTo(jar.mainClass());
   }
 
-  private static List<String> classesIn(byte[] solid) throws IOException {
-    List<String> names = new ArrayList<>();
-    DataInputStream in = new DataInputStream(new ByteArrayInputStream(solid));
-    assertThat(in.readUTF()).endsWith("Main");
-    int count = in.readInt();
-    for (int i = 0; i < count; i++) {
-      names.add(in.readUTF());
-      in.skipNBytes(in.readInt());
-    }
-    return names;
+  private static Set<String> classesIn(byte[] solid) throws IOException {
+    Map<String, byte[]> classes = new HashMap<>();
+    assertThat(Launcher.read(new ByteArrayInputStream(solid), classes)).endsWith("Main");
+    return classes.keySet();
+  }
+
+  /** A class's bytes are those it was packed from. */
+  @Test
+  void classesOfTheSolidFileComeOutAsTheyWentIn() throws IOException {
+    Map<String, byte[]> classes = new HashMap<>();
+    Launcher.read(new ByteArrayInputStream(SolidClasses.of("a.Main", runtimeClasses())), classes);
+    assertThat(classes).hasSameSizeAs(runtimeClasses());
+    runtimeClasses()
+        .forEach(
+            (path, bytes) ->
+                assertThat(classes.get(path.substring(0, path.length() - 6).replace('/', '.')))
+                    .as(path)
+                    .isEqualTo(bytes));
   }
 
   @Test

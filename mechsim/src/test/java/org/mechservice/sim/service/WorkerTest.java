@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -29,9 +31,22 @@ class WorkerTest {
   /** Where the class of the force pushes. */
   private static final String PUSH = "loads.addJointForce(slide, 3);";
 
+  private static final String LOOP = "while (slide < 10) { slide = slide % 3; }";
+  private static final String BOMB =
+      """
+      java.util.List<double[]> kept = new java.util.ArrayList<>();
+      while (slide < 10) {
+        try {
+          kept.add(new double[1000000]);
+        } catch (RuntimeException e) {
+          slide = 0;
+        }
+      }
+      """;
+
   private static HostedClient host(HostLimits limits) {
     return new HostedClient(
-        SimHost.installedSolver(), new HostOptions("here", 2, limits, Optional.empty(), true));
+        SimHost.installedSolver(), new HostOptions("here", 3, limits, Optional.empty(), true));
   }
 
   private static IMechSimRemote simulation(HostedClient there, String body) throws UserException {
@@ -63,7 +78,7 @@ class WorkerTest {
   @Test
   void endlessLoopIsStoppedByTheLimitOfProcessorTime() throws Exception {
     try (HostedClient there = host(HostLimits.DEFAULT.with(HostLimit.CPU_TIME, 2))) {
-      IMechSimRemote run = simulation(there, "while (slide < 10) { slide = slide % 3; }");
+      IMechSimRemote run = simulation(there, LOOP);
       run.start();
       assertFailsWith(run, "S-109");
     }
@@ -72,27 +87,40 @@ class WorkerTest {
   @Test
   void allocationBombIsStoppedByTheLimitOfMemory() throws Exception {
     try (HostedClient there = host(HostLimits.DEFAULT.with(HostLimit.MEMORY, 256_000_000))) {
-      String bomb =
-          """
-          java.util.List<double[]> kept = new java.util.ArrayList<>();
-          while (slide < 10) {
-            try {
-              kept.add(new double[1000000]);
-            } catch (RuntimeException e) {
-              slide = 0;
-            }
-          }
-          """;
-      IMechSimRemote run = simulation(there, bomb);
+      IMechSimRemote run = simulation(there, BOMB);
       run.start();
       assertFailsWith(run, "S-110");
     }
   }
 
   @Test
+  void loopAndBombHarmNoOtherRun() throws Exception {
+    HostLimits limits =
+        HostLimits.DEFAULT.with(HostLimit.CPU_TIME, 3).with(HostLimit.MEMORY, 256_000_000);
+    try (HostedClient there = host(limits)) {
+      IMechSimRemote alone = simulation(there, PUSH);
+      alone.start();
+      List<double[]> rows = HostedClient.rows(alone.openResults(HostedClient.ALL), 0);
+      IMechSimRemote loop = simulation(there, LOOP);
+      IMechSimRemote bomb = simulation(there, BOMB);
+      loop.start();
+      bomb.start();
+      for (int i = 0; i < 3; i++) {
+        IMechSimRemote good = simulation(there, PUSH);
+        good.start();
+        assertThat(HostedClient.rows(good.openResults(HostedClient.ALL), 0))
+            .usingElementComparator(Arrays::compare)
+            .isEqualTo(rows);
+      }
+      assertFailsWith(loop, "S-109");
+      assertFailsWith(bomb, "S-110");
+    }
+  }
+
+  @Test
   void killedWorkerHarmsNoOtherRun() throws Exception {
     try (HostedClient there = host(HostLimits.DEFAULT)) {
-      IMechSimRemote endless = simulation(there, "while (slide < 10) { slide = slide % 3; }");
+      IMechSimRemote endless = simulation(there, LOOP);
       endless.start();
       Eventually.holds(() -> workers().findAny().isPresent());
       ProcessHandle first = workers().findAny().orElseThrow();
@@ -107,7 +135,7 @@ class WorkerTest {
   @Test
   void endlessLoopIsCancelled() throws Exception {
     try (HostedClient there = host(HostLimits.DEFAULT)) {
-      IMechSimRemote run = simulation(there, "while (slide < 10) { slide = slide % 3; }");
+      IMechSimRemote run = simulation(there, LOOP);
       run.start();
       Eventually.holds(() -> workers().findAny().isPresent());
       run.cancel();

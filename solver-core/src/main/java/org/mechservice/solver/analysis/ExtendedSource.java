@@ -5,11 +5,9 @@ import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.WatchedModel;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.compact.CompactSource;
-import org.mechservice.solver.force.UserForceSource;
 
 /**
  * What the class of a model with further columns is, but for its data: they serve the columns, and
@@ -31,26 +29,11 @@ public abstract class ExtendedSource extends CompactSource {
     return data;
   }
 
-  /** Returns the model without further columns; a class that holds generated code returns that. */
-  protected Object bare(CompactModel data, UserForceSource userForces) {
-    return data.model(userForces);
-  }
-
   @Override
-  public Model model() {
-    return extended(data());
-  }
-
-  @Override
-  public Model model(double[] values) {
-    return extended(data().with(values));
-  }
-
-  private Model extended(CompactModel asBuilt) {
+  protected Model made(CompactModel asBuilt) {
     CompactModel data = prepared(asBuilt);
-    UserForceSource userForces = userForces();
-    Model built = ModelSource.of(bare(data, userForces));
+    Model built = super.made(data);
     ExplicitModel model = (ExplicitModel) WatchedModel.bare(built);
-    return new ExtendedModel(built, new FurtherColumns(model, data, groups, userForces));
+    return new ExtendedModel(built, new FurtherColumns(model, data, groups, userForces()));
   }
 }

@@ -22,16 +22,7 @@ public abstract class LinearSource extends CompactSource {
   }
 
   @Override
-  public final Model model() {
-    return linear(data());
-  }
-
-  @Override
-  public final Model model(double[] values) {
-    return linear(data().with(values));
-  }
-
-  private Model linear(CompactModel data) {
+  protected final Model made(CompactModel data) {
     return new LinearModel(data, atEquilibrium, modes, userForces());
   }
 }

@@ -126,7 +126,7 @@ public final class Assembly {
           least = reached;
           best = tried;
         }
-        if (least <= NOTEWORTHY) {
+        if (least <= (reluctant == StartRole.FREE ? CLOSED : NOTEWORTHY)) {
           System.arraycopy(best, 0, y, 0, y.length);
           return true;
         }

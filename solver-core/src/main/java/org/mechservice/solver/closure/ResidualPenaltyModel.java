@@ -20,8 +20,9 @@ import org.mechservice.solver.linear.DenseLu;
  * <p>rows of J over their sizes, columns in the coordinates' units where they act on velocities. λ
  * and μ are in no test. The equations of an implicit step are solved with a penalty in place of the
  * zero block and repeated, which is the augmented Lagrangian: redundant rows do no harm (NUMERICS
- * §3). How J v and Jᵀ μ change with q is left to the iteration: with a matrix kept from a step that
- * moved otherwise it would converge worse.
+ * §3). How J v changes with q is not in the matrix, which is kept for steps that move otherwise:
+ * every solution is corrected by the rates at the state it leads to. How Jᵀ μ changes is left to
+ * the iteration.
  */
 public final class ResidualPenaltyModel extends PenaltyModel implements LinearisedModel {
   /** Where the derivatives of the equations of motion come from. */
@@ -67,7 +68,20 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   private final double[] ofVelocity;
   private final double[] ofPosition;
   private final double[] mu;
+
+  /** Time and state of the last residual, and a state near by. */
+  private double time;
+
+  private final double[] state;
+  private final double[] moved;
+
+  /** Positions of a reduced right-hand side, and the change of λ times hγ. */
+  private final double[] reduced;
+
+  private final double[] push;
+  private final double[] none;
   private double hGamma;
+  private double regular;
   private int singular;
 
   /**
@@ -106,6 +120,11 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     ofVelocity = new double[m];
     ofPosition = new double[m];
     mu = new double[m];
+    state = new double[work.nq + n];
+    moved = new double[work.nq + n];
+    reduced = new double[work.nq];
+    push = new double[m];
+    none = new double[n];
   }
 
   @Override
@@ -135,6 +154,8 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     }
     int atLambda = work.nq + n;
     int atMu = atLambda + m;
+    time = t;
+    System.arraycopy(y, 0, state, 0, state.length);
     work.loops.scaledRows(rows, n);
     System.arraycopy(y, work.nq, velocity, 0, n);
     addTransposed(rows, y, atMu, -1, true, velocity);
@@ -253,8 +274,10 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
       }
       largest = Math.max(largest, normal[i * m + i]);
     }
+    // loops between bodies that cannot move have nothing but zeros
+    regular = REGULAR_PART * (largest > 0 ? largest : 1);
     for (int i = 0; i < m; i++) {
-      normal[i * m + i] += REGULAR_PART * largest;
+      normal[i * m + i] += regular;
     }
     singular = 0;
     return m == 0 || gram.factor(normal) < 0;
@@ -270,15 +293,47 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
       ofPosition[row] =
           product(row, iteration.tangent()) / hGamma - r[atMu + row] / (hGamma * hGamma);
     }
+    System.arraycopy(r, 0, reduced, 0, work.nq);
     System.arraycopy(change, 0, right, 0, n);
     equations.solve(right, ofVelocity, velocity, 0);
+    System.arraycopy(equations.multipliers, 0, push, 0, m);
+    complete(r, change);
+    correctVelocities(r);
+    System.arraycopy(reduced, 0, r, 0, work.nq);
+    complete(r, change);
+    withoutRepetitions(push);
+    for (int row = 0; row < m; row++) {
+      r[atLambda + row] = push[row] / hGamma;
+      r[atMu + row] = mu[row];
+    }
+  }
+
+  /** Changes of the states from that of velocities; r holds the reduced positions. */
+  private void complete(double[] r, double[] change) {
     System.arraycopy(velocity, 0, change, 0, n);
     correctPositions(change);
     iteration.expand(r);
     System.arraycopy(velocity, 0, r, work.nq, n);
+  }
+
+  /** Makes velocities fit the loops at the positions to which a change leads. */
+  private void correctVelocities(double[] r) {
+    for (int i = 0; i < moved.length; i++) {
+      moved[i] = state[i] + r[i];
+    }
+    work.motion.sweep(time, moved);
+    work.loops.place(work.motion, time);
+    work.loops.move(work.motion, time);
+    double rounding = RATE_ROUNDING * work.units.speed(moved, work.nq);
     for (int row = 0; row < m; row++) {
-      r[atLambda + row] = equations.multipliers[row] / hGamma;
-      r[atMu + row] = mu[row];
+      ofVelocity[row] = beyond(rounding, work.loops.rate[row] / work.loops.size(row));
+    }
+    equations.solve(none, ofVelocity, right, 0);
+    for (int k = 0; k < n; k++) {
+      velocity[k] += right[k];
+    }
+    for (int row = 0; row < m; row++) {
+      push[row] += equations.multipliers[row];
     }
   }
 
@@ -294,6 +349,20 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
       for (int row = 0; row < m; row++) {
         mu[row] += lambda[row];
       }
+    }
+    withoutRepetitions(mu);
+  }
+
+  /**
+   * Takes out of multipliers what pushes nothing: G (G + ε)⁻¹ with G = J U² Jᵀ. Predicted states
+   * lie off the loops, where equations that repeat others contradict them by a little; the penalty
+   * would make of that multipliers that grow without bound, and away from the loops they push.
+   */
+  private void withoutRepetitions(double[] multipliers) {
+    System.arraycopy(multipliers, 0, lambda, 0, m);
+    gram.solve(lambda, 0);
+    for (int row = 0; row < m; row++) {
+      multipliers[row] -= regular * lambda[row];
     }
   }
 

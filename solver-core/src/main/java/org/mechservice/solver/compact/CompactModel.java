@@ -11,6 +11,7 @@ import org.mechservice.solver.dynamics.StateEvents;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
+import org.mechservice.solver.mechanism.Parameter;
 
 /**
  * A model whose class carries data: the mechanism and how its equations are written, as texts that
@@ -113,8 +114,17 @@ public record CompactModel(
    * @throws IllegalArgumentException if the formulation or the closure does not suit the mechanism
    */
   public Model model(UserForceSource userForces) {
-    Model model = DataDriven.model(this, userForces);
+    return watched(DataDriven.model(this, userForces));
+  }
+
+  /** Returns a model of the mechanism with the mechanism's events. */
+  public Model watched(Model model) {
     return somethingHappens() ? new WatchedModel(model, new StateEvents(mechanism)) : model;
+  }
+
+  /** Returns the values of the parameters, SI units, in order. */
+  public double[] parameterValues() {
+    return mechanism.parameters().stream().mapToDouble(Parameter::value).toArray();
   }
 
   private boolean somethingHappens() {

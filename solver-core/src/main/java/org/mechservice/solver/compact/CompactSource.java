@@ -21,9 +21,19 @@ public abstract class CompactSource implements ModelSource {
     return new LoadedUserForces(getClass().getClassLoader());
   }
 
+  /** Returns the model of some data; a class beside generated code returns that. */
+  protected Object bare(CompactModel data, UserForceSource userForces) {
+    return data.model(userForces);
+  }
+
+  /** Returns the model of some data, complete. */
+  protected Model made(CompactModel data) {
+    return ModelSource.of(bare(data, userForces()));
+  }
+
   @Override
-  public Model model() {
-    return data().model(userForces());
+  public final Model model() {
+    return made(data());
   }
 
   @Override
@@ -32,7 +42,7 @@ public abstract class CompactSource implements ModelSource {
   }
 
   @Override
-  public Model model(double[] values) {
-    return data().with(values).model(userForces());
+  public final Model model(double[] values) {
+    return made(data().with(values));
   }
 }

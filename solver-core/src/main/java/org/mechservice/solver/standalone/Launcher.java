@@ -1,6 +1,8 @@
 package org.mechservice.solver.standalone;
 
+import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
+import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.lang.reflect.InvocationTargetException;
@@ -8,29 +10,92 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Starts a standalone JAR. The solver's classes lie in one file, one after the other, because many
- * small files compress badly; the model's own classes are ordinary entries of the JAR.
+ * Starts a standalone JAR. The solver's classes lie in one file, because many small files compress
+ * badly; the model's own classes are ordinary entries of the JAR.
  *
- * <p>The file: the name of the main class; the number of classes; for each its name, the number of
- * its bytes, and those.
+ * <p>The file: the name of the main class; the number of strings, and those of all classes; the
+ * number of classes; for each its name and its constant pool, with the numbers of strings in place
+ * of strings; for each the number of its other bytes, and those.
  */
 public final class Launcher extends ClassLoader {
   /** The file's place in the JAR. */
   public static final String SOLVER = "META-INF/mech.solver";
+
+  /** Bytes of a class file before its constant pool. */
+  public static final int HEADER = 8;
+
+  /** Tag of a string in a constant pool. */
+  public static final int STRING = 1;
 
   private final Map<String, byte[]> classes = new HashMap<>();
   private final String mainClass;
 
   private Launcher() throws IOException {
     super(getPlatformClassLoader());
-    try (InputStream file = resource(SOLVER);
-        DataInputStream in = new DataInputStream(file)) {
-      mainClass = in.readUTF();
-      int count = in.readInt();
-      for (int i = 0; i < count; i++) {
-        classes.put(in.readUTF(), in.readNBytes(in.readInt()));
+    try (InputStream file = resource(SOLVER)) {
+      mainClass = read(file, classes);
+    }
+  }
+
+  /**
+   * Reads the file.
+   *
+   * @param file not closed
+   * @param classes class files by name are added
+   * @return the name of the main class
+   * @throws IOException if it is damaged
+   */
+  public static String read(InputStream file, Map<String, byte[]> classes) throws IOException {
+    DataInputStream in = new DataInputStream(file);
+    String mainClass = in.readUTF();
+    String[] strings = new String[in.readInt()];
+    for (int i = 0; i < strings.length; i++) {
+      strings[i] = in.readUTF();
+    }
+    String[] names = new String[in.readInt()];
+    byte[][] pools = new byte[names.length][];
+    for (int i = 0; i < names.length; i++) {
+      names[i] = strings[in.readChar()];
+      pools[i] = pool(in, strings);
+    }
+    for (int i = 0; i < names.length; i++) {
+      int length = in.readInt();
+      ByteArrayOutputStream classFile = new ByteArrayOutputStream(pools[i].length + length);
+      classFile.write(in.readNBytes(HEADER));
+      classFile.write(pools[i]);
+      classFile.write(in.readNBytes(length - HEADER));
+      classes.put(names[i].replace('/', '.'), classFile.toByteArray());
+    }
+    return mainClass;
+  }
+
+  private static byte[] pool(DataInputStream in, String[] strings) throws IOException {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    DataOutputStream out = new DataOutputStream(bytes);
+    int count = in.readChar();
+    out.writeChar(count);
+    for (int i = 1; i < count; i++) {
+      int tag = in.readByte();
+      out.writeByte(tag);
+      if (tag == STRING) {
+        out.writeUTF(strings[in.readChar()]);
+      } else {
+        int size = size(tag);
+        out.write(in.readNBytes(size));
+        i += size / 8; // What is as wide as a long counts twice.
       }
     }
+    return bytes.toByteArray();
+  }
+
+  /** Bytes of a constant that is no string, by its tag (JVM specification, 4.4). */
+  private static int size(int tag) {
+    return switch (tag) {
+      case 5, 6 -> 8;
+      case 15 -> 3;
+      case 7, 8, 16, 19, 20 -> 2;
+      default -> 4;
+    };
   }
 
   private static InputStream resource(String name) throws IOException {

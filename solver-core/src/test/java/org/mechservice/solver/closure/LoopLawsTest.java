@@ -95,6 +95,21 @@ class LoopLawsTest {
         within);
   }
 
+  /** Neither loops of one equation too many nor loose tolerances make steps collapse. */
+  @CsvSource({"RR penalty, 1e-4", "RR-JF penalty, 1e-4", "RR-JF penalty, 1e-6"})
+  @ParameterizedTest
+  void stabilisedEquationsTakeNotManyMoreStepsThanIndependentCoordinates(
+      String formulation, double tolerance) {
+    for (List<JointType> types : List.of(EXACT, REDUNDANT)) {
+      RunSettings settings = new RunSettings(0, 2, 0.25, "ode15sR", tolerance, tolerance / 100);
+      long independent =
+          LoopModels.run(Linkages.fourBar(types, 3), "RR-JF", settings).report.steps();
+      long stabilised =
+          LoopModels.run(Linkages.fourBar(types, 3), formulation, settings).report.steps();
+      assertThat(stabilised).isLessThan(3 * independent);
+    }
+  }
+
   @Test
   void aCutJointDrivenMovesAsOneOfTheTreeDriven() {
     assertSame(

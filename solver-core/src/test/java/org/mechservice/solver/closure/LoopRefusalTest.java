@@ -21,6 +21,7 @@ import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
@@ -99,6 +100,26 @@ class LoopRefusalTest {
     fixed.initialState(given);
     assertThat(closed.start()).containsExactly(given);
     assertThat(closed.findings().get(0).part()).startsWith("constraint \"strut\"");
+  }
+
+  /** What is too little for a warning would stay in the equations of penalty closure. */
+  @Test
+  void aStartThatIsGivenToRoundingOnlyIsClosedAllTheSame() {
+    Mechanism exact = Linkages.slidingPendulum(0);
+    LoopClosure rod =
+        new DistanceClosure(
+            "rod",
+            new BodyPoint(BodyPoint.ROOT, Vector3.ZERO),
+            new BodyPoint(1, Vector3.ZERO),
+            1 + 1e-11,
+            0,
+            Origin.NONE);
+    Mechanism almost = Linkages.mechanism("almost", exact.bodies(), exact.joints(), List.of(rod));
+    ClosedMechanism closed = new ClosedMechanism(almost, "DSR", SETTINGS);
+    assertThat(closed.findings()).isEmpty();
+    ClosedTree work = new ClosedTree(closed.tree(), UserForceSource.NONE);
+    work.place(0, closed.start());
+    assertThat(work.loops.largestResidual()).isLessThan(1e-13);
   }
 
   @Test

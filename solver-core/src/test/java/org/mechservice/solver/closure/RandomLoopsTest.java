@@ -1,9 +1,14 @@
 package org.mechservice.solver.closure;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** Random closed mechanisms against the maximal coordinates of the oracle. */
@@ -31,5 +36,32 @@ class RandomLoopsTest {
                     .isLessThan(comparison.forwardBound()));
     assertThat(comparison.missing()).as("seed %s", seed).isLessThan(LoopComparison.MISSING);
     compared++;
+  }
+
+  /** Among them loops of bodies that cannot move, and one equation more than independent ones. */
+  @ParameterizedTest
+  @ValueSource(longs = {2, 7, 42, 68, 72})
+  void motionIsTheSameInEveryFormulation(long seed) {
+    Mechanism mechanism = LoopComparison.mechanism(seed);
+    double[] expected = atEnd(mechanism, "DSR", "ode113", 1e-10);
+    for (String formulation : List.of("DSR penalty", "RR", "RR-JF", "RR-JF penalty")) {
+      boolean residual = formulation.startsWith("RR");
+      double tolerance = residual ? 1e-7 : 1e-9;
+      double[] actual = atEnd(mechanism, formulation, residual ? "ode15sR" : "DE", tolerance);
+      for (int i = 1; i <= mechanism.positionCount(); i++) {
+        // a thousand tolerances, as for references
+        assertThat(actual[i])
+            .as("%s, position %s", formulation, i - 1)
+            .isCloseTo(expected[i], within(1000 * tolerance * (1 + Math.abs(expected[i]))));
+      }
+    }
+  }
+
+  private static double[] atEnd(
+      Mechanism mechanism, String formulation, String integrator, double tolerance) {
+    SceneRun run =
+        LoopModels.run(mechanism, formulation, SceneRun.settings(0.1, 0.1, integrator, tolerance));
+    assertThat(run.report.outcome()).as(formulation).isEqualTo(new Outcome.Completed());
+    return run.at(0.1);
   }
 }

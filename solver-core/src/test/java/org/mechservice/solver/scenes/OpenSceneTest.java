@@ -1,57 +1,13 @@
 package org.mechservice.solver.scenes;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
-import java.util.Arrays;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.RunSettings;
-import org.mechservice.solver.scenes.SharedScene.ReferenceState;
 
 /** The open scenes in every formulation against their references (SCENES §8). */
 class OpenSceneTest {
-  private static final RunSettings SETTINGS = new RunSettings(0, 1, 1, "ode113", 1e-6, 1e-8);
-
-  @ValueSource(
-      strings = {
-        "driver_C0",
-        "driver_CK100",
-        "driver_free_C0",
-        "driver_free_CK100",
-        "A05_flyball",
-        "pendulum5",
-        "double_pendulum",
-        "stiff_1e9_c0",
-        "stiff_1e9_c1e5",
-        "massratio_1e8_root",
-        "near_massless_0",
-        "dzhanibekov"
-      })
-  @ParameterizedTest
-  void accelerationsAtTheStartAreThoseOfTheReference(String name) {
-    SharedScene scene = SharedScene.named(name);
-    ReferenceState start = scene.reference().get(0);
-    assertThat(start.t()).isZero();
-    for (String formulation : new String[] {"DTR", "DSR"}) {
-      ExplicitModel model = OpenSceneRun.model(scene.mechanism(), formulation, SETTINGS);
-      int nq = start.q().length;
-      double[] y = Arrays.copyOf(start.q(), nq + start.v().length);
-      System.arraycopy(start.v(), 0, y, nq, start.v().length);
-      double[] yDot = new double[y.length];
-      assertThat(model.derivative(0, y, yDot)).isEqualTo(ExplicitModel.REGULAR);
-      double scale = Arrays.stream(start.a()).map(Math::abs).max().orElse(0);
-      for (int i = 0; i < start.a().length; i++) {
-        assertThat(yDot[nq + i])
-            .as("%s a%d", formulation, i)
-            .isCloseTo(start.a()[i], within(1e-11 * scale));
-      }
-    }
-  }
-
   /**
    * Bound 100 rtol, and not below ten times the reference's own doubt; measured errors are below 15
    * rtol.
@@ -103,6 +59,15 @@ class OpenSceneTest {
     SharedScene scene = SharedScene.named("pendulum5");
     OpenSceneRun run = OpenSceneRun.of(scene, formulation, integrator, 1e-8, 3, 0.1);
     assertThat(run.error()).isLessThan(100 * 1e-8);
+  }
+
+  /** A whip, which makes a hundred errors of one within its two seconds: 1e4 rtol. */
+  @CsvSource({"DTR, ode113", "DTR, DE", "DSR, ode15s", "RR, ode15sR", "RR-JF, ode15sR"})
+  @ParameterizedTest
+  void lightChainOnAHeavyRootMovesAsTheReference(String formulation, String integrator) {
+    SharedScene scene = SharedScene.named("massratio_1e8_root");
+    OpenSceneRun run = OpenSceneRun.of(scene, formulation, integrator, 1e-8, scene.end(), 0.1);
+    assertThat(run.error()).isLessThan(1e4 * 1e-8);
   }
 
   @CsvSource({"DTR, ode113", "DSR, DE", "DSR, ode15s", "RR-JF, ode15sR"})

@@ -48,6 +48,7 @@ class OpenTreeScenesTest {
   static Stream<Arguments> scenesWithAccelerations() {
     return Stream.of(
             "A01_simple_pendulum",
+            "A05_flyball",
             "double_pendulum",
             "pendulum5",
             "driver_C0",

@@ -18,6 +18,7 @@ import org.mechservice.report.measure.Progress;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.Method;
 import org.mechservice.report.method.MethodList;
+import org.mechservice.report.stability.ExtremeCase;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Outcome;
@@ -35,16 +36,25 @@ public final class Bench {
 
   private final Supplier<MechSession> sessions;
   private final boolean quick;
+  private final List<ExtremeCase> cases;
   private final Progress progress;
 
   /**
    * @param sessions opens one per scene
    * @param quick shorter runs, fewer points
+   * @param cases of the suite, for studies that run them all
    */
-  public Bench(Supplier<MechSession> sessions, boolean quick, Progress progress) {
+  public Bench(
+      Supplier<MechSession> sessions, boolean quick, List<ExtremeCase> cases, Progress progress) {
     this.sessions = sessions;
     this.quick = quick;
+    this.cases = List.copyOf(cases);
     this.progress = progress;
+  }
+
+  /** Returns the cases of the suite to run. */
+  List<ExtremeCase> cases() {
+    return cases;
   }
 
   /** Returns whether the figures are to be few. */
@@ -81,6 +91,14 @@ public final class Bench {
   <T> T with(String text, Function<MechSession, T> use) {
     try (MechSession session = sessions.get()) {
       session.loadModel("study.xml", text.getBytes(StandardCharsets.UTF_8));
+      return use.apply(session);
+    }
+  }
+
+  /** Loads a scene of the suite and does something with it. */
+  <T> T with(ExtremeCase wanted, Function<MechSession, T> use) {
+    try (MechSession session = sessions.get()) {
+      session.loadModel(wanted.file(), wanted.content());
       return use.apply(session);
     }
   }

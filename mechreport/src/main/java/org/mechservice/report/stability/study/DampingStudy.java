@@ -21,6 +21,9 @@ final class DampingStudy implements Study {
   private static final double TOLERANCE = 1e-5;
   private static final int REPEATS = 5;
 
+  /** Decay of an undamped chain, 1/s, is what rounding makes of 0. */
+  private static final double ROUNDING = 1e-3;
+
   private final Bench bench;
   private final double limit;
 
@@ -51,12 +54,7 @@ final class DampingStudy implements Study {
             + " rad each; 1 s, tolerance %.0e. %s against %s, processor time, median of %d warm"
             + " runs. Eigenvalues: of the equations linearised in the independent coordinates at"
             + " the start. Runs are stopped after %.0f s.",
-        BARS,
-        TOLERANCE,
-        EXPLICIT.name(),
-        IMPLICIT.name(),
-        REPEATS,
-        limit);
+        BARS, TOLERANCE, EXPLICIT.name(), IMPLICIT.name(), REPEATS, limit);
     StudyPage.Table table =
         page.table(
             "Sweeps",
@@ -82,10 +80,10 @@ final class DampingStudy implements Study {
         Pair pair = pair(table, stiffness, ratio);
         pairs.add(pair);
         String hover = "K = " + Bench.number(stiffness) + ", C/K = " + Bench.number(ratio);
-        if (pair.decay() > 0 && pair.explicit().completed()) {
+        if (pair.decay() > ROUNDING && pair.explicit().completed()) {
           explicit.add(value(pair.decay(), pair.explicit(), hover));
         }
-        if (pair.decay() > 0 && pair.implicit().completed()) {
+        if (pair.decay() > ROUNDING && pair.implicit().completed()) {
           implicit.add(value(pair.decay(), pair.implicit(), hover));
         }
       }

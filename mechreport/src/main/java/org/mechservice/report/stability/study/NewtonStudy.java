@@ -133,11 +133,7 @@ final class NewtonStudy implements Study {
     double h = 1e-2;
     StudyPage.Table table =
         page.table(
-            "Contraction against age, h = 0.01 s",
-            "age, s",
-            "full",
-            "forces only",
-            "differenced");
+            "Contraction against age, h = 0.01 s", "age, s", "full", "forces only", "differenced");
     SolverChart chart = new SolverChart("age of the Jacobian, s", "contraction");
     Map<Kind, double[]> rates = new EnumMap<>(Kind.class);
     for (Kind kind : Kind.values()) {

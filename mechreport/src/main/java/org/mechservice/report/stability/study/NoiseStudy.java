@@ -143,13 +143,7 @@ final class NoiseStudy implements Study {
       double[] end) {
     IntegratorSettings settings =
         new IntegratorSettings(
-            tolerance,
-            List.of(tolerance),
-            Double.POSITIVE_INFINITY,
-            0,
-            0,
-            MOST_STEPS,
-            () -> false);
+            tolerance, List.of(tolerance), Double.POSITIVE_INFINITY, 0, 0, MOST_STEPS, () -> false);
     Integrator integrator = maker.apply(settings);
     NoisyPendulum pendulum = new NoisyPendulum(noise);
     double[] start = {1, 0};

@@ -1,8 +1,10 @@
 package org.mechservice.report.stability.study;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
@@ -28,6 +30,9 @@ final class PeriodsStudy implements Study {
   private final Bench bench;
   private final double periods;
   private final double limit;
+
+  /** What is said of each invariant of each scene, one part per method. */
+  private final Map<String, List<String>> found = new LinkedHashMap<>();
 
   PeriodsStudy(Bench bench) {
     this.bench = bench;
@@ -78,8 +83,9 @@ final class PeriodsStudy implements Study {
     // A bar that swings to 1 rad about its lowest position: 2π √(2 l / 3 g) = 1.638 s, and 6.6 %.
     scene(page, table, "pendulum", pendulum(), 1.746, open, this::energy);
     // Without forces, about its largest inertia: ω √((3 − 1)(3 − 2) / (1 · 2)) = 1 rad/s.
-    String spin = Bench.replaced(Bench.scene("spin_1e3_asymmetric.xml"), "1e3*0.001;1e3*0.001;1e3",
-        "0.1;0.1;1");
+    String spin =
+        Bench.replaced(
+            Bench.scene("spin_1e3_asymmetric.xml"), "1e3*0.001;1e3*0.001;1e3", "0.1;0.1;1");
     scene(page, table, "free rotor", spin, 2 * Math.PI, open, this::momentum);
     List<Method> closed =
         List.of(
@@ -89,6 +95,7 @@ final class PeriodsStudy implements Study {
             new Method("RR-JF", "penalty", "ode15sR"));
     String fourBar = Bench.replaced(Bench.scene("start_off_1e-6.xml"), "3.000001", "3");
     scene(page, table, "four-bar", fourBar, 1.5, closed, this::loops);
+    found.forEach((what, said) -> page.finds("%s: %s.", what, String.join("; ", said)));
   }
 
   private static String pendulum() {
@@ -200,7 +207,7 @@ final class PeriodsStudy implements Study {
             double end = period * periods;
             Bench.Ran ran = Bench.run(candidate, end, end / ROWS, TOLERANCE, limit);
             for (Invariant invariant : invariants.of(session, candidate)) {
-              judge(page, table, chart, scene, method, invariant, ran, period);
+              judge(table, chart, scene, method, invariant, ran, period);
             }
           }
           return chart;
@@ -208,8 +215,7 @@ final class PeriodsStudy implements Study {
     page.shows(scene, bench.with(text, use));
   }
 
-  private static void judge(
-      StudyPage page,
+  private void judge(
       StudyPage.Table table,
       SolverChart chart,
       String scene,
@@ -251,16 +257,10 @@ final class PeriodsStudy implements Study {
         verdict,
         ran.report().steps() / turns,
         ran.completed() ? "yes" : ran.ending());
-    page.finds(
-        "%s, %s: %s %s (slope %.2f, %.1e after %.0f periods%s).",
-        scene,
-        method,
-        invariant.name(),
-        verdict,
-        slope,
-        worst,
-        turns,
-        ran.completed() ? "" : "; " + ran.ending());
+    String often = ran.completed() ? "" : String.format(Locale.ROOT, " after %.0f periods", turns);
+    found
+        .computeIfAbsent(scene + ", " + invariant.name(), key -> new ArrayList<>())
+        .add(String.format(Locale.ROOT, "%s %s (%.0e%s)", method, verdict, worst, often));
   }
 
   private static double slope(double[] drift) {

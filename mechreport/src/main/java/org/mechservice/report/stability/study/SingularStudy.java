@@ -73,8 +73,7 @@ final class SingularStudy implements Study {
     for (double distance : DISTANCES) {
       bench.at("distance " + Bench.number(distance), -Math.log10(distance) / 8);
       String text =
-          Bench.replaced(
-              Bench.scene("line_with_1e-12_to_spare.xml"), "3+1e-12", "3+" + distance);
+          Bench.replaced(Bench.scene("line_with_1e-12_to_spare.xml"), "3+1e-12", "3+" + distance);
       bench.with(text, session -> passage(session, distance, table, curves, last));
     }
     SolverChart chart = new SolverChart("distance, m", "largest error over time");
@@ -111,13 +110,10 @@ final class SingularStudy implements Study {
     RunGrid grid = RunGrid.uniform(0, model.description().defaults().tEnd(), 20);
     Judge judge =
         Judge.of(
-            Optional.empty(),
-            sources,
-            new ReferenceMaker(measure, referenceLimit),
-            measure,
-            grid);
+            Optional.empty(), sources, new ReferenceMaker(measure, referenceLimit), measure, grid);
     if (judge.reference().isEmpty()) {
-      table.row(distance, "none", Double.NaN, Double.NaN, Double.NaN, Double.NaN, 0, 0, judge.doubt());
+      table.row(
+          distance, "none", Double.NaN, Double.NaN, Double.NaN, Double.NaN, 0, 0, judge.doubt());
       return false;
     }
     double floor = judge.reference().orElseThrow().worstFloor();

@@ -87,8 +87,12 @@ final class StartStudy implements Study {
               outcome.said());
           worstResidual = Math.max(worstResidual, Math.max(outcome.open(), outcome.opening()));
           if (Double.isNaN(outcome.left())) {
-            failures.add(method + " with " + (ofPositions ? "positions" : "velocities") + " off by "
-                + Bench.number(offset));
+            failures.add(
+                method
+                    + " with "
+                    + (ofPositions ? "positions" : "velocities")
+                    + " off by "
+                    + Bench.number(offset));
           } else {
             worstLeft = Math.max(worstLeft, outcome.left());
           }
@@ -166,7 +170,8 @@ final class StartStudy implements Study {
     Optional<LoopForces> loops =
         LoopForces.of(
             session
-                .fetchModel(MethodList.options(method).compact().columns(Set.of(ColumnGroup.CONSTRAINTS)))
+                .fetchModel(
+                    MethodList.options(method).compact().columns(Set.of(ColumnGroup.CONSTRAINTS)))
                 .newModel());
     double open = loops.map(known -> known.residual(0, start)).orElse(Double.NaN);
     double opening = loops.map(known -> known.residualRate(0, start)).orElse(Double.NaN);

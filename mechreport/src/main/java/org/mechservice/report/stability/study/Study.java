@@ -3,7 +3,6 @@ package org.mechservice.report.stability.study;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import org.mechservice.report.measure.Progress;
 
 /** One property measured. */
 public interface Study {
@@ -24,7 +23,8 @@ public interface Study {
         new StartStudy(bench),
         new ConditionStudy(bench),
         new NewtonStudy(bench),
-        new AutoStudy(bench));
+        new AutoStudy(bench),
+        new ServiceStudy(bench));
   }
 
   /**
@@ -32,10 +32,13 @@ public interface Study {
    *
    * @throws IOException if they cannot be written
    */
-  default Path write(Path folder, Progress progress) throws IOException {
-    progress.at(name(), 0, Double.NaN);
+  default Path write(Path folder, Bench bench) throws IOException {
+    bench.at(name(), 0);
     StudyPage page = new StudyPage("stability-" + name());
     measure(page);
+    if (bench.quick()) {
+      page.notes("Measured quickly: shorter runs and fewer points than a full measurement.");
+    }
     return page.write(folder);
   }
 }

@@ -116,7 +116,9 @@ public final class StudyPage {
     }
     boolean plain = size >= 1e-2 && size < 1e5;
     return String.format(
-        Locale.ROOT, plain ? (size >= 100 ? "%.0f" : size >= 10 ? "%.1f" : "%.3g") : "%.1e", number);
+        Locale.ROOT,
+        plain ? (size >= 100 ? "%.0f" : size >= 10 ? "%.1f" : "%.3g") : "%.1e",
+        number);
   }
 
   /** Writes page and figures. */

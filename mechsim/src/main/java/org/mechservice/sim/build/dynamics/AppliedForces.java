@@ -15,7 +15,6 @@ import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
-import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
 import org.mechservice.solver.mechanism.force.ForceElement;
@@ -43,7 +42,7 @@ final class AppliedForces {
     this.points = new BodyPoints(expressions, mechanism);
     this.joints = new JointLinks(expressions, mechanism, coordinates);
     this.kinematics = new LinkKinematics(program, mechanism, coordinates);
-    this.formulas = new StateFormulas(expressions, mechanism, joints, points, kinematics);
+    this.formulas = new StateFormulas(expressions, joints, points, kinematics);
   }
 
   /** Returns where links are and how they move. */
@@ -141,18 +140,22 @@ final class AppliedForces {
     throw new IllegalArgumentException("no equations for force " + element.name());
   }
 
-  /** Coefficients are numbers: they depend on parameters alone. */
+  /** Some coefficients must be known when code is generated, since it depends on them. */
   private double number(Expression coefficient) {
-    return formulas.scalar(coefficient).value();
+    Scalar value = formulas.scalar(coefficient);
+    if (!value.isConstant()) {
+      throw new IllegalArgumentException("no code is generated for a parameter in " + coefficient);
+    }
+    return value.value();
   }
 
   private SpringLaw law(SpringDamper s) {
     return new SpringLaw(
         s.side(),
-        number(s.stiffness()),
-        number(s.damping()),
-        number(s.length0()),
-        number(s.force0()),
+        formulas.scalar(s.stiffness()),
+        formulas.scalar(s.damping()),
+        formulas.scalar(s.length0()),
+        formulas.scalar(s.force0()),
         number(s.smoothing()));
   }
 
@@ -170,10 +173,10 @@ final class AppliedForces {
     SpringLaw law =
         new SpringLaw(
             s.side(),
-            number(s.stiffness()),
-            number(s.damping()),
-            number(s.position0()),
-            -number(s.force0()),
+            formulas.scalar(s.stiffness()),
+            formulas.scalar(s.damping()),
+            formulas.scalar(s.position0()),
+            formulas.scalar(s.force0()).negated(),
             number(s.smoothing()));
     Scalar q = joints.position(position);
     Scalar v = joints.velocity(velocity);
@@ -188,10 +191,10 @@ final class AppliedForces {
   private ForceTerm friction(JointFriction f) {
     JointCoordinate coordinate = ofTree(f.coordinate());
     Scalar v = joints.velocity(coordinate);
-    Scalar force = v.times(-number(f.viscous()));
-    double dry = number(f.coulomb());
-    if (dry != 0) {
-      Scalar speed = expressions.constant(number(f.speed()));
+    Scalar force = v.times(formulas.scalar(f.viscous()).negated());
+    Scalar dry = formulas.scalar(f.coulomb());
+    if (!dry.isZero()) {
+      Scalar speed = formulas.scalar(f.speed());
       Scalar root = v.squared().plus(speed.squared()).squareRoot();
       force = force.minus(v.over(root).times(dry));
     }
@@ -222,7 +225,7 @@ final class AppliedForces {
     BodyFrame sphere = new BodyFrame(f.center().body(), f.center().position(), Rotation.IDENTITY);
     FrameMotion frames = new FrameMotion(kinematics, points, f.surface(), sphere);
     Scalar x = frames.displacement().x();
-    Profile profile = new Profile(expressions, mechanism.mechanism().parameters());
+    Profile profile = new Profile(expressions);
     Scalar height = profile.scalar(f.height());
     Substitution place = new Substitution(profile.way(), x);
     return new ContactTerm(
@@ -252,12 +255,10 @@ final class AppliedForces {
   /** The height of a profile as a formula of the way along it. */
   private static final class Profile extends Formulas {
     private final Expressions expressions;
-    private final List<Parameter> parameters;
 
-    Profile(Expressions expressions, List<Parameter> parameters) {
+    Profile(Expressions expressions) {
       super(expressions);
       this.expressions = expressions;
-      this.parameters = parameters;
     }
 
     /** Returns what stands for the way until it is known. */
@@ -270,7 +271,7 @@ final class AppliedForces {
       if (leaf instanceof Expression.Argument) {
         return way();
       } else if (leaf instanceof Expression.ParameterValue parameter) {
-        return expressions.constant(parameters.get(parameter.index()).value());
+        return expressions.input(Program.PARAMETER + parameter.index());
       }
       throw new IllegalArgumentException("a profile depends on " + leaf);
     }

@@ -31,7 +31,7 @@ final class Coordinates {
     this.program = program;
     this.derivative = derivative;
     this.expressions = program.expressions();
-    this.functions = new TimeFunctions(expressions, links.mechanism().parameters());
+    this.functions = new TimeFunctions(expressions);
     this.byTime =
         new Differentiation(
             expressions, Map.of(expressions.input(Program.TIME), expressions.one()));

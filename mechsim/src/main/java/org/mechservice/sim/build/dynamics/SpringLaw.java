@@ -16,12 +16,12 @@ import org.mechservice.solver.mechanism.force.Side;
  * @param preload F0
  * @param eps smoothing of pos
  */
-record SpringLaw(Side side, double k, double c, double rest, double preload, double eps) {
+record SpringLaw(Side side, Scalar k, Scalar c, Scalar rest, Scalar preload, double eps) {
   /** Tension, relative to the terms it is made of, that counts as none. */
   private static final double NO_TENSION = 1e-9;
 
   private Scalar elongation(Scalar z) {
-    return z.minus(z.expressions().constant(rest));
+    return z.minus(rest);
   }
 
   private SmoothPart part(Scalar z) {
@@ -31,13 +31,15 @@ record SpringLaw(Side side, double k, double c, double rest, double preload, dou
 
   /** Returns whether there is no tension at z = z′ = 0, up to rounding of its terms. */
   boolean isSlackAtZero(Expressions e) {
-    double scale = Math.abs(preload) + Math.abs(k) * (Math.abs(rest) + eps);
-    return Math.abs(tension(e.zero(), e.zero()).value()) <= NO_TENSION * scale;
+    Scalar tension = tension(e.zero(), e.zero());
+    double size = Math.abs(k.value()) * (Math.abs(rest.value()) + eps);
+    double scale = Math.abs(preload.value()) + size;
+    return tension.isConstant() && Math.abs(tension.value()) <= NO_TENSION * scale;
   }
 
   /** Returns the damper's part of the tension. */
   Scalar dampingForce(Scalar z, Scalar rate) {
-    if (c == 0) {
+    if (c.isZero()) {
       return z.expressions().zero();
     }
     Scalar force = rate.times(c);
@@ -49,9 +51,10 @@ record SpringLaw(Side side, double k, double c, double rest, double preload, dou
     Expressions e = z.expressions();
     Scalar damping = dampingForce(z, rate);
     if (side == Side.BOTH) {
-      return e.constant(preload).plus(elongation(z).times(k)).plus(damping);
+      return preload.plus(elongation(z).times(k)).plus(damping);
     }
-    Scalar spring = k == 0 ? e.zero() : part(z).value().times(side == Side.ABOVE ? k : -k);
+    Scalar spring =
+        k.isZero() ? e.zero() : part(z).value().times(side == Side.ABOVE ? k : k.negated());
     return spring.plus(damping);
   }
 
@@ -60,8 +63,8 @@ record SpringLaw(Side side, double k, double c, double rest, double preload, dou
     Expressions e = z.expressions();
     if (side == Side.BOTH) {
       Scalar x = elongation(z);
-      return x.times(0.5 * k).plus(e.constant(preload)).times(x);
+      return x.times(k.times(0.5)).plus(preload).times(x);
     }
-    return k == 0 ? e.zero() : part(z).integral(1).times(k);
+    return k.isZero() ? e.zero() : part(z).integral(1).times(k);
   }
 }

@@ -1,6 +1,5 @@
 package org.mechservice.sim.build.dynamics;
 
-import java.util.List;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
@@ -9,25 +8,18 @@ import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
-import org.mechservice.solver.mechanism.Parameter;
 
-/** Formulas of time, parameters and the state as scalars; parameters are folded. */
+/** Formulas of time, parameters and the state as scalars; parameters are inputs. */
 final class StateFormulas extends Formulas {
   private final Expressions expressions;
-  private final List<Parameter> parameters;
   private final JointLinks joints;
   private final BodyPoints points;
   private final LinkKinematics kinematics;
 
   StateFormulas(
-      Expressions expressions,
-      Links mechanism,
-      JointLinks joints,
-      BodyPoints points,
-      LinkKinematics kinematics) {
+      Expressions expressions, JointLinks joints, BodyPoints points, LinkKinematics kinematics) {
     super(expressions);
     this.expressions = expressions;
-    this.parameters = mechanism.mechanism().parameters();
     this.joints = joints;
     this.points = points;
     this.kinematics = kinematics;
@@ -38,7 +30,7 @@ final class StateFormulas extends Formulas {
     if (leaf instanceof Expression.Time) {
       return expressions.input(Program.TIME);
     } else if (leaf instanceof Expression.ParameterValue parameter) {
-      return expressions.constant(parameters.get(parameter.index()).value());
+      return expressions.input(Program.PARAMETER + parameter.index());
     } else if (leaf instanceof Expression.CoordinatePosition position) {
       return joints.position(joint(position.coordinate()));
     } else if (leaf instanceof Expression.CoordinateVelocity velocity) {

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.mechservice.solver.analysis.ExtendedSource;
+import org.mechservice.solver.api.Model;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.compact.CompactSource;
 import org.mechservice.solver.force.UserForceSource;
@@ -39,7 +40,10 @@ public record CompactClass(
   @Override
   public String simpleName() {
     String name = JavaText.className(model.mechanism().name());
-    return generated.isEmpty() ? name : name + "WithColumns";
+    if (generated.isEmpty()) {
+      return name;
+    }
+    return name + (columns.isEmpty() ? "WithData" : "WithColumns");
   }
 
   private Class<?> base() {
@@ -78,7 +82,8 @@ public record CompactClass(
     if (!generated.isEmpty()) {
       source.line("@Override");
       source.open("protected Object bare(CompactModel data, UserForceSource userForces)");
-      source.line("return new " + generated + "();");
+      String given = hasParameters() ? "data.parameterValues()" : "";
+      source.line("return data.watched(new " + generated + "(" + given + "));");
       source.close().blank();
     }
     source.line("@Override").open("protected String[] texts()");
@@ -125,6 +130,10 @@ public record CompactClass(
     return file.toByteArray();
   }
 
+  private boolean hasParameters() {
+    return !model.mechanism().parameters().isEmpty();
+  }
+
   private static String internal(String simpleName) {
     return (ModelClass.PACKAGE + "." + simpleName).replace('.', '/');
   }
@@ -141,10 +150,22 @@ public record CompactClass(
 
   private void bare(ClassWriter file) {
     MethodVisitor code = ClassMethods.begin(file, Opcodes.ACC_PROTECTED, "bare", BARE);
+    String data = Type.getInternalName(CompactModel.class);
+    String model = Type.getDescriptor(Model.class);
+    code.visitVarInsn(Opcodes.ALOAD, 1);
     code.visitTypeInsn(Opcodes.NEW, internal(generated));
     code.visitInsn(Opcodes.DUP);
+    if (hasParameters()) {
+      code.visitVarInsn(Opcodes.ALOAD, 1);
+      code.visitMethodInsn(Opcodes.INVOKEVIRTUAL, data, "parameterValues", "()[D", false);
+    }
     code.visitMethodInsn(
-        Opcodes.INVOKESPECIAL, internal(generated), "<init>", NOTHING_TO_VOID, false);
+        Opcodes.INVOKESPECIAL,
+        internal(generated),
+        "<init>",
+        hasParameters() ? "([D)V" : NOTHING_TO_VOID,
+        false);
+    code.visitMethodInsn(Opcodes.INVOKEVIRTUAL, data, "watched", "(" + model + ")" + model, false);
     ClassMethods.end(code, Opcodes.ARETURN);
   }
 

@@ -1,6 +1,7 @@
 package org.mechservice.sim.build.emit;
 
 import java.util.List;
+import org.mechservice.sim.symbolic.Program;
 
 /**
  * The method of a model that runs a program.
@@ -22,8 +23,19 @@ record Head(
    */
   record Argument(String name, boolean isArray, int first) {}
 
+  /** The parameters of the model: a field of its own that every method is given. */
+  static final Argument MODEL_PARAMETERS = new Argument("p", true, Program.PARAMETER);
+
+  /** Returns whether an input is a parameter of the model. */
+  static boolean isModelParameter(int input) {
+    return input >= Program.PARAMETER && input < Program.PLACEHOLDER;
+  }
+
   /** Returns the parameter that gives an input: the one that begins last at or before it. */
   Argument argumentOf(int input) {
+    if (isModelParameter(input)) {
+      return MODEL_PARAMETERS;
+    }
     Argument found = arguments.get(0);
     for (Argument argument : arguments) {
       boolean later = found.first() > input || argument.first() > found.first();

@@ -14,7 +14,18 @@ import org.mechservice.sim.symbolic.Scalar;
 final class LocalNames {
   /** Names that the methods use for something else. */
   private static final Set<String> TAKEN =
-      Set.of("t", "y", "yDot", "energy", "poses", "residual", "w", "i", "singular");
+      Set.of(
+          "t",
+          "y",
+          "yDot",
+          "energy",
+          "poses",
+          "residual",
+          "derivatives",
+          "w",
+          "p",
+          "i",
+          "singular");
 
   private final Map<Scalar, String> names = new HashMap<>();
   private final Map<String, Integer> numberOf = new HashMap<>();

@@ -88,7 +88,8 @@ final class ModelBytes {
 
   private void constructor() {
     int slots = plan.slots();
-    MethodVisitor code = ClassMethods.beginPublic(classFile, "<init>", "()V");
+    String given = plan.hasParameters() ? "([D)V" : "()V";
+    MethodVisitor code = ClassMethods.beginPublic(classFile, "<init>", given);
     code.visitVarInsn(Opcodes.ALOAD, 0);
     plan.base().arguments().forEach(code::visitLdcInsn);
     code.visitMethodInsn(
@@ -99,6 +100,13 @@ final class ModelBytes {
         false);
     if (slots > 0) {
       array(code, Parameters.WORKSPACE, slots);
+    }
+    if (plan.hasParameters()) {
+      String field = Head.MODEL_PARAMETERS.name();
+      field(field);
+      code.visitVarInsn(Opcodes.ALOAD, 0);
+      code.visitVarInsn(Opcodes.ALOAD, 1);
+      code.visitFieldInsn(Opcodes.PUTFIELD, className, field, "[D");
     }
     if (plan.power().isPresent()) {
       array(code, "power", 1);
@@ -111,12 +119,16 @@ final class ModelBytes {
 
   /** {@code private final double[] name = new double[length]}. */
   private void array(MethodVisitor code, String name, int length) {
-    int access = Opcodes.ACC_PRIVATE | Opcodes.ACC_FINAL;
-    classFile.visitField(access, name, "[D", null, null).visitEnd();
+    field(name);
     code.visitVarInsn(Opcodes.ALOAD, 0);
     new NumberCode(code).push(length);
     code.visitIntInsn(Opcodes.NEWARRAY, Opcodes.T_DOUBLE);
     code.visitFieldInsn(Opcodes.PUTFIELD, className, name, "[D");
+  }
+
+  private void field(String name) {
+    int access = Opcodes.ACC_PRIVATE | Opcodes.ACC_FINAL;
+    classFile.visitField(access, name, "[D", null, null).visitEnd();
   }
 
   private void describe() {

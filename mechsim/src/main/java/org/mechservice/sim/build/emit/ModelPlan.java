@@ -191,6 +191,11 @@ public final class ModelPlan implements WrittenClass {
         .orElse(new Base(Object.class, List.of()));
   }
 
+  /** Returns whether the class is given the values of parameters. */
+  boolean hasParameters() {
+    return !content.mechanism().parameters().isEmpty();
+  }
+
   /** Returns the interfaces the class implements beyond those of its base, in order. */
   List<Class<?>> interfaces() {
     List<Class<?>> interfaces = new ArrayList<>();

@@ -39,6 +39,9 @@ final class ModelSource {
     if (slots > 0) {
       source.line("private final double[] w = new double[" + slots + "];");
     }
+    if (plan.hasParameters()) {
+      source.line("private final double[] p;");
+    }
     plan.power().ifPresent(p -> source.line("private final double[] power = new double[1];"));
     plan.forces()
         .ifPresent(
@@ -58,12 +61,20 @@ final class ModelSource {
 
   private void construct() {
     List<String> arguments = plan.base().arguments();
+    if (!arguments.isEmpty() || plan.hasParameters()) {
+      String given = plan.hasParameters() ? "double[] p" : "";
+      source.blank().open("public " + plan.simpleName() + "(" + given + ")");
+    }
     if (!arguments.isEmpty()) {
-      source.blank().open("public " + plan.simpleName() + "()");
       source.line(
           arguments.stream()
               .map(JavaText::literal)
               .collect(Collectors.joining(", ", "super(", ");")));
+    }
+    if (plan.hasParameters()) {
+      source.line("this.p = p;");
+    }
+    if (!arguments.isEmpty() || plan.hasParameters()) {
       source.close();
     }
   }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.objectweb.asm.Opcodes;
 
-/** Slots and types of what a method is given, the workspace last. */
+/** Slots and types of what a method is given, fields last. */
 final class Parameters {
   /** Name of the workspace. */
   static final String WORKSPACE = "w";
@@ -16,22 +16,22 @@ final class Parameters {
 
   private Parameters() {}
 
-  /** The method of the interface: the instance, the parameters, then the workspace if any. */
-  static Parameters ofInstance(Head head, String className, boolean workspace) {
+  /** The method of the interface: the instance, the parameters, then fields that are arrays. */
+  static Parameters ofInstance(Head head, String className, List<String> fields) {
     Parameters parameters = new Parameters();
     parameters.add("this", className, 1);
-    parameters.addAll(head.arguments(), head, workspace);
+    parameters.addAll(head.arguments(), head, fields);
     return parameters;
   }
 
-  /** A part: what the program reads, the output and the workspace. */
-  static Parameters ofPart(Head head, List<Head.Argument> arguments, boolean workspace) {
+  /** A part: what the program reads, the output and fields. */
+  static Parameters ofPart(Head head, List<Head.Argument> arguments, List<String> fields) {
     Parameters parameters = new Parameters();
-    parameters.addAll(arguments, head, workspace);
+    parameters.addAll(arguments, head, fields);
     return parameters;
   }
 
-  private void addAll(List<Head.Argument> arguments, Head head, boolean workspace) {
+  private void addAll(List<Head.Argument> arguments, Head head, List<String> fields) {
     for (Head.Argument argument : arguments) {
       if (argument.isArray()) {
         add(argument.name(), "[D", 1);
@@ -40,9 +40,7 @@ final class Parameters {
       }
     }
     add(head.output(), "[D", 1);
-    if (workspace) {
-      add(WORKSPACE, "[D", 1);
-    }
+    fields.forEach(field -> add(field, "[D", 1));
   }
 
   private void add(String name, Object type, int size) {

@@ -16,7 +16,7 @@ final class ProgramBytes {
   private final String className;
   private final Head head;
   private final ProgramPlan plan;
-  private final boolean workspace;
+  private final List<String> fields;
 
   /**
    * @param className internal name of the class
@@ -26,7 +26,7 @@ final class ProgramBytes {
     this.className = className;
     this.head = head;
     this.plan = plan;
-    this.workspace = plan.slots() > 0;
+    this.fields = plan.fields();
   }
 
   /** Goes to the beginning, or before the end, of the method of the interface. */
@@ -36,7 +36,7 @@ final class ProgramBytes {
 
   /** Writes the method of the interface and its parts. */
   void method(Extra first, Extra last) {
-    Parameters parameters = Parameters.ofInstance(head, className, workspace);
+    Parameters parameters = Parameters.ofInstance(head, className, fields);
     String descriptor = Parameters.descriptor(head.arguments(), "[D", head.returnsResult());
     MethodVisitor code =
         ClassMethods.begin(
@@ -44,10 +44,10 @@ final class ProgramBytes {
             head.isPublic() ? Opcodes.ACC_PUBLIC : Opcodes.ACC_PRIVATE,
             head.name(),
             descriptor);
-    if (workspace) {
+    for (String field : fields) {
       code.visitVarInsn(Opcodes.ALOAD, 0);
-      code.visitFieldInsn(Opcodes.GETFIELD, className, Parameters.WORKSPACE, "[D");
-      code.visitVarInsn(Opcodes.ASTORE, parameters.slotOf(Parameters.WORKSPACE));
+      code.visitFieldInsn(Opcodes.GETFIELD, className, field, "[D");
+      code.visitVarInsn(Opcodes.ASTORE, parameters.slotOf(field));
     }
     MethodPlan only = plan.methods().size() == 1 ? plan.methods().get(0) : NONE;
     LocalSlots locals = new LocalSlots(only, parameters.end());
@@ -118,8 +118,8 @@ final class ProgramBytes {
         code.visitVarInsn(argument.isArray() ? Opcodes.ALOAD : Opcodes.DLOAD, slot);
       }
       code.visitVarInsn(Opcodes.ALOAD, parameters.slotOf(head.output()));
-      if (workspace) {
-        code.visitVarInsn(Opcodes.ALOAD, parameters.slotOf(Parameters.WORKSPACE));
+      for (String field : fields) {
+        code.visitVarInsn(Opcodes.ALOAD, parameters.slotOf(field));
       }
       code.visitMethodInsn(
           Opcodes.INVOKESTATIC,
@@ -133,9 +133,9 @@ final class ProgramBytes {
     }
   }
 
-  /** The output and the workspace, if there is one. */
+  /** The output and the fields. */
   private String partRest() {
-    return workspace ? "[D[D" : "[D";
+    return "[D" + "[D".repeat(fields.size());
   }
 
   private static void returnUnlessRegular(MethodVisitor code, Parameters parameters) {
@@ -156,7 +156,7 @@ final class ProgramBytes {
     List<Head.Argument> arguments = plan.arguments(head);
     for (int i = 0; i < plan.methods().size(); i++) {
       MethodPlan part = plan.methods().get(i);
-      Parameters parameters = Parameters.ofPart(head, arguments, workspace);
+      Parameters parameters = Parameters.ofPart(head, arguments, fields);
       MethodVisitor code =
           ClassMethods.begin(
               classFile,

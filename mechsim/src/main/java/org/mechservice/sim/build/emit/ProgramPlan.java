@@ -38,6 +38,28 @@ record ProgramPlan(Program program, Usage usage, List<MethodPlan> methods, int s
     return run;
   }
 
+  /** Returns whether parameters of the model are read. */
+  boolean readsModelParameters() {
+    for (Scalar node : usage.given()) {
+      if (node.operation() == Operation.INPUT && Head.isModelParameter(node.index())) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Returns the fields that every method of the program is given: workspace and parameters. */
+  List<String> fields() {
+    List<String> fields = new ArrayList<>();
+    if (slots > 0) {
+      fields.add(Parameters.WORKSPACE);
+    }
+    if (readsModelParameters()) {
+      fields.add(Head.MODEL_PARAMETERS.name());
+    }
+    return fields;
+  }
+
   /** Returns the parameters of a method that the program reads: all arrays, and numbers it uses. */
   List<Head.Argument> arguments(Head head) {
     List<Head.Argument> read = new ArrayList<>();

@@ -2,6 +2,7 @@ package org.mechservice.sim.build.emit;
 
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import org.mechservice.sim.symbolic.Scalar;
 
 /** Writes a planned program as Java methods. */
@@ -35,9 +36,7 @@ final class ProgramPrinter {
             + "("
             + parameters(head.arguments())
             + ")");
-    if (plan.slots() > 0) {
-      source.line("double[] w = this.w;");
-    }
+    plan.fields().forEach(field -> source.line("double[] " + field + " = this." + field + ";"));
     first.forEach(source::line);
     angles();
     if (!plan.angles().isEmpty()) {
@@ -120,7 +119,9 @@ final class ProgramPrinter {
     for (Head.Argument argument : arguments) {
       list.append(argument.name()).append(", ");
     }
-    return list.append(head.output()).append(plan.slots() > 0 ? ", w" : "").toString();
+    list.append(head.output());
+    plan.fields().forEach(field -> list.append(", ").append(field));
+    return list.toString();
   }
 
   private void parts() {
@@ -134,7 +135,8 @@ final class ProgramPrinter {
               + (i + 1)
               + "("
               + parameters(plan.arguments(head))
-              + (plan.slots() > 0 ? ", double[] w)" : ")"));
+              + plan.fields().stream().map(", double[] "::concat).collect(Collectors.joining())
+              + ")");
       body(part);
       if (part.checks()) {
         source.line("return REGULAR;");

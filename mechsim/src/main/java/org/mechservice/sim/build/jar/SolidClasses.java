@@ -1,6 +1,8 @@
 package org.mechservice.sim.build.jar;
 
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -8,23 +10,79 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.SortedMap;
+import java.util.TreeMap;
+import org.mechservice.solver.standalone.Launcher;
+import org.objectweb.asm.ClassReader;
 
 /**
- * Classes one after the other in one file, which compresses far better than many small ones, best
- * if like stands beside like; read by the {@link org.mechservice.solver.standalone.Launcher} of a
- * standalone JAR.
+ * Classes in one file, which compresses far better than many small ones: what they name is told
+ * once for all, and like stands beside like. Read by the {@link Launcher} of a standalone JAR.
  */
 public final class SolidClasses {
-  private static final String CLASS = ".class";
-
   /** By package, in it by size: neighbours share names, and small classes are alike. */
   private static final Comparator<Map.Entry<String, byte[]>> ORDER =
       Comparator.comparing((Map.Entry<String, byte[]> file) -> packageOf(file.getKey()))
           .thenComparing(file -> file.getValue().length)
           .thenComparing(Map.Entry::getKey);
 
-  private SolidClasses() {}
+  /** A class file, and where its constants are. */
+  @SuppressWarnings("ArrayRecordComponent") // never changed
+  private record Content(byte[] bytes, ClassReader reader) {
+    Content(byte[] bytes) {
+      this(bytes, new ClassReader(bytes));
+    }
+
+    int constants() {
+      return reader.getItemCount();
+    }
+
+    /** Returns the tag of a constant; 0 for the unused second half of a long or double. */
+    int tag(int item) {
+      int at = reader.getItem(item);
+      return at == 0 ? 0 : bytes[at - 1];
+    }
+
+    String string(int item) throws IOException {
+      int at = reader.getItem(item);
+      return new DataInputStream(new ByteArrayInputStream(bytes, at, bytes.length - at)).readUTF();
+    }
+
+    /** Returns where a constant ends: at the tag of the next, or where the pool ends. */
+    int end(int item) {
+      for (int next = item + 1; next < constants(); next++) {
+        if (reader.getItem(next) != 0) {
+          return reader.getItem(next) - 1;
+        }
+      }
+      return reader.header;
+    }
+  }
+
+  private final List<Content> classes = new ArrayList<>();
+  private final SortedMap<String, Integer> strings = new TreeMap<>();
+
+  private SolidClasses(SortedMap<String, byte[]> classFiles) throws IOException {
+    List<Map.Entry<String, byte[]>> files = new ArrayList<>(classFiles.entrySet());
+    files.sort(ORDER);
+    for (Map.Entry<String, byte[]> file : files) {
+      Content content = new Content(file.getValue());
+      classes.add(content);
+      for (int item = 1; item < content.constants(); item++) {
+        if (content.tag(item) == Launcher.STRING) {
+          strings.put(content.string(item), 0);
+        }
+      }
+    }
+    int number = 0;
+    for (Map.Entry<String, Integer> string : strings.entrySet()) {
+      string.setValue(number++);
+    }
+    if (number > Character.MAX_VALUE) {
+      throw new IllegalArgumentException("the classes name " + number + " things, too many");
+    }
+  }
 
   /**
    * Returns the file.
@@ -36,19 +94,50 @@ public final class SolidClasses {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     try (DataOutputStream out = new DataOutputStream(bytes)) {
       out.writeUTF(mainClass);
-      out.writeInt(classFiles.size());
-      List<Map.Entry<String, byte[]>> files = new ArrayList<>(classFiles.entrySet());
-      files.sort(ORDER);
-      for (Map.Entry<String, byte[]> file : files) {
-        String path = file.getKey();
-        out.writeUTF(path.substring(0, path.length() - CLASS.length()).replace('/', '.'));
-        out.writeInt(file.getValue().length);
-        out.write(file.getValue());
-      }
+      new SolidClasses(classFiles).write(out);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
     return bytes.toByteArray();
+  }
+
+  private void write(DataOutputStream out) throws IOException {
+    out.writeInt(strings.size());
+    for (String string : strings.keySet()) {
+      out.writeUTF(string);
+    }
+    out.writeInt(classes.size());
+    for (Content content : classes) {
+      out.writeChar(number(content.reader().getClassName()));
+      writePool(content, out);
+    }
+    for (Content content : classes) {
+      int rest = content.bytes().length - content.reader().header;
+      out.writeInt(Launcher.HEADER + rest);
+      out.write(content.bytes(), 0, Launcher.HEADER);
+      out.write(content.bytes(), content.reader().header, rest);
+    }
+  }
+
+  private void writePool(Content content, DataOutputStream out) throws IOException {
+    out.writeChar(content.constants());
+    for (int item = 1; item < content.constants(); item++) {
+      int tag = content.tag(item);
+      if (tag == 0) {
+        continue;
+      }
+      out.writeByte(tag);
+      if (tag == Launcher.STRING) {
+        out.writeChar(number(content.string(item)));
+      } else {
+        int at = content.reader().getItem(item);
+        out.write(content.bytes(), at, content.end(item) - at);
+      }
+    }
+  }
+
+  private int number(String string) {
+    return Objects.requireNonNull(strings.get(string));
   }
 
   private static String packageOf(String path) {

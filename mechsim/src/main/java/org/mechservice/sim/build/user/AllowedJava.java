@@ -1,5 +1,6 @@
 package org.mechservice.sim.build.user;
 
+import java.util.Collections;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
@@ -84,6 +85,18 @@ final class AllowedJava {
 
   private static void add(String packageName, String simpleNames) {
     Stream.of(simpleNames.split(" ", -1)).map(packageName::concat).forEach(CLASSES::add);
+  }
+
+  /**
+   * Returns the members that are refused although their class is allowed, as {@code owner.name}.
+   */
+  static Set<String> forbiddenMembers() {
+    return FORBIDDEN;
+  }
+
+  /** Returns the internal names of the classes that are allowed. */
+  static Set<String> classes() {
+    return Collections.unmodifiableSet(CLASSES);
   }
 
   static boolean isClass(String internalName) {

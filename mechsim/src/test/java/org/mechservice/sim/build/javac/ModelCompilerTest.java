@@ -41,7 +41,7 @@ class ModelCompilerTest {
     for (String type :
         new String[] {
           "org.mechservice.sim.build.ModelFactory",
-          "org.mechservice.solver.dynamics.DataDrivenModel",
+          "org.mechservice.solver.simulation.Simulation",
           "com.google.gson.Gson"
         }) {
       String source = "package org.mechservice.model; class A { " + type + " x; }";

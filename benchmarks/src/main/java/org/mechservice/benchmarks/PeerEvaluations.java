@@ -1,0 +1,37 @@
+package org.mechservice.benchmarks;
+
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.dynamics.DataDrivenModel;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Setup;
+
+/** Forward dynamics of the models that other programs are measured with, see {@code peers}. */
+public class PeerEvaluations extends Measured {
+  /** What is evaluated. */
+  @Param({"pend5", "pend5s", "driver41", "spatial200", "driver"})
+  public String scene = "";
+
+  private ExplicitModel model = new DataDrivenModel(LinkChain.of(1), Scenes.SETTINGS);
+  private double[] y = {};
+  private double[] yDot = {};
+  private double move = 1e-9;
+
+  /** Generates and loads. */
+  @Setup
+  public void prepare() {
+    model = (ExplicitModel) Scenes.generated(Scenes.named(scene));
+    y = new double[model.description().stateCount()];
+    yDot = new double[y.length];
+    model.initialState(y);
+  }
+
+  /** y' at another position in every call. */
+  @Benchmark
+  public double[] derivative() {
+    y[0] += move;
+    move = -move;
+    model.derivative(0, y, yDot);
+    return yDot;
+  }
+}

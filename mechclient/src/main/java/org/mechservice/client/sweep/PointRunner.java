@@ -1,0 +1,154 @@
+package org.mechservice.client.sweep;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.mechservice.client.InvalidModelException;
+import org.mechservice.client.InvalidOptionException;
+import org.mechservice.client.InvalidStateException;
+import org.mechservice.client.LimitExceededException;
+import org.mechservice.client.MechSession;
+import org.mechservice.client.NotFoundException;
+import org.mechservice.client.RemoteRun;
+import org.mechservice.client.RunResult;
+import org.mechservice.client.ServerFailureException;
+import org.mechservice.client.ServerLostException;
+import org.mechservice.client.ServiceException;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.Variable;
+
+/** Runs points of a sweep, one after the other in one session; in another where it is lost. */
+final class PointRunner implements AutoCloseable {
+  /** The model was read without parameters before, so it is one of the grid's that it lacks. */
+  private static final String NO_SUCH_NAME = "M-014";
+
+  /** What is wrong with the model, in a message that says that an option cannot be used. */
+  private static final Pattern OF_MODEL = Pattern.compile("\\bM-\\d{3}\\b");
+
+  private static final long PAUSE_MILLIS = 500;
+
+  private final Sweep sweep;
+  private Optional<MechSession> session;
+
+  PointRunner(Sweep sweep, Optional<MechSession> session) {
+    this.sweep = sweep;
+    this.session = session;
+  }
+
+  /** Keeps the latest row. */
+  private static final class LastRow implements ResultSink {
+    private double[] row = {};
+
+    @Override
+    public void begin(List<Variable> columns) {
+      row = new double[0];
+    }
+
+    @Override
+    public void row(double[] values) {
+      row = values.clone();
+    }
+  }
+
+  /**
+   * Runs a point.
+   *
+   * @return what came of it; empty if the sweep was stopped meanwhile
+   * @throws ServiceException if the service is lost after several attempts, or the model has no
+   *     such parameter
+   */
+  Optional<SweepRow> run(int point, int attempts) throws IOException {
+    for (int attempt = 1; ; attempt++) {
+      try {
+        return Optional.of(runOnce(point));
+      } catch (ServerLostException | NotFoundException | LimitExceededException e) {
+        giveUpSession();
+        if (attempt == attempts || !pause(attempt)) {
+          if (sweep.isStopped()) {
+            return Optional.empty();
+          }
+          throw e;
+        }
+      }
+    }
+  }
+
+  private boolean pause(int attempt) {
+    try {
+      Thread.sleep(PAUSE_MILLIS * attempt);
+      return !sweep.isStopped();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
+    }
+  }
+
+  private SweepRow runOnce(int point) throws IOException {
+    if (session.isEmpty()) {
+      session = Optional.of(sweep.session());
+    }
+    RemoteRun run;
+    try {
+      run = sweep.prepare(session.get(), point);
+    } catch (InvalidModelException | InvalidOptionException e) {
+      if (codeOf(e).equals(NO_SUCH_NAME)) {
+        throw new UnknownParameterException(e);
+      }
+      return failed(point, e, new LastRow());
+    }
+    LastRow last = new LastRow();
+    try (run) {
+      return row(point, run.toEnd(last), last);
+    } catch (InvalidStateException e) {
+      if (sweep.isStopped()) { // before it began
+        return new SweepRow(point, SweepRow.STOPPED, "", "", List.of(), Map.of());
+      }
+      throw e;
+    } catch (InvalidOptionException | ServerFailureException e) {
+      return failed(point, e, last);
+    } finally {
+      sweep.ended(run);
+    }
+  }
+
+  private static SweepRow failed(int point, ServiceException why, LastRow last) {
+    String message = String.valueOf(why.getMessage()).lines().findFirst().orElse("");
+    return SweepRow.failed(point, codeOf(why), message, last.row, Map.of());
+  }
+
+  private static String codeOf(ServiceException why) {
+    Matcher ofModel = OF_MODEL.matcher(String.valueOf(why.getMessage()));
+    return ofModel.find() ? ofModel.group() : why.code();
+  }
+
+  private static SweepRow row(int point, RunResult result, LastRow last) {
+    if (result.outcome() instanceof Outcome.Failed failed) {
+      return SweepRow.failed(
+          point, failed.failure().code(), failed.failure().message(), last.row, result.report());
+    }
+    String outcome =
+        result.outcome() instanceof Outcome.Stopped ? SweepRow.STOPPED : SweepRow.COMPLETED;
+    return new SweepRow(point, outcome, "", "", SweepRow.boxed(last.row), result.report());
+  }
+
+  private void giveUpSession() {
+    session.ifPresent(
+        lost -> {
+          try {
+            lost.close();
+          } catch (ServiceException e) {
+            // It is lost with its host.
+          }
+        });
+    session = Optional.empty();
+  }
+
+  @Override
+  public void close() {
+    giveUpSession();
+  }
+}

@@ -1,0 +1,68 @@
+package org.mechservice.report.paper;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.ToDoubleFunction;
+import org.mechservice.report.measure.EqualError;
+import org.mechservice.report.measure.MeasuredRun;
+import org.mechservice.report.measure.MethodRunner;
+import org.mechservice.report.measure.Point;
+import org.mechservice.report.method.Candidate;
+
+/** What the explicit method costs over what the implicit one costs, at the same error. */
+final class EqualErrors {
+  private static final double[] ERRORS = {1e-4, 1e-6};
+  private static final double[] TOLERANCES = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
+  private static final int WARM_UP = 10;
+  private static final int REPEATS = 11;
+
+  private EqualErrors() {}
+
+  /**
+   * Costs of the explicit method in those of the implicit one; NaN where one does not reach the
+   * error.
+   *
+   * @param error largest over time
+   * @param evaluations of the forces
+   * @param seconds warm
+   */
+  record Ratio(double error, double evaluations, double seconds) {}
+
+  /** Runs both methods in turns at several tolerances. */
+  static List<Ratio> of(
+      MethodRunner runner, Candidate explicit, Candidate implicit, double limitSeconds) {
+    List<MeasuredRun> first = new ArrayList<>();
+    List<MeasuredRun> second = new ArrayList<>();
+    for (int round = -WARM_UP; round <= REPEATS; round++) {
+      for (double tolerance : TOLERANCES) {
+        MeasuredRun one = runner.run(explicit, tolerance, Math.max(round, 0), limitSeconds);
+        MeasuredRun other = runner.run(implicit, tolerance, Math.max(round, 0), limitSeconds);
+        if (round >= 0) {
+          first.add(one);
+          second.add(other);
+        }
+      }
+    }
+    List<Point> slow = Point.of(first);
+    List<Point> fast = Point.of(second);
+    return Arrays.stream(ERRORS)
+        .mapToObj(
+            error ->
+                new Ratio(
+                    error,
+                    ratio(slow, fast, error, point -> (double) point.first().evaluations()),
+                    ratio(slow, fast, error, Point::seconds)))
+        .toList();
+  }
+
+  private static double ratio(
+      List<Point> slow, List<Point> fast, double error, ToDoubleFunction<Point> cost) {
+    OptionalDouble above = EqualError.cost(slow, error, cost);
+    OptionalDouble below = EqualError.cost(fast, error, cost);
+    return above.isPresent() && below.isPresent()
+        ? above.getAsDouble() / below.getAsDouble()
+        : Double.NaN;
+  }
+}

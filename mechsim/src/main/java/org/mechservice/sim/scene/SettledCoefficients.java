@@ -1,0 +1,67 @@
+package org.mechservice.sim.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.force.Bushing;
+import org.mechservice.solver.mechanism.force.Contact;
+import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.SpringDamper;
+
+/** Coefficients whose values decide what code is written, so that no parameter may be in them. */
+final class SettledCoefficients {
+  private SettledCoefficients() {}
+
+  /** Returns the names of the forces that have a parameter in such a coefficient. */
+  static List<String> withParameters(Mechanism mechanism) {
+    return mechanism.forces().stream()
+        .filter(force -> of(force).stream().anyMatch(SettledCoefficients::hasParameter))
+        .map(ForceElement::name)
+        .toList();
+  }
+
+  private static List<Expression> of(ForceElement force) {
+    List<Expression> all = new ArrayList<>();
+    if (force instanceof Contact contact) {
+      all.add(contact.radius());
+      all.add(contact.stiffness());
+      all.add(contact.damping());
+      all.add(contact.exponent());
+      all.add(contact.smoothing());
+      all.add(contact.friction());
+      all.add(contact.frictionSpeed());
+    } else if (force instanceof Bushing bushing) {
+      all.addAll(bushing.stiffness());
+      all.addAll(bushing.damping());
+      all.addAll(bushing.preload());
+    } else if (force instanceof SpringDamper spring) {
+      // Whether a spring is slack where its points coincide decides what it does there.
+      all.add(spring.length0());
+      all.add(spring.force0());
+      all.add(spring.smoothing());
+    } else if (force instanceof JointSpringDamper spring) {
+      all.add(spring.smoothing());
+    }
+    return all;
+  }
+
+  private static boolean hasParameter(Expression e) {
+    if (e instanceof Expression.ParameterValue) {
+      return true;
+    } else if (e instanceof Expression.Sum sum) {
+      return hasParameter(sum.left()) || hasParameter(sum.right());
+    } else if (e instanceof Expression.Product product) {
+      return hasParameter(product.left()) || hasParameter(product.right());
+    } else if (e instanceof Expression.Quotient quotient) {
+      return hasParameter(quotient.dividend()) || hasParameter(quotient.divisor());
+    } else if (e instanceof Expression.Power power) {
+      return hasParameter(power.base()) || hasParameter(power.exponent());
+    } else if (e instanceof Expression.Negation negation) {
+      return hasParameter(negation.operand());
+    }
+    return e instanceof Expression.Call call
+        && call.arguments().stream().anyMatch(SettledCoefficients::hasParameter);
+  }
+}
