@@ -57,7 +57,8 @@ class StiffnessForecastTest {
         .hasValueSatisfying(
             found ->
                 assertThat(found.text())
-                    .contains("swings with 1.00e+06 rad/s", "1e+07 steps", "followed by every method"));
+                    .contains(
+                        "swings with 1.00e+06 rad/s", "1e+07 steps", "followed by every method"));
   }
 
   @Test
