@@ -1,5 +1,6 @@
 package org.mechservice.client;
 
+import java.util.List;
 import java.util.function.Consumer;
 import org.mechservice.idl.Diagnostic;
 import org.mechservice.idl.IMechClientOperations;
@@ -36,7 +37,12 @@ final class ListenerCallbacks implements IMechClientOperations {
   @Override
   public void heartbeat() {}
 
-  private void tell(Consumer<RunListener> message) {
+  /** Tells the listener something that this client knows. */
+  void say(ModelMessage message) {
+    tell(user -> user.onMessages(List.of(message)));
+  }
+
+  private synchronized void tell(Consumer<RunListener> message) {
     try {
       message.accept(listener);
     } catch (RuntimeException e) {

@@ -211,8 +211,8 @@ public final class MechConnection implements AutoCloseable {
     return cache;
   }
 
-  IMechClient export(RunListener listener) {
-    return orb.export(new ListenerCallbacks(listener));
+  IMechClient export(ListenerCallbacks listener) {
+    return orb.export(listener);
   }
 
   /**

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.IMechSimRemote;
@@ -31,6 +32,8 @@ public final class MechSession implements AutoCloseable {
   private final LeaseRenewal.Hold hold;
   private final double openSeconds;
   private double loadSeconds;
+  private ModelFile modelLoaded = new ModelFile("", new byte[0]);
+  private ModelFile[] classesLoaded = {};
   private ServerTimes atLoad = ServerTimes.NONE;
 
   /** What the session has cost the server when a run was set up last. */
@@ -79,7 +82,7 @@ public final class MechSession implements AutoCloseable {
     UserFiles classes = new UserFiles(file, userCode);
     while (true) {
       try {
-        return load(name, content, classes.files()).stream()
+        return load(new ModelFile(name, content), classes.files()).stream()
             .map(said -> located(said, name, file))
             .toList();
       } catch (InvalidModelException e) {
@@ -107,14 +110,15 @@ public final class MechSession implements AutoCloseable {
    * @throws InvalidModelException if the model cannot be used; says what and where
    */
   public List<ModelMessage> loadModel(String fileName, byte[] content) {
-    return load(fileName, content, new ModelFile[0]);
+    return load(new ModelFile(fileName, content), new ModelFile[0]);
   }
 
-  private List<ModelMessage> load(String fileName, byte[] content, ModelFile[] classes) {
+  private List<ModelMessage> load(ModelFile model, ModelFile[] classes) {
     Stopwatch watch = new Stopwatch();
-    ModelFile model = new ModelFile(fileName, content);
     var warnings = calls.get(() -> session.loadModel(model, classes));
     loadSeconds = watch.lap();
+    modelLoaded = model;
+    classesLoaded = classes;
     atLoad = setsUpInOneCall() ? ServerTimes.NONE : serverTimes();
     soFar = atLoad;
     return ModelMessage.listOf(warnings);
@@ -157,7 +161,7 @@ public final class MechSession implements AutoCloseable {
    * @throws LimitExceededException if the host takes no more runs
    */
   public RemoteRun prepareRemoteRun(SimulationOptions options) {
-    return createRun(options, null);
+    return createRun(options, null, message -> {});
   }
 
   /**
@@ -168,35 +172,64 @@ public final class MechSession implements AutoCloseable {
    * @throws LimitExceededException if the host takes no more runs
    */
   public RemoteRun prepareRemoteRun(SimulationOptions options, RunListener listener) {
-    return createRun(options, connection.export(listener));
+    ListenerCallbacks callbacks = new ListenerCallbacks(listener);
+    return createRun(options, connection.export(callbacks), callbacks::say);
   }
 
   private boolean setsUpInOneCall() {
     return connection.service().setsUpInOneCall();
   }
 
-  private RemoteRun createRun(SimulationOptions options, @Nullable IMechClient callback) {
+  private RemoteRun createRun(
+      SimulationOptions options, @Nullable IMechClient callback, Consumer<ModelMessage> listener) {
+    ModelFile model = modelLoaded;
+    ModelFile[] classes = classesLoaded;
+    return new RemoteRun(
+        place(options, callback), () -> elsewhere(model, classes, options, callback), listener);
+  }
+
+  /** Sets a run up in a session of its own, on whichever host has room. */
+  private RunPlace elsewhere(
+      ModelFile model,
+      ModelFile[] classes,
+      SimulationOptions options,
+      @Nullable IMechClient callback) {
+    MechSession other = connection.openSession();
+    try {
+      other.load(model, classes);
+      return other.place(options, callback).endingWith(other);
+    } catch (ServiceException e) {
+      other.close();
+      throw e;
+    }
+  }
+
+  private RunPlace place(SimulationOptions options, @Nullable IMechClient callback) {
     return setsUpInOneCall() ? setUp(options, callback) : setUpStepwise(options, callback);
   }
 
-  private RemoteRun setUp(SimulationOptions options, @Nullable IMechClient callback) {
+  private RunPlace setUp(SimulationOptions options, @Nullable IMechClient callback) {
     Stopwatch watch = new Stopwatch();
     RunSetUp answer = calls.get(() -> session.prepareSimulation(options.toNameValues(), callback));
     double seconds = watch.lap();
     LeaseRenewal leases = connection.leases();
     ServerTimes times = timesOfRun(answer.facts);
     Map<String, Object> facts = new LinkedHashMap<>();
-    facts.put("where", "remote, host " + factOf(answer.facts, "hostName"));
+    String host = factOf(answer.facts, "hostName");
+    facts.put("where", "remote, host " + host);
     facts.putAll(knownFacts(answer.facts));
     facts.putAll(
         SetUpTimes.remote(
             loadSeconds, seconds, atLoad, times, openSeconds + loadSeconds + seconds));
-    return new RemoteRun(
+    return new RunPlace(
         calls,
+        host,
+        session,
         answer.simulation,
         leases.hold(answer.simulation),
         RowCursor.over(calls, leases, answer.rows, answer.columns),
-        facts);
+        facts,
+        Optional.empty());
   }
 
   /** Returns what a run has cost the server, and begins anew. */
@@ -228,7 +261,7 @@ public final class MechSession implements AutoCloseable {
   }
 
   /** The way of servers before API 1.1. */
-  private RemoteRun setUpStepwise(SimulationOptions options, @Nullable IMechClient callback) {
+  private RunPlace setUpStepwise(SimulationOptions options, @Nullable IMechClient callback) {
     ServerTimes before = serverTimes();
     Stopwatch watch = new Stopwatch();
     IMechSimRemote simulation =
@@ -239,12 +272,14 @@ public final class MechSession implements AutoCloseable {
       RowCursor rows = RowCursor.open(calls, connection.leases(), simulation);
       double total = openSeconds + loadSeconds + createSeconds + watch.lap();
       Map<String, Object> facts = new LinkedHashMap<>();
-      facts.put("where", "remote, host " + hostName());
+      String host = hostName();
+      facts.put("where", "remote, host " + host);
       facts.putAll(modelFacts());
       facts.putAll(
           SetUpTimes.remote(
               loadSeconds, createSeconds, atLoad, serverTimes().since(before), total));
-      return new RemoteRun(calls, simulation, simulationHold, rows, facts);
+      return new RunPlace(
+          calls, host, session, simulation, simulationHold, rows, facts, Optional.empty());
     } catch (ServiceException e) {
       simulationHold.close();
       throw e;

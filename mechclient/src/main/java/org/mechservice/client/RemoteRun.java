@@ -6,69 +6,94 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.mechservice.idl.FailureRecord;
-import org.mechservice.idl.IMechSimRemote;
-import org.mechservice.idl.NameValue;
+import org.mechservice.idl.IMechSimRemoteOperations;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.Variable;
+import org.omg.CORBA.UserException;
 
 /**
  * A run at the server. Its rows are pulled: in blocks by {@link #toEnd}, or one by one with {@link
  * #start} and {@link #nextRow}. One thread takes the rows; every other method may be called from
  * any thread.
+ *
+ * <p>When an operator empties the host, the thread that takes the rows moves the run: it holds and
+ * saves it, takes its rows up to then, and lets it go on from the checkpoint on another host of the
+ * server, to the same bits. A run that cannot be saved, that its user holds, or that no other host
+ * has room for stays where it is.
  */
 public final class RemoteRun implements PreparedRun {
+  /**
+   * What the solver refuses in the settings of a run, which is no failure of the simulation; that a
+   * limit was reached, or that a worker was lost, is one, and its rows are kept.
+   */
+  private static final Pattern OF_SETTINGS = Pattern.compile("S-0(08|[67]\\d|81)");
+
   /** How long one call waits at the server for rows; short enough to notice a lost server soon. */
   private static final Duration BLOCK_WAIT = Duration.ofMillis(500);
 
-  private final RemoteCalls calls;
-  private final IMechSimRemote simulation;
-  private final LeaseRenewal.Hold simulationHold;
-  private final RowCursor rows;
+  private final RunPlace.Opening elsewhere;
+  private final Consumer<ModelMessage> listener;
+  private final Map<String, String> parameters = new LinkedHashMap<>();
   private final Map<String, Object> facts;
+  private Optional<String> moved = Optional.empty();
+
+  /** Where the run is; only the thread that takes the rows changes it. */
+  private volatile RunPlace place;
+
+  private volatile boolean cancelled;
+  private DrainNotice notice;
+  private Optional<RunMove> move = Optional.empty();
+  private long takenElsewhere;
   private boolean started;
 
-  RemoteRun(
-      RemoteCalls calls,
-      IMechSimRemote simulation,
-      LeaseRenewal.Hold simulationHold,
-      RowCursor rows,
-      Map<String, Object> facts) {
-    this.calls = calls;
-    this.simulation = simulation;
-    this.simulationHold = simulationHold;
-    this.rows = rows;
-    this.facts = facts;
+  /** Whether the run may go on by itself; then it may also go on elsewhere. */
+  private boolean free;
+
+  /** Where the run shall be held, s. */
+  private double until = Double.POSITIVE_INFINITY;
+
+  /**
+   * @param place where it begins
+   * @param elsewhere opens another place when the host is being emptied
+   * @param listener hears what becomes of it then
+   */
+  RemoteRun(RunPlace place, RunPlace.Opening elsewhere, Consumer<ModelMessage> listener) {
+    this.place = place;
+    this.elsewhere = elsewhere;
+    this.listener = listener;
+    facts = place.facts();
+    notice = new DrainNotice(place);
   }
 
-  /** Returns the simulation's identity at the server. */
+  /** Returns the simulation's identity at the server; a run that has moved has a new one. */
   public String id() {
-    return calls.get(simulation::simId);
+    return place.id();
   }
 
   /** Returns name and unit of every column; the first is time. */
   public List<Variable> columns() {
-    return rows.columns();
+    return place.rows().columns();
   }
 
   @Override
   public List<TunableParameter> parameters() {
-    return Stream.of(calls.get(simulation::parameters))
+    RunPlace here = place;
+    return Stream.of(here.calls().get(here.simulation()::parameters))
         .map(p -> new TunableParameter(p.name, p.unit, p.value))
         .toList();
   }
 
   @Override
-  public void setParameters(Map<String, String> values) {
-    NameValue[] all =
-        values.entrySet().stream()
-            .map(entry -> new NameValue(entry.getKey(), entry.getValue()))
-            .toArray(NameValue[]::new);
-    calls.run(() -> simulation.setParameters(all));
+  public synchronized void setParameters(Map<String, String> values) {
+    place.setParameters(values);
+    parameters.putAll(values);
   }
 
   /**
@@ -77,9 +102,24 @@ public final class RemoteRun implements PreparedRun {
    * @throws InvalidStateException if it was started before
    * @throws LimitExceededException if the host takes no more runs
    */
-  public void start() {
-    calls.run(simulation::start);
+  public synchronized void start() {
+    steer(IMechSimRemoteOperations::start, true, until);
+  }
+
+  /** A call on the simulation that lets it go on, or holds it. */
+  private interface Steering {
+    void on(IMechSimRemoteOperations simulation) throws UserException;
+  }
+
+  /** Who steers a run that is about to move steers it where it is. */
+  private void steer(Steering call, boolean goesOnFreely, double heldAt) {
+    move.ifPresent(given -> given.to().close());
+    move = Optional.empty();
+    RunPlace here = place;
+    here.calls().run(() -> call.on(here.simulation()));
     started = true;
+    free = goesOnFreely;
+    until = heldAt;
   }
 
   /**
@@ -90,12 +130,13 @@ public final class RemoteRun implements PreparedRun {
    *     #ended})
    */
   public Optional<double[]> nextRow(Duration wait) {
-    return rows.next(wait);
+    follow();
+    return place.rows().next(wait);
   }
 
   /** Returns whether the last row has been taken. */
   public boolean ended() {
-    return rows.ended();
+    return place.rows().ended();
   }
 
   /** {@inheritDoc} Starts the run if need be and puts out all rows that were not taken yet. */
@@ -120,9 +161,9 @@ public final class RemoteRun implements PreparedRun {
   private void prepare(CheckpointClock clock, CheckpointStore store) {
     try {
       if (clock.isWanted()) {
-        checkpoint();
+        place.checkpoint();
       }
-      store.saved().ifPresent(saved -> calls.run(() -> simulation.restore(saved)));
+      store.saved().ifPresent(place::restore);
     } catch (NotAvailableException e) {
       throw new InvalidOptionException(e.code(), String.valueOf(e.getMessage()), "checkpoint");
     }
@@ -130,29 +171,92 @@ public final class RemoteRun implements PreparedRun {
 
   /** Takes the rows; before a checkpoint is kept, those that came before it. */
   private void drain(ResultSink sink, CheckpointClock clock) throws IOException {
-    while (!rows.ended()) {
-      rows.drainTo(sink, BLOCK_WAIT);
-      if (clock.isDue() && !rows.ended()) {
-        Optional<byte[]> made = checkpoint();
-        long before = progress().rows();
-        while (rows.taken() < before && !rows.ended()) {
-          rows.drainTo(sink, BLOCK_WAIT);
+    while (!ended()) {
+      follow();
+      place.rows().drainTo(sink, BLOCK_WAIT);
+      if (clock.isDue() && !ended()) {
+        Optional<byte[]> made = place.checkpoint();
+        long before = place.progress().rows();
+        while (place.rows().taken() < before && !ended()) {
+          place.rows().drainTo(sink, BLOCK_WAIT);
         }
         clock.keep(made);
       }
     }
     if (clock.isWanted() && progress().state() == RunState.CANCELLED) {
-      clock.keep(checkpoint());
+      clock.keep(place.checkpoint());
     }
   }
 
-  /** Returns a checkpoint of the run as it is now; empty if it takes no step just now. */
-  private Optional<byte[]> checkpoint() {
-    try {
-      return Optional.of(calls.get(simulation::checkpoint));
-    } catch (InvalidStateException e) {
-      return Optional.empty();
+  /** Goes on on another host if this one is being emptied: first holds, then moves. */
+  private void follow() {
+    if (ended()) {
+      return;
     }
+    synchronized (this) {
+      if (started && move.isEmpty() && notice.isTimeToLeave()) {
+        leave();
+      }
+      if (move.isPresent() && place.rows().taken() >= move.get().rows()) {
+        arrive(move.get());
+      }
+    }
+  }
+
+  /** What its user holds stays where it is, until it is let go. */
+  private void leave() {
+    RunState state = place.progress().state();
+    if (!free || cancelled || (state != RunState.RUNNING && state != RunState.QUEUED)) {
+      return;
+    }
+    try {
+      RunPlace to = elsewhere.open();
+      try {
+        move = RunMove.begin(place, to, parameters, until);
+      } finally {
+        if (move.isEmpty()) {
+          to.close();
+        }
+      }
+    } catch (ServiceException e) {
+      stay(String.valueOf(e.getMessage()));
+    }
+  }
+
+  private void arrive(RunMove arriving) {
+    move = Optional.empty();
+    RunPlace from = place;
+    String reason = "host " + arriving.to().hostName() + " has no room for it now";
+    boolean goesOn = false;
+    try {
+      goesOn = !cancelled && arriving.goesOn(until);
+    } catch (ServiceException e) {
+      reason = String.valueOf(e.getMessage());
+    }
+    if (!goesOn) {
+      arriving.giveUp(until);
+      stay(reason);
+      return;
+    }
+    takenElsewhere += from.rows().taken();
+    place = arriving.to();
+    notice = new DrainNotice(place);
+    from.close();
+    if (cancelled) {
+      cancel();
+    }
+    String how = "from t=" + arriving.time() + " s on, before on host " + from.hostName();
+    moved = Optional.of(how);
+    say("S-117", "the run goes on on host " + place.hostName() + " as " + id() + " " + how);
+  }
+
+  private void stay(String reason) {
+    notice.ignore();
+    say("S-116", "the run finishes on host " + place.hostName() + ": " + reason);
+  }
+
+  private void say(String code, String text) {
+    listener.accept(new ModelMessage(ModelMessage.Severity.INFO, code, text, "", 0, 0, ""));
   }
 
   /**
@@ -165,12 +269,13 @@ public final class RemoteRun implements PreparedRun {
     RunState state = progress().state();
     Map<String, Object> report = report(state);
     facts.forEach(report::putIfAbsent);
+    moved.ifPresent(how -> report.put("where", "remote, host " + place.hostName() + " " + how));
     return new RunResult(outcome(state), report);
   }
 
   private Map<String, Object> report(RunState state) {
     try {
-      return ReportJson.parse(calls.get(simulation::report));
+      return ReportJson.parse(place.calls().get(place.simulation()::report));
     } catch (InvalidStateException e) {
       if (state != RunState.CANCELLED) {
         throw e;
@@ -184,15 +289,14 @@ public final class RemoteRun implements PreparedRun {
 
   private Outcome outcome(RunState state) {
     return switch (state) {
-      case FAILED -> new Outcome.Failed(failure(calls.get(simulation::failure)));
+      case FAILED -> new Outcome.Failed(failure(place.calls().get(place.simulation()::failure)));
       case CANCELLED -> new Outcome.Stopped();
       default -> new Outcome.Completed();
     };
   }
 
-  /** Settings that the solver itself refuses are not a failure of the simulation. */
   private static Failure failure(FailureRecord said) {
-    if (said.code.startsWith("S-")) {
+    if (OF_SETTINGS.matcher(said.code).matches()) {
       throw new InvalidOptionException(said.code, said.text, "");
     }
     return new Failure(
@@ -200,18 +304,18 @@ public final class RemoteRun implements PreparedRun {
   }
 
   /** Holds the run after its current step. */
-  public void pause() {
-    calls.run(simulation::pause);
+  public synchronized void pause() {
+    steer(IMechSimRemoteOperations::pause, false, until);
   }
 
   /** Lets a held run go on to its end. */
-  public void resume() {
-    calls.run(simulation::resume);
+  public synchronized void resume() {
+    steer(IMechSimRemoteOperations::resume, true, Double.POSITIVE_INFINITY);
   }
 
   /** Takes one accepted step of the integrator and holds the run again. */
-  public void stepOnce() {
-    calls.run(simulation::stepOnce);
+  public synchronized void stepOnce() {
+    steer(IMechSimRemoteOperations::stepOnce, false, Double.POSITIVE_INFINITY);
   }
 
   /**
@@ -219,24 +323,28 @@ public final class RemoteRun implements PreparedRun {
    *
    * @param time simulated time, s
    */
-  public void runTo(double time) {
-    calls.run(() -> simulation.runTo(time));
+  public synchronized void runTo(double time) {
+    steer(simulation -> simulation.runTo(time), true, time);
   }
 
+  /** {@inheritDoc} Also while the run moves: it is cancelled wherever it is then. */
   @Override
   public void cancel() {
-    calls.run(simulation::cancel);
+    cancelled = true;
+    RunPlace here = place;
+    here.calls().run(here.simulation()::cancel);
   }
 
   @Override
-  public RunProgress progress() {
-    return RunProgress.of(calls.get(simulation::getProgress));
+  public synchronized RunProgress progress() {
+    return place.progress().after(takenElsewhere);
   }
 
   /** Destroys the run at the server; one that goes on is cancelled by that. */
   @Override
-  public void close() {
-    rows.close();
-    simulationHold.close();
+  public synchronized void close() {
+    move.ifPresent(given -> given.to().close());
+    move = Optional.empty();
+    place.close();
   }
 }

@@ -3,9 +3,10 @@ package org.mechservice.client;
 import java.util.List;
 
 /**
- * Hears of a run while it goes on. The methods are called from one thread of the connection, one
- * after the other; they must be quick and must not call the service, because its next answer comes
- * over the same connection. Progress arrives at most ten times a second.
+ * Hears of a run while it goes on. The methods are called one after the other, from a thread of the
+ * connection or the one that takes the rows; they must be quick and must not call the service,
+ * because its next answer comes over the same connection. Progress arrives at most ten times a
+ * second.
  */
 public interface RunListener {
   /** Hears that a simulation has changed its state. */

@@ -42,6 +42,21 @@ public record RunProgress(
         info.rowsReady);
   }
 
+  /** Returns the same of a run that has put out rows elsewhere before. */
+  RunProgress after(long rowsBefore) {
+    return new RunProgress(
+        state,
+        queuePosition,
+        time,
+        startTime,
+        endTime,
+        steps,
+        stepSize,
+        order,
+        realTimeFactor,
+        rowsBefore + rows);
+  }
+
   /** Returns the part of the interval that is done, between 0 and 1. */
   public double fraction() {
     double interval = endTime - startTime;

@@ -201,6 +201,7 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   public void drain() {
     if (draining.compareAndSet(false, true)) {
       tell("drained", "takes no new sessions");
+      sessions.tellDraining();
     }
   }
 

@@ -31,7 +31,9 @@ record CheckpointCalls(SimulationRun run) {
       Thread.sleep(SLICE_MILLIS);
     }
     Optional<byte[]> found =
-        checkpoints.answers(request) || stands() ? checkpoints.latest() : Optional.empty();
+        checkpoints.answers(request) || isSavedWhereItStands(checkpoints)
+            ? checkpoints.latest()
+            : Optional.empty();
     return found.orElseThrow(
         () ->
             Refusal.state(
@@ -44,6 +46,10 @@ record CheckpointCalls(SimulationRun run) {
   /** Whoever stops or holds a run finds it saved where it stands. */
   private boolean stands() {
     return run.ended() || run.state() == SimState.SIM_PAUSED;
+  }
+
+  private boolean isSavedWhereItStands(RunCheckpoints checkpoints) {
+    return run.ended() || (run.state() == SimState.SIM_PAUSED && checkpoints.isWithoutRowsSince());
   }
 
   /**

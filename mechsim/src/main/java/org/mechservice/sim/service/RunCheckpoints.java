@@ -2,6 +2,7 @@ package org.mechservice.sim.service;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.TunableParameter;
@@ -19,6 +20,8 @@ final class RunCheckpoints implements Checkpoints {
   private Optional<byte[]> saved = Optional.empty();
   private Optional<byte[]> latest = Optional.empty();
   private List<TunableParameter> parameters = List.of();
+  private LongSupplier rows = () -> 0;
+  private long rowsAtLatest;
   private long asked;
   private long answered;
 
@@ -44,6 +47,20 @@ final class RunCheckpoints implements Checkpoints {
   /** Takes what the run is to go on from. */
   synchronized void goOnFrom(byte[] checkpoint) {
     saved = Optional.of(checkpoint.clone());
+  }
+
+  /** Takes what counts the rows the run has put out. */
+  synchronized void countRowsWith(LongSupplier counter) {
+    rows = counter;
+  }
+
+  /**
+   * Returns whether the run has put out no row since the latest checkpoint: who goes on from there
+   * repeats none. A hold that is asked for while the solver is between a step and its look at the
+   * control may leave none.
+   */
+  synchronized boolean isWithoutRowsSince() {
+    return latest.isPresent() && rowsAtLatest == rows.getAsLong();
   }
 
   /** Asks for a checkpoint after the next step; returns the number of the request. */
@@ -83,6 +100,7 @@ final class RunCheckpoints implements Checkpoints {
   @Override
   public synchronized void keep(byte[] checkpoint) {
     latest = Optional.of(checkpoint);
+    rowsAtLatest = rows.getAsLong();
     answered = asked;
   }
 }

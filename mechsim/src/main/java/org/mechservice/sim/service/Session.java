@@ -218,6 +218,34 @@ final class Session {
     }
   }
 
+  /**
+   * Tells the client, and writes down, that the host is being emptied: it is the client that takes
+   * a run elsewhere, because it has the model, the options and the rows so far.
+   */
+  void hostIsDraining(SimulationRun run) {
+    boolean movable = run.checkpoints().isPresent();
+    String code = movable ? "S-115" : "S-116";
+    String text =
+        "host "
+            + host.hostName()
+            + " is being emptied; the run "
+            + (movable
+                ? "goes on on another host if its client takes it there and one has room"
+                : "cannot be saved and finishes here");
+    said(run, new Diagnostic[] {Wire.information(code, text)});
+    host.journal()
+        .tell(
+            new Happening(
+                "drained",
+                Severity.SEV_INFO,
+                code,
+                host.hostName(),
+                id,
+                run.simId(),
+                owner,
+                "simulation of " + run.identity().modelName() + ": " + text));
+  }
+
   private synchronized @Nullable IMechClient listenerOf(SimulationRun run) {
     Hosted hosted = simulations.get(run);
     return hosted == null ? null : hosted.listener();

@@ -280,6 +280,13 @@ public final class SessionTable implements AutoCloseable {
                 .ofSimulation(run.simId()));
   }
 
+  /** Tells clients and operators what becomes of the runs of a host that is being emptied. */
+  public void tellDraining() {
+    for (Session session : allSessions()) {
+      session.runs().stream().filter(run -> !run.ended()).forEach(session::hostIsDraining);
+    }
+  }
+
   private void tick() {
     try {
       HostLimits limits = host.limits().now();

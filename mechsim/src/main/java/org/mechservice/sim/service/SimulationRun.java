@@ -71,6 +71,7 @@ final class SimulationRun implements Runnable, ResultSink {
     lastTime = settings().tStart();
     task = plan.task();
     task.initialState(lastState);
+    task.checkpointsOfRun().ifPresent(checkpoints -> checkpoints.countRowsWith(spool::rows));
   }
 
   String simId() {

@@ -59,6 +59,22 @@ class UserCodeContractTest {
   }
 
   @Test
+  void runThatCannotBeSavedIsSaidToFinishOnAHostThatIsBeingEmptied() throws UserException {
+    try (HostedClient there = host(true)) {
+      MechSim session = there.emptySession();
+      session.loadModel(MODEL, source(PushedCart.harmlessSource()));
+      session.createSimulation(AS_IN_FILE, null);
+      there.host.drain();
+      assertThat(session.pollEvents(0, 100, 0))
+          .flatExtracting(event -> List.of(event.messages))
+          .extracting(message -> message.code)
+          .contains("S-116")
+          .doesNotContain("S-115");
+      assertThat(there.host.events(0, 100, 0)).extracting(event -> event.code).contains("S-116");
+    }
+  }
+
+  @Test
   void missingClassesAreAskedFor() throws UserException {
     try (HostedClient there = host(true)) {
       InvalidModel refusal =
