@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.InvalidState;
@@ -33,6 +34,9 @@ final class SimulationRun implements Runnable, ResultSink {
 
   private static final long HOLD_CHECK_MILLIS = 20;
 
+  /** How long who asks for the state waits for the end of a step. */
+  private static final long STATE_MILLIS = 500;
+
   private final RunPlan plan;
   private final RunQueue queue;
   private final RunStore store;
@@ -42,6 +46,7 @@ final class SimulationRun implements Runnable, ResultSink {
   private final RunCurves curves = new RunCurves();
   private final RunColumnsWatch watch;
   private final double[] lastState;
+  private final Object stateWatch = new Object();
 
   private RunTask task;
   private final Map<String, String> parameters = new TreeMap<>();
@@ -351,13 +356,24 @@ final class SimulationRun implements Runnable, ResultSink {
   }
 
   /**
-   * Returns the state of the last row, or of the start.
+   * Returns the state at the last step, also of a run that is held; of the last row if the run has
+   * ended, is computed in a process of its own or is in a long step; of the start before it begins.
    *
    * @param time simulated time at 0, s; overwritten
    */
-  synchronized double[] lastState(double[] time) {
-    time[0] = lastTime;
-    return lastState.clone();
+  double[] lastState(double[] time) throws InterruptedException {
+    double[] reached = new double[lastState.length];
+    synchronized (stateWatch) {
+      OptionalDouble at = control.state(reached, STATE_MILLIS);
+      if (at.isPresent()) {
+        time[0] = at.getAsDouble();
+        return reached;
+      }
+    }
+    synchronized (this) {
+      time[0] = lastTime;
+      return lastState.clone();
+    }
   }
 
   /** Returns the report as JSON; empty until the run has ended, and if it never began. */

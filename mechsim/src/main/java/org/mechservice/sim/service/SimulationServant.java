@@ -97,13 +97,17 @@ final class SimulationServant implements HostedServant {
     return Wire.channels(run.states());
   }
 
-  /** The state of the latest result row; of the start before the first one. */
+  /** The state at the last step, between rows too; of the last row once the run has ended. */
   @Override
   public double[] getStates(DoubleHolder simTime) {
     double[] time = new double[1];
-    double[] state = run.lastState(time);
-    simTime.value = time[0];
-    return state;
+    try {
+      double[] state = run.lastState(time);
+      simTime.value = time[0];
+      return state;
+    } catch (InterruptedException e) {
+      throw closing();
+    }
   }
 
   @Override

@@ -1,5 +1,8 @@
 package org.mechservice.solver.api;
 
+import java.util.Optional;
+import java.util.OptionalDouble;
+
 /**
  * Steers and watches one run from other threads: stop, pause, go on to a time, take a single step,
  * see how far it is.
@@ -9,6 +12,16 @@ package org.mechservice.solver.api;
  * process overrides {@link #proceed} to ask there.
  */
 public class RunControl {
+  /** Gives the state of a run between two steps, in the thread of the run. */
+  public interface StateSource {
+    /**
+     * Copies the state at the time reached.
+     *
+     * @param state as in the rows, without time; overwritten
+     */
+    void copyState(double[] state);
+  }
+
   private volatile boolean stopRequested;
   private volatile double time = Double.NaN;
   private volatile double stepSize;
@@ -18,6 +31,10 @@ public class RunControl {
   private boolean held;
   private double holdAt = Double.POSITIVE_INFINITY;
   private long stepsAllowed = Long.MAX_VALUE;
+  private Optional<StateSource> states = Optional.empty();
+  private volatile boolean stateAsked;
+  private double[] stateAskedFor = {};
+  private double stateTime;
 
   /** Asks the run to stop; it does so within one evaluation, also while it is paused. */
   public final synchronized void stop() {
@@ -91,6 +108,50 @@ public class RunControl {
     return true;
   }
 
+  /**
+   * For the solver: says who gives the state from now on.
+   *
+   * @param source asked in the thread of the run alone, between two steps; empty: nobody any more
+   */
+  public final synchronized void giveStates(Optional<StateSource> source) {
+    states = source;
+    notifyAll();
+  }
+
+  /**
+   * Asks for the state at the step reached, also while the run is held. Only one watcher at a time.
+   *
+   * @param state overwritten if it is given
+   * @param millis longest wait for the end of a step, ms
+   * @return the time of the state, s; empty if the run gives none, or no step has ended so soon
+   */
+  public final synchronized OptionalDouble state(double[] state, long millis)
+      throws InterruptedException {
+    long deadline = System.nanoTime() + millis * 1_000_000;
+    stateAskedFor = state;
+    stateAsked = true;
+    notifyAll();
+    while (states.isPresent() && stateAsked) {
+      long left = (deadline - System.nanoTime()) / 1_000_000;
+      if (left <= 0) {
+        break;
+      }
+      wait(left);
+    }
+    boolean given = !stateAsked;
+    stateAsked = false;
+    return given ? OptionalDouble.of(stateTime) : OptionalDouble.empty();
+  }
+
+  private synchronized void answerState() {
+    if (stateAsked && states.isPresent()) {
+      states.get().copyState(stateAskedFor);
+      stateTime = time;
+      stateAsked = false;
+      notifyAll();
+    }
+  }
+
   /** Returns the simulated time reached, s; NaN before the start. */
   public double time() {
     return time;
@@ -125,6 +186,9 @@ public class RunControl {
     this.order = order;
     this.steps = steps;
     this.time = time;
+    if (stateAsked) {
+      answerState();
+    }
     if (mustHold()) {
       hold();
     }
@@ -150,6 +214,7 @@ public class RunControl {
     notifyAll();
     try {
       while (mustHold()) {
+        answerState();
         wait();
       }
     } catch (InterruptedException e) {

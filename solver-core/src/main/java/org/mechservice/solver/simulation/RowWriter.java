@@ -101,6 +101,17 @@ final class RowWriter {
     return ALL_FINITE;
   }
 
+  /**
+   * Copies a state as its row would have it.
+   *
+   * @param y state, which multipliers may follow; not modified
+   * @param state overwritten
+   */
+  void copyState(double[] y, double[] state) {
+    System.arraycopy(y, 0, state, 0, yDot.length);
+    unitOutput.scale(state, 0);
+  }
+
   /** Work is measured where its column is put out or the energy balance is watched. */
   boolean measuresWork() {
     return layout.energy() != RowLayout.ABSENT || balanceWatched;

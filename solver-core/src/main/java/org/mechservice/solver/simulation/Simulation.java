@@ -192,7 +192,20 @@ public final class Simulation implements Solver {
     }
 
     RunReport toEnd() throws IOException {
-      return report(integrate());
+      try {
+        return report(integrate());
+      } finally {
+        control.giveStates(Optional.empty());
+      }
+    }
+
+    /** The state as a row would have it. */
+    private void copyState(double[] state) {
+      if (steps > 0) {
+        integrator.interpolate(timeReached, y, yDot);
+        equations.closeLoops(timeReached, y);
+      }
+      rows.copyState(y, state);
     }
 
     private Outcome integrate() throws IOException {
@@ -213,6 +226,7 @@ public final class Simulation implements Solver {
         return rowFailed(outputTimes.time(nextRow), badColumn);
       }
       nextRow++;
+      control.giveStates(Optional.of(this::copyState));
       return control.proceed(settings.tStart(), 0, 0, 0)
           ? stepToEnd(result)
           : new Outcome.Stopped();
@@ -224,6 +238,7 @@ public final class Simulation implements Solver {
 
     private Outcome goOnFrom(byte[] saved) throws IOException {
       checkpoints.restore(saved, this::transfer);
+      control.giveStates(Optional.of(this::copyState));
       return goOn() ? stepToEnd(StepResult.ADVANCED) : new Outcome.Stopped();
     }
 

@@ -54,6 +54,21 @@ final class UnitOutput {
     }
   }
 
+  /**
+   * Scales the Euler parameters of a state of which nothing is to be said.
+   *
+   * @param state overwritten
+   * @param at where the positions begin
+   */
+  void scale(double[] state, int at) {
+    for (int first : start) {
+      double norm = EulerParameters.norm(state, at + first);
+      for (int k = at + first; k < at + first + 4; k++) {
+        state[k] /= norm;
+      }
+    }
+  }
+
   /** Returns what there is to say: nothing if no norm has left one by more than rounding. */
   List<Note> notes() {
     if (largest <= ROUNDING) {

@@ -2,6 +2,7 @@ package org.mechservice.solver.api;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import org.junit.jupiter.api.Test;
@@ -42,5 +43,30 @@ class RunControlTest {
     assertThat(control.time()).isEqualTo(5);
     control.stop();
     solver.shutdown();
+  }
+
+  @Test
+  void heldRunGivesItsStateInItsOwnThread() throws InterruptedException {
+    RunControl control = new RunControl();
+    control.resumeTo(5);
+    double[] state = new double[1];
+    assertThat(control.state(state, PATIENCE_MILLIS)).isEmpty();
+    Thread[] asked = new Thread[1];
+    control.giveStates(
+        Optional.of(
+            values -> {
+              asked[0] = Thread.currentThread();
+              values[0] = 42;
+            }));
+    Thread solver = new Thread(() -> stepUntilStopped(control));
+    solver.start();
+    assertThat(control.awaitHeld(PATIENCE_MILLIS)).isTrue();
+    assertThat(control.state(state, PATIENCE_MILLIS)).hasValue(5);
+    assertThat(state).containsExactly(42);
+    assertThat(asked[0]).isSameAs(solver);
+    control.giveStates(Optional.empty());
+    assertThat(control.state(state, PATIENCE_MILLIS)).isEmpty();
+    control.stop();
+    solver.join();
   }
 }
