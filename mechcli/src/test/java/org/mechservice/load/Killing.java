@@ -1,7 +1,6 @@
 package org.mechservice.load;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -19,7 +18,6 @@ import org.mechservice.client.MechConnection;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.RemoteRun;
 import org.mechservice.client.RunState;
-import org.mechservice.client.ServiceException;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.IMechSimRemote;
@@ -31,6 +29,7 @@ import org.mechservice.idl.ResultBlockHolder;
 import org.mechservice.idl.ResultCursor;
 import org.mechservice.idl.SimState;
 import org.mechservice.orb.ServiceOrb;
+import org.mechservice.solver.api.Outcome;
 import org.omg.CORBA.SystemException;
 
 /**
@@ -177,8 +176,10 @@ final class Killing implements AutoCloseable {
         atRandom();
         victim.children().forEach(ProcessHandle::destroyForcibly);
         eventually("the run ends", () -> run.progress().state() == RunState.FAILED);
-        assertThat(catchThrowableOfType(ServiceException.class, run::result).code())
-            .isEqualTo(WORKER_LOST);
+        assertThat(run.result().outcome())
+            .isInstanceOfSatisfying(
+                Outcome.Failed.class,
+                failed -> assertThat(failed.failure().code()).isEqualTo(WORKER_LOST));
       }
     }
     eventually("no worker is left", () -> victim.children().isEmpty());
