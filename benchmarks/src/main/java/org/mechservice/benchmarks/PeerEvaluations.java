@@ -4,9 +4,12 @@ import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
 
 /** Forward dynamics of the models that other programs are measured with, see {@code peers}. */
+@State(Scope.Thread)
 public class PeerEvaluations extends Measured {
   /** What is evaluated. */
   @Param({"pend5", "pend5s", "driver41", "spatial200", "driver"})

@@ -5,9 +5,12 @@ import org.jspecify.annotations.Nullable;
 import org.mechservice.solver.dynamics.TreeStepModel;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
 
 /** Derivatives of inverse dynamics, of the models that other programs are measured with. */
+@State(Scope.Thread)
 public class PeerJacobians extends Measured {
   /** What is evaluated. */
   @Param({"pend5", "pend5s", "driver41"})

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.mechservice.client.CheckpointStore;
 import org.mechservice.client.MechSession;
@@ -73,6 +74,14 @@ final class SimulateCommand implements Callable<Integer> {
       description = "Take warnings for errors, those of the model's file and those of the run.")
   private boolean strict;
 
+  @Option(
+      names = "--max-drift",
+      paramLabel = "R",
+      description =
+          "End the run as failed where its energy balance drifts by more than R times the energy"
+              + " scale.")
+  private Optional<Double> maxDrift = Optional.empty();
+
   @Option(names = "--quiet", description = "Print nothing but errors.")
   private boolean quiet;
 
@@ -122,7 +131,8 @@ final class SimulateCommand implements Callable<Integer> {
   private SimulationOptions options() {
     SimulationOptions options =
         run.addTo(method.addTo(parameters.addTo(SimulationOptions.asInFile())));
-    return strict ? options.strict() : options;
+    SimulationOptions watched = maxDrift.map(options::maxDrift).orElse(options);
+    return strict ? watched.strict() : watched;
   }
 
   private int simulate(PreparedRun run, RunNews news, ResultFiles files, CheckpointStore store)

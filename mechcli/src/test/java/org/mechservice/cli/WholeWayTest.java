@@ -134,6 +134,45 @@ class WholeWayTest {
     assertThat(folder.resolve("r.csv")).doesNotExist();
   }
 
+  /** At a relative tolerance of 1e-2 no run keeps its energy to eight digits. */
+  @ValueSource(strings = {"remote", "local"})
+  @ParameterizedTest
+  void runEndsWhereItsEnergyBalanceDriftsTooFarAndKeepsItsRows(String mode) throws Exception {
+    String rows = file("r.csv");
+    int status =
+        mech(
+            "simulate",
+            MODEL,
+            "--mode",
+            mode,
+            "--rtol",
+            "1e-2",
+            "--atol",
+            "1e-2",
+            "--max-drift",
+            "1e-8",
+            "--quiet",
+            "--out",
+            rows);
+    assertThat(status).isEqualTo(1);
+    assertThat(err.toString())
+        .contains("N-016 t=")
+        .contains("at most 1.0E-8 is allowed")
+        .contains("the relative one is 0.01")
+        .contains(rows);
+    assertThat(Files.readAllLines(Path.of(rows))).hasSizeGreaterThan(1);
+    assertThat(mech("simulate", MODEL, "--mode", mode, "--max-drift", "0.5")).isZero();
+  }
+
+  @Test
+  void energyBalanceOfPrescribedMotionsIsNotWatched() {
+    String model = Path.of("..", "examples", "elements", "kinematic.xml").toString();
+    assertThat(mech("simulate", model, "--max-drift", "1e-3")).isEqualTo(2);
+    assertThat(err.toString()).contains("which takes no max-drift");
+    assertThat(mech("simulate", MODEL, "--max-drift", "0")).isEqualTo(2);
+    assertThat(err.toString()).contains("max-drift is 0.0; it must be positive");
+  }
+
   @Test
   void strictCheckTakesWarningsForErrors() {
     assertThat(mech("check", TOO_LONG)).isZero();

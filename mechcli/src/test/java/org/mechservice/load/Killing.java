@@ -152,9 +152,7 @@ final class Killing implements AutoCloseable {
     }
     try (ServiceOrb orb = ServiceOrb.client()) {
       MechAdmin admin = orb.connectAdmin(server.address()); // whose looking renews no lease
-      eventually(
-          "the run of the dead client " + id + " ends",
-          () -> isCancelled(admin, id));
+      eventually("the run of the dead client " + id + " ends", () -> isCancelled(admin, id));
       orb.connect(server.address()).findSimulation(id).destroy();
     }
   }

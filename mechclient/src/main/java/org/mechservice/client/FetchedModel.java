@@ -3,6 +3,7 @@ package org.mechservice.client;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 import java.util.Set;
@@ -96,12 +97,17 @@ record FetchedModel(
   /**
    * @param columns column groups asked for; empty: those its file selects
    * @param strict whether the first warning ends the run
+   * @param maxDrift drift of the energy balance, over the energy scale, that ends it
    */
-  LocalRun prepare(Optional<Set<ColumnGroup>> columns, boolean strict, Map<String, Object> facts) {
+  LocalRun prepare(
+      Optional<Set<ColumnGroup>> columns,
+      boolean strict,
+      OptionalDouble maxDrift,
+      Map<String, Object> facts) {
     ModelSource source = newSource();
     Model model = source.model();
     RunRequest request =
-        new RunRequest(model.description().defaults(), columns.orElse(shown), strict);
+        new RunRequest(model.description().defaults(), columns.orElse(shown), strict, maxDrift);
     return new LocalRun(source, model, solver, sha256, request, facts);
   }
 }

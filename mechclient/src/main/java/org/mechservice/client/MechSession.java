@@ -315,7 +315,7 @@ public final class MechSession implements AutoCloseable {
     facts.put("modelJarBytes", (long) modelJar.bytes().length);
     facts.put("modelClassBytes", modelJar.modelClassBytes());
     facts.put("runtimeJarBytes", (long) runtimeJar.length);
-    return fetched.prepare(options.columnGroups(), options.isStrict(), facts);
+    return fetched.prepare(options.columnGroups(), options.isStrict(), options.driftBound(), facts);
   }
 
   /**

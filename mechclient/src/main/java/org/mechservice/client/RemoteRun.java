@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.IMechSimRemoteOperations;
@@ -28,6 +29,12 @@ import org.omg.CORBA.UserException;
  * has room for stays where it is.
  */
 public final class RemoteRun implements PreparedRun {
+  /**
+   * What the solver refuses in the settings of a run, which is no failure of the simulation; that a
+   * limit was reached, or that a worker was lost, is one, and its rows are kept.
+   */
+  private static final Pattern OF_SETTINGS = Pattern.compile("S-0(08|[67]\\d|81)");
+
   /** How long one call waits at the server for rows; short enough to notice a lost server soon. */
   private static final Duration BLOCK_WAIT = Duration.ofMillis(500);
 
@@ -288,9 +295,8 @@ public final class RemoteRun implements PreparedRun {
     };
   }
 
-  /** Settings that the solver itself refuses are not a failure of the simulation. */
   private static Failure failure(FailureRecord said) {
-    if (said.code.startsWith("S-")) {
+    if (OF_SETTINGS.matcher(said.code).matches()) {
       throw new InvalidOptionException(said.code, said.text, "");
     }
     return new Failure(

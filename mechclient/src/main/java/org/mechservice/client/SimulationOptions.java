@@ -7,6 +7,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -17,6 +18,7 @@ import org.mechservice.idl.OPT_COLUMNS;
 import org.mechservice.idl.OPT_COMPACT;
 import org.mechservice.idl.OPT_FORMULATION;
 import org.mechservice.idl.OPT_INTEGRATOR;
+import org.mechservice.idl.OPT_MAX_DRIFT;
 import org.mechservice.idl.OPT_REL_TOL;
 import org.mechservice.idl.OPT_SET;
 import org.mechservice.idl.OPT_SIMULATION;
@@ -157,6 +159,21 @@ public final class SimulationOptions {
 
   boolean isStrict() {
     return "true".equals(texts.get(OPT_STRICT.value));
+  }
+
+  /**
+   * Ends the run as failed (N-016) where its energy balance, what the mechanism has less the work
+   * put in, drifts by more than this times the energy scale of the report.
+   */
+  public SimulationOptions maxDrift(double relative) {
+    return with(OPT_MAX_DRIFT.value, Double.toString(relative));
+  }
+
+  /** Returns the bound on the drift; empty if there is none. The server has checked it. */
+  OptionalDouble driftBound() {
+    return texts.containsKey(OPT_MAX_DRIFT.value)
+        ? OptionalDouble.of(Double.parseDouble(texts.get(OPT_MAX_DRIFT.value)))
+        : OptionalDouble.empty();
   }
 
   SimulationOptions standalone() {

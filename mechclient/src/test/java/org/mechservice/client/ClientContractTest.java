@@ -216,6 +216,28 @@ class ClientContractTest {
   }
 
   @Test
+  void limitThatWasReachedIsAFailureAndTheRowsUpToItAreKept() throws IOException {
+    server.endsAs = SimState.SIM_FAILED;
+    server.failureCode = "S-108";
+    Rows rows = new Rows();
+    RunResult result = session.prepareRemoteRun(SimulationOptions.asInFile()).toEnd(rows);
+    assertThat(result.outcome())
+        .isInstanceOfSatisfying(
+            Outcome.Failed.class, failed -> assertThat(failed.failure().code()).isEqualTo("S-108"));
+    assertThat(rows.rows).isNotEmpty();
+  }
+
+  @Test
+  void settingsThatTheSolverRefusesAreNoFailureOfTheRun() {
+    server.endsAs = SimState.SIM_FAILED;
+    server.failureCode = "S-066";
+    RemoteRun run = session.prepareRemoteRun(SimulationOptions.asInFile());
+    assertThatThrownBy(() -> run.toEnd(new Rows()))
+        .isInstanceOf(InvalidOptionException.class)
+        .hasMessageContaining("S-066");
+  }
+
+  @Test
   void runIsCancelledWhenItsRowsCannotBeKept() {
     ResultSink full =
         new ResultSink() {

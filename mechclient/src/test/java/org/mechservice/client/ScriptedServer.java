@@ -62,6 +62,7 @@ final class ScriptedServer implements AutoCloseable {
 
   final List<String> happened = new CopyOnWriteArrayList<>();
   final AtomicInteger runtimeFetches = new AtomicInteger();
+  volatile String failureCode = "N-001";
 
   /** What the script may be told to do differently. */
   volatile String apiVersion = "1.0";
@@ -321,7 +322,7 @@ final class ScriptedServer implements AutoCloseable {
 
     org.mechservice.idl.FailureRecord failure() {
       return new org.mechservice.idl.FailureRecord(
-          "N-001",
+          failureCode,
           "too stiff.",
           0.5,
           1e-9,

@@ -299,13 +299,13 @@ class JointDefinitionTest {
 
   private static Vector3 place(TreeMotion motion, Vector3 probe) {
     double[] out = new double[3];
-    motion.pointPosition(motion.tree().linkOfBody[0], fromReference(motion, probe), 0, out, 0);
+    motion.points.position(motion.tree().linkOfBody[0], fromReference(motion, probe), 0, out, 0);
     return new Vector3(out[0], out[1], out[2]);
   }
 
   private static Vector3 velocity(TreeMotion motion, Vector3 probe) {
     double[] out = new double[3];
-    motion.pointVelocity(motion.tree().linkOfBody[0], fromReference(motion, probe), 0, out, 0);
+    motion.points.velocity(motion.tree().linkOfBody[0], fromReference(motion, probe), 0, out, 0);
     return new Vector3(out[0], out[1], out[2]);
   }
 

@@ -222,7 +222,8 @@ final class MechSimServant implements MechSimOperations {
     CompiledModel compiled =
         Built.orRefused(() -> library.compiled(source, asked.forRun(ofFile), times));
     requireUserCodeAllowed(compiled, source);
-    RunRequest request = new RunRequest(asked.settings(), asked.columns(), asked.strict());
+    RunRequest request =
+        new RunRequest(asked.settings(), asked.columns(), asked.strict(), asked.maxDrift());
     long memory = session.limits().of(HostLimit.MEMORY);
     RunTask task = Built.orRefused(() -> runs.task(compiled, request, memory));
     RunColumns columns = Built.orRefused(() -> runs.columns(task.model(), request));

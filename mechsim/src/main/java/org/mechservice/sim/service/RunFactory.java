@@ -30,8 +30,13 @@ final class RunFactory {
     this.disk = disk;
   }
 
-  /** Returns the columns of a run. */
+  /**
+   * Returns the columns of a run.
+   *
+   * @throws IllegalArgumentException if the model has not what is asked for
+   */
   RunColumns columns(Model model, RunRequest request) {
+    Simulation.requireBalance(model, request);
     return RunColumns.of(groups -> Simulation.columns(model, groups), request.columns());
   }
 

@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -19,6 +20,7 @@ import org.mechservice.idl.OPT_COLUMNS;
 import org.mechservice.idl.OPT_COMPACT;
 import org.mechservice.idl.OPT_FORMULATION;
 import org.mechservice.idl.OPT_INTEGRATOR;
+import org.mechservice.idl.OPT_MAX_DRIFT;
 import org.mechservice.idl.OPT_REL_TOL;
 import org.mechservice.idl.OPT_SET;
 import org.mechservice.idl.OPT_SIMULATION;
@@ -44,6 +46,7 @@ import org.mechservice.solver.api.RunSettings;
  * @param settings of the run, with the integrator resolved
  * @param standalone whether a JAR is to carry the solver
  * @param strict whether warnings are errors
+ * @param maxDrift drift of the energy balance, over the energy scale, that ends a run
  */
 record RunOptions(
     String formulation,
@@ -52,7 +55,8 @@ record RunOptions(
     Set<ColumnGroup> columns,
     RunSettings settings,
     boolean standalone,
-    boolean strict) {
+    boolean strict,
+    OptionalDouble maxDrift) {
   /** What {@code auto} means for explicit formulations: ode113, and ode15s where it gets stiff. */
   private static final String EXPLICIT_INTEGRATOR = "switching";
 
@@ -80,6 +84,7 @@ record RunOptions(
               OPT_TUNABLE.value,
               OPT_STANDALONE.value,
               OPT_STRICT.value,
+              OPT_MAX_DRIFT.value,
               OPT_COMPACT.value));
 
   RunOptions {
@@ -106,7 +111,8 @@ record RunOptions(
         columns(given.getOrDefault(OPT_COLUMNS.value, ofFile(ofFile))),
         settings(given, ofFile),
         flag(given, OPT_STANDALONE.value),
-        flag(given, OPT_STRICT.value));
+        flag(given, OPT_STRICT.value),
+        maxDrift(given));
   }
 
   private static Map<String, String> byName(NameValue[] options) throws InvalidOption {
@@ -134,7 +140,8 @@ record RunOptions(
             OPT_CLOSURE.value,
             OPT_INTEGRATOR.value,
             OPT_REL_TOL.value,
-            OPT_ABS_TOL.value)) {
+            OPT_ABS_TOL.value,
+            OPT_MAX_DRIFT.value)) {
       if (given.containsKey(method)) {
         throw Refusal.option(
             method,
@@ -145,6 +152,12 @@ record RunOptions(
                 + "; leave it out");
       }
     }
+  }
+
+  private static OptionalDouble maxDrift(Map<String, String> given) throws InvalidOption {
+    return given.containsKey(OPT_MAX_DRIFT.value)
+        ? OptionalDouble.of(positive(given, OPT_MAX_DRIFT.value, 0, ""))
+        : OptionalDouble.empty();
   }
 
   private static boolean flag(Map<String, String> given, String name) throws InvalidOption {

@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -45,6 +46,7 @@ public record WorkerOrder(
       out.writeUTF(group.name());
     }
     out.writeBoolean(request.strict());
+    out.writeDouble(request.maxDrift().orElse(Double.NaN));
   }
 
   private static void writeFiles(DataOutputStream out, Map<String, byte[]> files)
@@ -93,7 +95,12 @@ public record WorkerOrder(
         classFiles,
         userClassFiles,
         values,
-        new RunRequest(settings, columns, in.readBoolean()));
+        new RunRequest(settings, columns, in.readBoolean(), number(in.readDouble())));
+  }
+
+  /** Reads NaN as none. */
+  private static OptionalDouble number(double written) {
+    return Double.isNaN(written) ? OptionalDouble.empty() : OptionalDouble.of(written);
   }
 
   private static SortedMap<String, byte[]> readFiles(DataInputStream in) throws IOException {

@@ -3,6 +3,8 @@ package org.mechservice.sim.build;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
@@ -16,6 +18,7 @@ import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.dynamics.DataDrivenModel;
+import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.integration.De;
@@ -25,6 +28,7 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.Root;
 import org.mechservice.solver.mechanism.StartRole;
+import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.simulation.ExplicitForm;
@@ -64,6 +68,40 @@ class DirectedForcesTest {
         List.of(StartRole.PREFERRED),
         List.of(),
         List.of(spring),
+        List.of());
+  }
+
+  /** A hinge with a bushing about it, turned by an angle at the start. */
+  private static Mechanism hinge(double angle) {
+    List<Expression> none = Collections.nCopies(36, Expression.of(0));
+    List<Expression> stiffness = new ArrayList<>(none);
+    for (int i = 0; i < 6; i++) {
+      stiffness.set(7 * i, Expression.of(40));
+    }
+    Bushing bushing =
+        new Bushing(
+            "sleeve",
+            new BodyFrame(Mechanism.ROOT, Vector3.ZERO, Rotation.IDENTITY),
+            new BodyFrame(0, Vector3.ZERO, Rotation.IDENTITY),
+            stiffness,
+            none,
+            none.subList(0, 6),
+            Bushing.Law.ENERGY,
+            Origin.NONE);
+    Attachment attachment =
+        new Attachment(Mechanism.ROOT, Vector3.ZERO, 0, Vector3.ZERO, Rotation.IDENTITY);
+    Body body =
+        new Body("block", 2, Vector3.ZERO, new InertiaTensor(1, 1, 1, 0, 0, 0), Origin.NONE);
+    return new Mechanism(
+        "hinge",
+        new Root("ground", Vector3.ZERO, Rotation.IDENTITY),
+        Vector3.ZERO,
+        List.of(body),
+        List.of(Scenes.joint("pin", "R", attachment, new Vector3(0, 0, 1), angle, 9)),
+        List.of(),
+        List.of(StartRole.PREFERRED),
+        List.of(),
+        List.of(bushing),
         List.of());
   }
 
@@ -107,6 +145,36 @@ class DirectedForcesTest {
     assertThat(((Outcome.Failed) outcome).failure().message())
         .startsWith("N-031")
         .contains("force coil");
+  }
+
+  @Test
+  void aBushingTurnedByHalfATurnIsNamed() throws Exception {
+    Model model = generated(hinge(Math.PI));
+    Outcome outcome =
+        new Simulation(De::new, new ExplicitForm())
+            .run(model, new RunRequest(Scenes.SETTINGS, Set.of()), new NoRows(), new RunControl())
+            .outcome();
+    assertThat(outcome).isInstanceOf(Outcome.Failed.class);
+    assertThat(((Outcome.Failed) outcome).failure().message())
+        .startsWith("N-031")
+        .contains("force sleeve");
+  }
+
+  @Test
+  void aBushingIsRefusedWhereTheDataDrivenOneIsAndNowhereElse() {
+    Mechanism hinge = hinge(0);
+    ExplicitModel model = (ExplicitModel) generated(hinge);
+    DataDrivenModel reference = new DataDrivenModel(hinge, Scenes.SETTINGS);
+    for (double angle : new double[] {0, 3.13, Math.PI, Math.PI + 1e-4, 3.2}) {
+      double[] y = {angle, 1};
+      double[] actual = new double[2];
+      double[] expected = new double[2];
+      boolean regular = reference.derivative(0, y, expected) == ExplicitModel.REGULAR;
+      assertThat(model.derivative(0, y, actual) == ExplicitModel.REGULAR).isEqualTo(regular);
+      if (regular) {
+        assertThat(actual).containsExactly(expected, within(1e-9));
+      }
+    }
   }
 
   @Test

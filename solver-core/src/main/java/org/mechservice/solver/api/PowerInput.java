@@ -10,4 +10,12 @@ public interface PowerInput {
    * @param y state [q; v]; not modified
    */
   double power(double t, double[] y);
+
+  /**
+   * Returns whether {@link #power} leaves nothing out. It does where loops contain motions that are
+   * prescribed in time: their forces are multipliers, which no state tells.
+   */
+  default boolean holdsAllPower() {
+    return true;
+  }
 }

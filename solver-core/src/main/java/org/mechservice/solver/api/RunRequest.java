@@ -1,5 +1,6 @@
 package org.mechservice.solver.api;
 
+import java.util.OptionalDouble;
 import java.util.Set;
 
 /**
@@ -8,14 +9,17 @@ import java.util.Set;
  * @param settings interval, output distance, integrator and tolerances
  * @param columns column groups wanted besides time and the joints' states
  * @param strict whether the first warning of the model ends the run
+ * @param maxDrift drift of the energy balance over the energy scale, both as in {@link RunReport},
+ *     above which the run ends as failed; empty: it is not watched
  */
-public record RunRequest(RunSettings settings, Set<ColumnGroup> columns, boolean strict) {
+public record RunRequest(
+    RunSettings settings, Set<ColumnGroup> columns, boolean strict, OptionalDouble maxDrift) {
   public RunRequest {
     columns = Set.copyOf(columns);
   }
 
-  /** A run that goes on whatever there is to warn of. */
+  /** A run that goes on whatever there is to warn of, and however its energy drifts. */
   public RunRequest(RunSettings settings, Set<ColumnGroup> columns) {
-    this(settings, columns, false);
+    this(settings, columns, false, OptionalDouble.empty());
   }
 }

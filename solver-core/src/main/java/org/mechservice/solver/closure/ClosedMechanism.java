@@ -7,9 +7,14 @@ import java.util.Optional;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.closure.CoordinateClosure;
+import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
 
 /**
  * A mechanism whose loops are closed at the start and whose independent equations are counted: what
@@ -101,6 +106,23 @@ public final class ClosedMechanism {
   /** Returns the number of degrees of freedom that the loops leave. */
   public int freedom() {
     return tree.stateVelocityCount - rank;
+  }
+
+  /**
+   * Returns whether motions or relations between coordinates are prescribed as functions of time,
+   * so that they do work.
+   */
+  boolean isMovedByTime() {
+    List<Expression> prescribed = new ArrayList<>();
+    tree.mechanism().motions().forEach(motion -> prescribed.addAll(motion.coordinates()));
+    for (LoopClosure closure : tree.mechanism().closures()) {
+      if (closure instanceof JointClosure cut) {
+        prescribed.addAll(cut.motion());
+      } else if (closure instanceof CoordinateClosure coupling) {
+        prescribed.add(coupling.relation());
+      }
+    }
+    return new Tape(prescribed).leaves().stream().anyMatch(Expression.Time.class::isInstance);
   }
 
   /** Returns the time at which the loops are closed, s. */

@@ -61,7 +61,7 @@ public final class CutReaction {
     }
     motion.toWorld(link, load, 6 * link + 3, wrench, at);
     motion.toWorld(link, load, 6 * link, wrench, at + 3);
-    motion.pointDifference(ancestor, child, point, 0, link, reference, 0, lever, 0);
+    motion.points.difference(ancestor, child, point, 0, link, reference, 0, lever, 0);
     Blocks.addCross(lever, 0, wrench, at, wrench, at + 3);
   }
 }

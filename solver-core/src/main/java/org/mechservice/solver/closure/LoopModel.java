@@ -153,6 +153,11 @@ abstract class LoopModel
   }
 
   @Override
+  public final boolean holdsAllPower() {
+    return !closed.isMovedByTime();
+  }
+
+  @Override
   public final List<String> bodies() {
     return work.tree.mechanism().bodies().stream().map(Body::name).toList();
   }

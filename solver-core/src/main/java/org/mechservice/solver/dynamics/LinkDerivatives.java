@@ -94,8 +94,8 @@ final class LinkDerivatives {
         byPosition.add(k, j, dot6(motion.subspace, 6 * k, positionWrench, 0));
         byVelocity.add(k, j, dot6(motion.subspace, 6 * k, velocityWrench, 0));
       }
-      motion.wrenchToParent(i, positionWrench, 0);
-      motion.wrenchToParent(i, velocityWrench, 0);
+      motion.wrenches.toParent(i, positionWrench, 0);
+      motion.wrenches.toParent(i, velocityWrench, 0);
     }
   }
 
@@ -104,10 +104,10 @@ final class LinkDerivatives {
    */
   private void toParent(int link, boolean accelerated) {
     for (int r = 0; r < 36; r += 6) {
-      motion.wrenchToParent(link, place, r);
-      motion.wrenchToParent(link, velocity, r);
+      motion.wrenches.toParent(link, place, r);
+      motion.wrenches.toParent(link, velocity, r);
       if (accelerated) {
-        motion.wrenchToParent(link, acceleration, r);
+        motion.wrenches.toParent(link, acceleration, r);
       }
     }
   }
@@ -132,8 +132,8 @@ final class LinkDerivatives {
         byPosition.add(on, j, k);
         byVelocity.add(on, j, dot6(motion.subspace, 6 * j, velocityWrench, 0));
       }
-      motion.wrenchToParent(i, positionWrench, 0);
-      motion.wrenchToParent(i, velocityWrench, 0);
+      motion.wrenches.toParent(i, positionWrench, 0);
+      motion.wrenches.toParent(i, velocityWrench, 0);
     }
   }
 
@@ -158,8 +158,8 @@ final class LinkDerivatives {
             dot6(motion.subspace, 6 * k, positionWrench, 0),
             dot6(motion.subspace, 6 * k, velocityWrench, 0));
       }
-      motion.wrenchToParent(i, positionWrench, 0);
-      motion.wrenchToParent(i, velocityWrench, 0);
+      motion.wrenches.toParent(i, positionWrench, 0);
+      motion.wrenches.toParent(i, velocityWrench, 0);
     }
   }
 

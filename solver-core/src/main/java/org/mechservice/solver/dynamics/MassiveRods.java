@@ -108,7 +108,7 @@ public final class MassiveRods {
     wrench[0] = end[at + 1] * wrench[5] - end[at + 2] * wrench[4];
     wrench[1] = end[at + 2] * wrench[3] - end[at] * wrench[5];
     wrench[2] = end[at] * wrench[4] - end[at + 1] * wrench[3];
-    motion.addRow(link, wrench, 0, 1, target);
+    motion.wrenches.addRow(link, wrench, 0, 1, target);
   }
 
   private boolean moves(int j) {
@@ -142,17 +142,17 @@ public final class MassiveRods {
    */
   public void addForces(TreeMotion motion, double[] onLinks) {
     for (int rod = 0; rod < rods.length; rod++) {
-      motion.pointAcceleration(linkA[rod], endA, 3 * rod, a, 0);
-      motion.pointAcceleration(linkB[rod], endB, 3 * rod, b, 0);
+      motion.points.acceleration(linkA[rod], endA, 3 * rod, a, 0);
+      motion.points.acceleration(linkB[rod], endB, 3 * rod, b, 0);
       double sixth = rods[rod].rodMass() / 6;
       for (int i = 0; i < 3; i++) {
         force[i] = sixth * (3 * tree.gravity[i] - 2 * a[i] - b[i]);
       }
-      motion.addForceAtPoint(linkA[rod], endA, 3 * rod, force, 0, onLinks);
+      motion.wrenches.addForceAtPoint(linkA[rod], endA, 3 * rod, force, 0, onLinks);
       for (int i = 0; i < 3; i++) {
         force[i] = sixth * (3 * tree.gravity[i] - a[i] - 2 * b[i]);
       }
-      motion.addForceAtPoint(linkB[rod], endB, 3 * rod, force, 0, onLinks);
+      motion.wrenches.addForceAtPoint(linkB[rod], endB, 3 * rod, force, 0, onLinks);
     }
   }
 
@@ -173,8 +173,8 @@ public final class MassiveRods {
   public double kineticEnergy(TreeMotion motion) {
     double energy = 0;
     for (int rod = 0; rod < rods.length; rod++) {
-      motion.pointVelocity(linkA[rod], endA, 3 * rod, a, 0);
-      motion.pointVelocity(linkB[rod], endB, 3 * rod, b, 0);
+      motion.points.velocity(linkA[rod], endA, 3 * rod, a, 0);
+      motion.points.velocity(linkB[rod], endB, 3 * rod, b, 0);
       for (int i = 0; i < 3; i++) {
         energy += rods[rod].rodMass() / 6 * (a[i] * a[i] + a[i] * b[i] + b[i] * b[i]);
       }
@@ -186,8 +186,8 @@ public final class MassiveRods {
   public double potentialEnergy(TreeMotion motion) {
     double energy = 0;
     for (int rod = 0; rod < rods.length; rod++) {
-      motion.pointPosition(linkA[rod], endA, 3 * rod, a, 0);
-      motion.pointPosition(linkB[rod], endB, 3 * rod, b, 0);
+      motion.points.position(linkA[rod], endA, 3 * rod, a, 0);
+      motion.points.position(linkB[rod], endB, 3 * rod, b, 0);
       for (int i = 0; i < 3; i++) {
         energy -= rods[rod].rodMass() / 2 * tree.gravity[i] * (a[i] + b[i]);
       }

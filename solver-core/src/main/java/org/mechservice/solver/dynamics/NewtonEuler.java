@@ -99,7 +99,7 @@ final class NewtonEuler {
 
   private void addToParent(int link) {
     System.arraycopy(force, 6 * link, work, 0, 6);
-    motion.wrenchToParent(link, work, 0);
+    motion.wrenches.toParent(link, work, 0);
     for (int i = 0; i < 6; i++) {
       force[6 * tree.parent[link] + i] += work[i];
     }

@@ -151,7 +151,7 @@ public final class ResidualJacobian {
         setMass(place, j);
       }
       for (int i = link; tree.parent[i] != TreeGeometry.ROOT; i = tree.parent[i]) {
-        motion.wrenchToParent(i, inertiaWrench, 0);
+        motion.wrenches.toParent(i, inertiaWrench, 0);
         int above = tree.parent[i];
         int end = tree.velocityAt[above] + tree.kind[above].velocityCount();
         for (int j = tree.velocityAt[above]; j < end && !tree.driven[above]; j++) {
@@ -289,9 +289,9 @@ public final class ResidualJacobian {
     formInLink(place, k, link);
     addForceTurned(s, 6 * k, newtonEuler.force, 6 * link, positionWrench);
     for (int i = link; tree.parent[i] != TreeGeometry.ROOT; i = tree.parent[i]) {
-      motion.wrenchToParent(i, inertiaWrench, 0);
-      motion.wrenchToParent(i, velocityWrench, 0);
-      motion.wrenchToParent(i, positionWrench, 0);
+      motion.wrenches.toParent(i, inertiaWrench, 0);
+      motion.wrenches.toParent(i, velocityWrench, 0);
+      motion.wrenches.toParent(i, positionWrench, 0);
       apply(motion.rotation, 9 * i, changeMoment, 0, work, 0);
       System.arraycopy(work, 0, changeMoment, 0, 3);
       if (!tree.driven[tree.parent[i]]) {

@@ -124,7 +124,7 @@ public final class SemiRecursive {
             mass.setElement(pattern.find(place, pattern.placeOf[j]), product(j));
           }
         }
-        motion.wrenchToParent(i, work, 0);
+        motion.wrenches.toParent(i, work, 0);
       }
     }
 

@@ -39,8 +39,8 @@ final class DeclaredPoint {
 
   /** Takes the readings from a swept motion. */
   void read(TreeMotion motion) {
-    motion.pointPosition(link, r, 0, position, 0);
-    motion.pointVelocity(link, r, 0, velocity, 0);
+    motion.points.position(link, r, 0, position, 0);
+    motion.points.velocity(link, r, 0, velocity, 0);
     for (int j = 0; j < 3; j++) {
       axis[0] = j == 0 ? 1 : 0;
       axis[1] = j == 1 ? 1 : 0;

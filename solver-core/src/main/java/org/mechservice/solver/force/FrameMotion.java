@@ -88,7 +88,7 @@ final class FrameMotion {
 
   /** Reads place and velocities from the swept motion. */
   void read() {
-    motion.pointDifference(ancestor, link1, r1, 0, link2, r2, 0, moved, 0);
+    motion.points.difference(ancestor, link1, r1, 0, link2, r2, 0, moved, 0);
     motion.fromWorld(link1, moved, 0, work, 0);
     apply(a1, 0, work, 0, displacement, 0);
     for (int i = 0; i < 3; i++) {

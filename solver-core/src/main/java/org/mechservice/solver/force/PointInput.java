@@ -39,9 +39,9 @@ final class PointInput extends LeafInput {
   @Override
   double value(double t) {
     if (velocity) {
-      motion.pointVelocity(link, r, 0, world, 0);
+      motion.points.velocity(link, r, 0, world, 0);
     } else {
-      motion.pointPosition(link, r, 0, world, 0);
+      motion.points.position(link, r, 0, world, 0);
     }
     return world[axis];
   }

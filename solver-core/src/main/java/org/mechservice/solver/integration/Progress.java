@@ -9,6 +9,12 @@ final class Progress {
   /** Tries in a row with values that are not finite before the integrator gives up. */
   private static final int NOT_FINITE_TRIES = 10;
 
+  /**
+   * The same without a step between them that gets on: towards a place that cannot be passed, steps
+   * are halved some fifty times; then they could creep on by the last digit of t.
+   */
+  private static final int NOT_FINITE_TRIES_AT_ONE_PLACE = 100;
+
   private final RecentSteps recentSteps = new RecentSteps();
   private final StepLimits limits = new StepLimits();
   private Optional<IntegrationFailure> failure = Optional.empty();
@@ -28,6 +34,7 @@ final class Progress {
   private double resolvedTime;
 
   private int notFiniteInARow;
+  private int notFiniteHere;
   private long steps;
   private long rejectedSteps;
 
@@ -50,6 +57,7 @@ final class Progress {
     stepSize = 0;
     order = 0;
     notFiniteInARow = 0;
+    notFiniteHere = 0;
     steps = 0;
     rejectedSteps = 0;
   }
@@ -64,6 +72,7 @@ final class Progress {
     stepSize = 0;
     order = 0;
     notFiniteInARow = 0;
+    notFiniteHere = 0;
   }
 
   /** Makes the problem ready unless its end is reached; returns the result of the step so far. */
@@ -79,6 +88,7 @@ final class Progress {
     time = end;
     if (Math.abs(h) >= resolution * Math.abs(end - start)) {
       resolvedTime = end;
+      notFiniteHere = 0;
     }
     stepSize = h;
     this.order = order;
@@ -95,12 +105,13 @@ final class Progress {
     limits.rejected(attempt, component);
     recentSteps.record(time, h, order, error, attempt);
     notFiniteInARow = attempt == Attempt.NOT_FINITE ? notFiniteInARow + 1 : 0;
+    notFiniteHere += attempt == Attempt.NOT_FINITE ? 1 : 0;
     rejectedSteps++;
   }
 
-  /** Returns whether so many tries in a row were not finite that shorter steps will not help. */
+  /** Returns whether so many tries were not finite that shorter steps will not help. */
   boolean notFiniteTooOften() {
-    return notFiniteInARow >= NOT_FINITE_TRIES;
+    return notFiniteInARow >= NOT_FINITE_TRIES || notFiniteHere >= NOT_FINITE_TRIES_AT_ONE_PLACE;
   }
 
   /** Ends the integration; for the arguments see {@link IntegrationFailure}. */
@@ -202,6 +213,7 @@ final class Progress {
     stepSize = state.number(stepSize);
     order = state.integer(order);
     notFiniteInARow = state.integer(notFiniteInARow);
+    notFiniteHere = state.integer(notFiniteHere);
     steps = state.integer(steps);
     rejectedSteps = state.integer(rejectedSteps);
   }

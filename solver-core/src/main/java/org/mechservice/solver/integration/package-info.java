@@ -52,6 +52,9 @@
  * 0</td><td>1-5</td><td>1-4 of F, and linear equations</td><td>the same, algebraic components not
  * tested</td><td>ends there exactly</td><td>mass matrices, multipliers, implicit equations of index
  * 1</td></tr>
+ * <tr><td>{@link org.mechservice.solver.integration.Switching}</td><td>Adams, and differentiation
+ * formulas where it gets stiff</td><td>1-13, 1-5</td><td>2, or those of ode15s</td><td>as
+ * both</td><td>ends there exactly</td><td>stiffness comes and goes, or nobody knows</td></tr>
  * </table>
  *
  * <p>Adams methods need few evaluations when f is smooth and digits are many, and do worst when f
@@ -67,8 +70,8 @@
  * ∂f/∂y: tell it by {@link org.mechservice.solver.integration.JacobianSystem} or leave it to
  * differences; with many unknowns in a line say so by {@link
  * org.mechservice.solver.integration.BandedSystem}. Fast oscillations that are hardly damped hold
- * it up. If neither method is known to suit, begin with ode113 and look at {@code
- * stiffnessSuspected}.
+ * it up. If neither method is known to suit, let {@link
+ * org.mechservice.solver.integration.Switching} find out.
  *
  * <h2>Mathematics of the Adams methods</h2>
  *

@@ -32,6 +32,9 @@ public final class AnalysisSolver implements Solver {
   public RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
       throws IOException {
     OutputTimes.requireUsable(request.settings());
+    if (request.maxDrift().isPresent()) {
+      throw EnergyMonitor.unbalanced(model, "is not integrated");
+    }
     Model bare = ExtendedModel.bare(model);
     return bare instanceof ResultTable table
         ? tabulate(table, request.settings(), sink)

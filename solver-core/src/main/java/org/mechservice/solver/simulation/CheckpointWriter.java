@@ -81,6 +81,7 @@ final class CheckpointWriter {
     state.require("solver version", SolverVersion.CURRENT);
     state.require("run", request.settings());
     state.require("list of column groups", request.columns().stream().sorted().toList());
+    state.require("energy balance", request.maxDrift().isPresent() ? "watched" : "not watched");
     run.transfer(state);
   }
 }

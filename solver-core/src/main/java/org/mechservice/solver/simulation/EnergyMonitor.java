@@ -2,6 +2,8 @@ package org.mechservice.solver.simulation;
 
 import java.util.OptionalDouble;
 import org.mechservice.solver.api.Energies;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.integration.StateTransfer;
 
 /**
@@ -9,13 +11,45 @@ import org.mechservice.solver.integration.StateTransfer;
  * was. Where work is done that nobody measures, nothing can be said of it.
  */
 final class EnergyMonitor {
+  /**
+   * Relative to the energies themselves, a change that rounding explains: each is summed over
+   * bodies and forces, a thousand roundings.
+   */
+  private static final double ROUNDING = 1000 * 0x1p-52;
+
   private final double[] energy = new double[2];
   private boolean started;
   private double initialTotal;
   private double initialPotential;
   private double drift;
+  private double latest;
+  private double rounding;
   private double scale;
   private boolean workUnknown;
+
+  /**
+   * Refuses models whose energy cannot be balanced.
+   *
+   * @throws IllegalArgumentException S-166 saying why
+   */
+  static void requireBalance(Model model) {
+    if (!(model instanceof Energies)) {
+      throw unbalanced(model, "does not tell its energy");
+    }
+    if (model instanceof PowerInput input && !input.holdsAllPower()) {
+      throw unbalanced(model, "has loops with motions prescribed in time, whose work is not known");
+    }
+  }
+
+  /** Returns the refusal to watch a model's energy balance. */
+  static IllegalArgumentException unbalanced(Model model, String why) {
+    return new IllegalArgumentException(
+        "S-166 model \""
+            + model.description().name()
+            + "\" "
+            + why
+            + ", so no drift of its energy balance can end the run; leave out --max-drift");
+  }
 
   /**
    * Takes note of the energy in a state.
@@ -32,7 +66,10 @@ final class EnergyMonitor {
       initialTotal = total;
       initialPotential = energy[1];
     }
-    drift = Math.max(drift, Math.abs(total - initialTotal));
+    latest = Math.abs(total - initialTotal);
+    double sizes = energy[0] + Math.abs(energy[1]) + Math.abs(work) + Math.abs(initialTotal);
+    rounding = ROUNDING * sizes;
+    drift = Math.max(drift, latest);
     scale = Math.max(scale, Math.max(energy[0], Math.abs(energy[1] - initialPotential)));
   }
 
@@ -57,6 +94,19 @@ final class EnergyMonitor {
   /** Returns the larger of largest kinetic energy and largest change of potential energy, J. */
   OptionalDouble scale() {
     return started && !workUnknown ? OptionalDouble.of(scale) : OptionalDouble.empty();
+  }
+
+  /** Returns |E(t) − W(t) − E(0)| as last observed, J. */
+  double latestDrift() {
+    return latest;
+  }
+
+  /**
+   * Returns whether the drift last observed is above a part of the scale so far, or no number. What
+   * rounding explains does not count: a mechanism at rest has no scale.
+   */
+  boolean exceeds(double part) {
+    return !workUnknown && !(latest <= part * scale + rounding);
   }
 
   /** Carries what was observed over. */

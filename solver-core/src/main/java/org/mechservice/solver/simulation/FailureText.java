@@ -9,8 +9,10 @@ import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.integration.Attempt;
 import org.mechservice.solver.integration.IntegrationFailure;
+import org.mechservice.solver.integration.Integrator;
 
 /** Says in the words of mechanics why a run could not go on. */
 final class FailureText {
@@ -196,6 +198,41 @@ final class FailureText {
         0,
         "",
         "The run is strict, so this ends it; leave out --strict to go on all the same.");
+  }
+
+  /**
+   * Explains a run whose energy drifts.
+   *
+   * @param limiting the state that made steps be rejected most often; empty if none was
+   * @param stiff whether stability, not accuracy, keeps the steps small
+   */
+  static Failure energyDrifts(
+      double t,
+      Integrator integrator,
+      EnergyMonitor energy,
+      double bound,
+      RunSettings settings,
+      Optional<String> limiting,
+      boolean stiff) {
+    double scale = energy.scale().orElse(0);
+    String tighter = "Tighten the tolerances: the relative one is " + settings.relativeTolerance();
+    return new Failure(
+        "N-016",
+        String.format(
+            Locale.ROOT,
+            "The energy, less the work put in, has drifted by %.4g J, which is %.4g of the energy"
+                + " scale of %.4g J; at most %s is allowed.",
+            energy.latestDrift(),
+            energy.latestDrift() / scale,
+            scale,
+            Double.toString(bound)),
+        t,
+        integrator.stepSize(),
+        integrator.order(),
+        limiting.map(s -> "state \"" + s + "\", which limits the steps most").orElse(""),
+        tighter
+            + (stiff ? "; the motion is stiff, so take an implicit integrator such as ode15s" : "")
+            + ". A force that jumps needs an event, or a smaller largest step.");
   }
 
   /** Repeats what the model itself had to say. */

@@ -24,6 +24,7 @@ final class RowWriter {
   private final ResultSink sink;
   private final UnitOutput unitOutput;
   private final EnergyMonitor energyMonitor = new EnergyMonitor();
+  private final boolean balanceWatched;
   private final double[] row;
   private final double[] yDot;
   private final double[] poses;
@@ -45,6 +46,7 @@ final class RowWriter {
     row = new double[layout.columns().size()];
     yDot = new double[model.description().stateCount()];
     positionCount = model.description().positionCount();
+    balanceWatched = request.maxDrift().isPresent();
     unitOutput = new UnitOutput(model.description());
     poses =
         layout.bodies() != RowLayout.ABSENT && model instanceof BodyPoses posed
@@ -110,13 +112,14 @@ final class RowWriter {
     unitOutput.scale(state, 0);
   }
 
-  /** Work is measured where its column is put out. */
+  /** Work is measured where its column is put out or the energy balance is watched. */
   boolean measuresWork() {
-    return layout.energy() != RowLayout.ABSENT;
+    return layout.energy() != RowLayout.ABSENT || balanceWatched;
   }
 
   private boolean doesWorkUnmeasured(double t, double[] y) {
-    return !measuresWork() && model instanceof PowerInput input && input.power(t, y) != 0;
+    return model instanceof PowerInput input
+        && (!input.holdsAllPower() || (!measuresWork() && input.power(t, y) != 0));
   }
 
   /** Returns the name of a column. */

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.ColumnGroup;
@@ -38,6 +39,9 @@ import org.mechservice.solver.integration.StepResult;
 public final class Simulation implements Solver {
   /** In place of a column: the loops cannot be closed at an output time. */
   private static final int LOOPS_OPEN = -2;
+
+  /** In place of a column: the energy balance has drifted too far. */
+  private static final int DRIFTED = -3;
 
   private final IntegratorFactory integrators;
   private final EquationForm form;
@@ -89,6 +93,17 @@ public final class Simulation implements Solver {
     }
   }
 
+  /**
+   * Refuses to watch the energy balance of a model that has none, or whose work is not all known.
+   *
+   * @throws IllegalArgumentException S-166 saying why
+   */
+  public static void requireBalance(Model model, RunRequest request) {
+    if (request.maxDrift().isPresent()) {
+      EnergyMonitor.requireBalance(bare(model));
+    }
+  }
+
   @Override
   public RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
       throws IOException {
@@ -100,6 +115,7 @@ public final class Simulation implements Solver {
       Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException {
     OutputTimes.requireUsable(request.settings());
+    requireBalance(model, request);
     Model watched = ExtendedModel.bare(model);
     ModelEquations equations = form.of(watched);
     RunEvents events = form.events(watched, equations, request.settings());
@@ -113,6 +129,7 @@ public final class Simulation implements Solver {
     private final RunSettings settings;
     private final RunControl control;
     private final boolean strict;
+    private final OptionalDouble maxDrift;
     private final Integrator integrator;
     private final ModelEquations equations;
     private final RunEvents events;
@@ -120,11 +137,9 @@ public final class Simulation implements Solver {
     private final RowWriter rows;
     private final WorkMeter work;
     private final CheckpointWriter checkpoints;
+    private final NotesOfRun notes;
     private final double[] y;
     private final double[] yDot;
-
-    /** What the model had noted when the run that is taken up was saved. */
-    private final List<RunNotes.Note> notedBefore = new ArrayList<>();
 
     private final long startedAt = System.nanoTime();
     private double timeReached;
@@ -146,11 +161,13 @@ public final class Simulation implements Solver {
       this.settings = request.settings();
       this.control = control;
       strict = request.strict();
+      maxDrift = request.maxDrift();
       integrator = events.watch(createIntegrator());
       outputTimes = new OutputTimes(settings);
       checkpoints = new CheckpointWriter(model, request, store);
       rows = new RowWriter(model, further, request, sink);
       work = new WorkMeter(equations, integrator, model, rows.measuresWork(), settings.tStart());
+      notes = new NotesOfRun(model, rows, events, integrator);
       y = new double[equations.dimension()];
       yDot = new double[equations.dimension()];
       timeReached = settings.tStart();
@@ -201,8 +218,8 @@ public final class Simulation implements Solver {
       if (result == StepResult.FAILED) {
         return startFailed();
       }
-      if (strict && firstWarning().isPresent()) {
-        return warned(firstWarning().get());
+      if (strict && notes.firstWarning().isPresent()) {
+        return warned(notes.firstWarning().get());
       }
       int badColumn = rows.write(outputTimes.time(nextRow), y, 0);
       if (badColumn != RowWriter.ALL_FINITE) {
@@ -213,10 +230,6 @@ public final class Simulation implements Solver {
       return control.proceed(settings.tStart(), 0, 0, 0)
           ? stepToEnd(result)
           : new Outcome.Stopped();
-    }
-
-    private Optional<RunNotes.Note> firstWarning() {
-      return notes().stream().filter(RunNotes.Note::warning).findFirst();
     }
 
     private static Outcome warned(RunNotes.Note warning) {
@@ -236,36 +249,12 @@ public final class Simulation implements Solver {
       steps = state.integer(steps);
       rows.transfer(state);
       work.transfer(state);
-      transferNotes(state);
+      notes.transfer(state);
       if (state.restoring()) {
         equations.resume(integrator, state.bytes(new byte[0]));
       } else {
         state.bytes(integrator.save());
       }
-    }
-
-    private void transferNotes(StateTransfer state) {
-      List<RunNotes.Note> noted = modelNotes();
-      int count = state.integer(noted.size());
-      for (int i = 0; i < count; i++) {
-        RunNotes.Note note = i < noted.size() ? noted.get(i) : new RunNotes.Note("", 0, false, "");
-        String code = state.text(note.code());
-        double time = state.number(note.time());
-        boolean warning = state.flag(note.warning());
-        RunNotes.Note carried = new RunNotes.Note(code, time, warning, state.text(note.text()));
-        if (state.restoring()) {
-          notedBefore.add(carried);
-        }
-      }
-    }
-
-    /** Returns the model's notes; one taken up repeats those of its start. */
-    private List<RunNotes.Note> modelNotes() {
-      List<RunNotes.Note> notes = new ArrayList<>(notedBefore);
-      if (model instanceof RunNotes noted) {
-        noted.notes().stream().filter(note -> !notedBefore.contains(note)).forEach(notes::add);
-      }
-      return notes;
     }
 
     private Outcome stepToEnd(StepResult begun) throws IOException {
@@ -286,8 +275,8 @@ public final class Simulation implements Solver {
         if (events.failure().isPresent()) {
           return new Outcome.Failed(events.failure().get());
         }
-        if (strict && firstWarning().isPresent()) {
-          return warned(firstWarning().get());
+        if (strict && notes.firstWarning().isPresent()) {
+          return warned(notes.firstWarning().get());
         }
         work.add(events.takeWork());
         if (!proceed(result == StepResult.ADVANCED)) {
@@ -320,6 +309,9 @@ public final class Simulation implements Solver {
         int badColumn = rows.write(t, y, work.work());
         if (badColumn != RowWriter.ALL_FINITE) {
           return badColumn;
+        }
+        if (maxDrift.isPresent() && rows.energyMonitor().exceeds(maxDrift.getAsDouble())) {
+          return DRIFTED;
         }
         rowWritten(t);
       }
@@ -372,9 +364,23 @@ public final class Simulation implements Solver {
 
     private Outcome rowFailed(double t, int column) {
       return new Outcome.Failed(
-          column == LOOPS_OPEN
-              ? loopsOpen(t)
-              : FailureText.notFiniteColumn(t, rows.columnName(column)));
+          switch (column) {
+            case LOOPS_OPEN -> loopsOpen(t);
+            case DRIFTED -> energyDrifts(t);
+            default -> FailureText.notFiniteColumn(t, rows.columnName(column));
+          });
+    }
+
+    private Failure energyDrifts(double t) {
+      IntegrationStatistics done = integrator.statistics();
+      return FailureText.energyDrifts(
+          t,
+          integrator,
+          rows.energyMonitor(),
+          maxDrift.orElseThrow(),
+          settings,
+          limits(done).stream().findFirst().map(RunReport.Limit::state),
+          done.stiffnessSuspected());
     }
 
     private Failure loopsOpen(double t) {
@@ -382,14 +388,6 @@ public final class Simulation implements Solver {
           .obstacle()
           .map(obstacle -> FailureText.of(obstacle, t, 0, 0))
           .orElseGet(() -> FailureText.loopsOpen(t));
-    }
-
-    private List<RunNotes.Note> notes() {
-      List<RunNotes.Note> notes = modelNotes();
-      notes.addAll(rows.notes());
-      notes.addAll(events.notes());
-      notes.addAll(MethodNotes.of(integrator));
-      return notes;
     }
 
     private List<RunReport.Limit> limits(IntegrationStatistics done) {
@@ -421,7 +419,7 @@ public final class Simulation implements Solver {
           done.jacobians(),
           done.factorisations(),
           limits(done),
-          notes(),
+          notes.all(),
           SolverVersion.CURRENT);
     }
   }

@@ -42,6 +42,8 @@ record StandaloneOptions(
         --out FILE     write the rows as CSV, and their units beside it
         --columns C    column groups besides joints, separated by commas, or all
         --strict       let the first warning end the run
+        --max-drift R  end the run where its energy balance drifts by more than R times the
+                       energy scale
         --quiet        print nothing but errors
         --json         print the report as JSON
         --help         print this
@@ -82,7 +84,8 @@ record StandaloneOptions(
         new RunRequest(
             parser.atol.isEmpty() ? settings : settings.withTolerances(parser.atol),
             parser.columns,
-            parser.strict),
+            parser.strict,
+            parser.maxDrift),
         parser.parameters,
         parser.out,
         parser.quiet,
@@ -102,6 +105,7 @@ record StandaloneOptions(
     private final Map<String, String> parameters = new TreeMap<>();
     private String out = "";
     private boolean strict;
+    private OptionalDouble maxDrift = OptionalDouble.empty();
     private boolean quiet;
     private boolean json;
     private boolean help;
@@ -125,6 +129,7 @@ record StandaloneOptions(
         case "--out" -> out = value(option, inline);
         case "--columns" -> columns = groups(value(option, inline));
         case "--strict" -> strict = true;
+        case "--max-drift" -> maxDrift = OptionalDouble.of(positive(option, inline));
         case "--quiet" -> quiet = true;
         case "--json" -> json = true;
         case "--help" -> help = true;
@@ -166,6 +171,14 @@ record StandaloneOptions(
 
     private double number(String option, String inline) throws UsageException {
       return parse(option, value(option, inline));
+    }
+
+    private double positive(String option, String inline) throws UsageException {
+      double number = number(option, inline);
+      if (number <= 0) {
+        throw new UsageException("S-065 " + option + " must be positive, not " + number);
+      }
+      return number;
     }
 
     private static double parse(String option, String text) throws UsageException {

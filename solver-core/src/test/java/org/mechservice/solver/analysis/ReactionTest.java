@@ -224,9 +224,9 @@ class ReactionTest {
       Body moved = tree.mechanism().bodies().get(body);
       int link = tree.linkOfBody[body];
       double[] c = Arrays.copyOfRange(tree.centerOfMass, 3 * link, 3 * link + 3);
-      at.motion.pointPosition(link, c, 0, center, 0);
+      at.motion.points.position(link, c, 0, center, 0);
       double[] a = new double[3];
-      at.motion.pointAcceleration(link, c, 0, a, 0);
+      at.motion.points.acceleration(link, c, 0, a, 0);
       for (int i = 0; i < 3; i++) {
         force[i] = moved.mass() * (tree.gravity[i] - a[i]);
       }
@@ -265,7 +265,7 @@ class ReactionTest {
       double[] r = new double[3];
       double[] p = new double[3];
       at.tree.fromReference(new BodyPoint(ofBody, point), r, 0);
-      at.motion.pointPosition(at.tree.linkOf(ofBody), r, 0, p, 0);
+      at.motion.points.position(at.tree.linkOf(ofBody), r, 0, p, 0);
       return p;
     }
 

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.Set;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ResultSink;
@@ -21,11 +22,15 @@ final class SceneRun implements ResultSink {
   final List<double[]> rows = new ArrayList<>();
   final RunReport report;
 
-  private SceneRun(Model model, RunSettings settings, boolean strict) {
+  private SceneRun(Model model, RunSettings settings, boolean strict, OptionalDouble maxDrift) {
     try {
       report =
           new RuntimeSolver()
-              .run(model, new RunRequest(settings, Set.of(), strict), this, new RunControl());
+              .run(
+                  model,
+                  new RunRequest(settings, Set.of(), strict, maxDrift),
+                  this,
+                  new RunControl());
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -33,12 +38,17 @@ final class SceneRun implements ResultSink {
 
   /** Runs a model as its own settings say. */
   static SceneRun of(Model model) {
-    return new SceneRun(model, model.description().defaults(), false);
+    return new SceneRun(model, model.description().defaults(), false, OptionalDouble.empty());
   }
 
   /** Likewise, and the first warning ends it. */
   static SceneRun strict(Model model) {
-    return new SceneRun(model, model.description().defaults(), true);
+    return new SceneRun(model, model.description().defaults(), true, OptionalDouble.empty());
+  }
+
+  /** Likewise, and a drift of the energy balance above a part of its scale ends it. */
+  static SceneRun watched(Model model, double maxDrift) {
+    return new SceneRun(model, model.description().defaults(), false, OptionalDouble.of(maxDrift));
   }
 
   /** Returns settings with an absolute tolerance of a hundredth of the relative one. */

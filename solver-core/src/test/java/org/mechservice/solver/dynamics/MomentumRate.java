@@ -27,8 +27,8 @@ final class MomentumRate {
     double[] c = new double[3];
     double[] a = new double[3];
     double[] h = new double[3];
-    motion.pointPosition(link, tree.centerOfMass, 3 * link, c, 0);
-    motion.pointAcceleration(link, tree.centerOfMass, 3 * link, a, 0);
+    motion.points.position(link, tree.centerOfMass, 3 * link, c, 0);
+    motion.points.acceleration(link, tree.centerOfMass, 3 * link, a, 0);
     motion.toWorld(link, spinRate(motion, tree, link), 0, h, 0);
     for (int i = 0; i < 3; i++) {
       int j = (i + 1) % 3;

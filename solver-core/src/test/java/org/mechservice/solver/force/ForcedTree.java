@@ -170,7 +170,7 @@ final class ForcedTree {
       double[] wrench = new double[6];
       System.arraycopy(all, 6 * link, wrench, 0, 6);
       for (int i = link; i != TreeGeometry.ROOT; i = geometry.parent[i]) {
-        motion.wrenchToParent(i, wrench, 0);
+        motion.wrenches.toParent(i, wrench, 0);
       }
       for (int i = 0; i < 6; i++) {
         total[i] += wrench[i];

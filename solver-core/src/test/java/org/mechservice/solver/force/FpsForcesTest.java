@@ -68,7 +68,7 @@ class FpsForcesTest {
   private static void inJoints(TreeMotion motion, double[] wrench, double[] tau) {
     for (int link = 0; link < motion.tree().linkCount; link++) {
       double[] w = Arrays.copyOfRange(wrench, 6 * link, 6 * link + 6);
-      motion.addRow(link, w, 0, 1, tau);
+      motion.wrenches.addRow(link, w, 0, 1, tau);
     }
   }
 

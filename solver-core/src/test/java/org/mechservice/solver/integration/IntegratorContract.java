@@ -433,6 +433,23 @@ abstract class IntegratorContract {
     assertThat(run.atEnd()).containsExactly(new double[] {2, 2}, within(1e-9));
   }
 
+  /** A wheel on a spring that is not defined near half a turn: t can go on there, y cannot. */
+  @Test
+  void stateThatCannotBePassedEndsTheRunInsteadOfLettingTimeCreep() {
+    Ode guarded =
+        new Ode(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = y[1];
+              yDot[1] = y[0] > Math.PI - 1e-3 ? Double.NaN : -40 * y[0];
+            });
+    Run run = Run.of(create(1e-8), guarded, 0, new double[] {2.9, 9}, 1);
+    assertThat(run.result()).isEqualTo(StepResult.FAILED);
+    assertThat(run.integrator().failure().cause()).isEqualTo(IntegrationFailure.Cause.NOT_FINITE);
+    assertThat(run.atEnd()[0]).isCloseTo(Math.PI - 1e-3, within(1e-6));
+    assertThat(run.statistics().evaluations()).isLessThan(2000);
+  }
+
   @Test
   void tenTriesInARowThatAreNotFiniteEndTheRun() {
     Ode broken =

@@ -56,7 +56,7 @@ class JointMotionTest {
       assertClose(out, rotation.apply(new Vector3(unit[0], unit[1], unit[2])), ROUNDING);
     }
     double[] point = new double[3];
-    motion.pointPosition(link, new double[3], 0, point, 0);
+    motion.points.position(link, new double[3], 0, point, 0);
     assertClose(point, joint.attachment().parentPoint().plus(translation), ROUNDING);
   }
 
@@ -69,7 +69,7 @@ class JointMotionTest {
     TreeMotion motion = swept(joint, y);
     double[] r = {0.3, -0.7, 0.5};
     double[] velocity = new double[3];
-    motion.pointVelocity(motion.tree().linkOfBody[0], r, 0, velocity, 0);
+    motion.points.velocity(motion.tree().linkOfBody[0], r, 0, velocity, 0);
     double[] coarse = pointDifference(joint, y, r, 2e-3);
     double[] fine = pointDifference(joint, y, r, 1e-3);
     for (int i = 0; i < 3; i++) {
@@ -88,7 +88,7 @@ class JointMotionTest {
     motion.accelerationSweep(a);
     double[] r = {0.3, -0.7, 0.5};
     double[] acceleration = new double[3];
-    motion.pointAcceleration(motion.tree().linkOfBody[0], r, 0, acceleration, 0);
+    motion.points.acceleration(motion.tree().linkOfBody[0], r, 0, acceleration, 0);
     double[] coarse = velocityDifference(joint, y, a, r, 2e-3);
     double[] fine = velocityDifference(joint, y, a, r, 1e-3);
     for (int i = 0; i < 3; i++) {
@@ -100,9 +100,9 @@ class JointMotionTest {
     double[] ahead = new double[3];
     double[] behind = new double[3];
     TreeMotion there = swept(joint, moved(joint, y, new double[6], h));
-    there.pointPosition(there.tree().linkOfBody[0], r, 0, ahead, 0);
+    there.points.position(there.tree().linkOfBody[0], r, 0, ahead, 0);
     TreeMotion back = swept(joint, moved(joint, y, new double[6], -h));
-    back.pointPosition(back.tree().linkOfBody[0], r, 0, behind, 0);
+    back.points.position(back.tree().linkOfBody[0], r, 0, behind, 0);
     return difference(ahead, behind, h);
   }
 
@@ -111,9 +111,9 @@ class JointMotionTest {
     double[] ahead = new double[3];
     double[] behind = new double[3];
     TreeMotion there = swept(joint, moved(joint, y, a, h));
-    there.pointVelocity(there.tree().linkOfBody[0], r, 0, ahead, 0);
+    there.points.velocity(there.tree().linkOfBody[0], r, 0, ahead, 0);
     TreeMotion back = swept(joint, moved(joint, y, a, -h));
-    back.pointVelocity(back.tree().linkOfBody[0], r, 0, behind, 0);
+    back.points.velocity(back.tree().linkOfBody[0], r, 0, behind, 0);
     return difference(ahead, behind, h);
   }
 

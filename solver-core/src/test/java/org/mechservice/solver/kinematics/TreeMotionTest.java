@@ -27,11 +27,11 @@ class TreeMotionTest {
     double[] r = random.doubles(3, -1, 1).toArray();
     double[] force = random.doubles(3, -1, 1).toArray();
     double[] velocity = new double[3];
-    motion.pointVelocity(link, r, 0, velocity, 0);
+    motion.points.velocity(link, r, 0, velocity, 0);
     double[] wrench = new double[6 * motion.tree().linkCount];
-    motion.addForceAtPoint(link, r, 0, force, 0, wrench);
+    motion.wrenches.addForceAtPoint(link, r, 0, force, 0, wrench);
     double[] row = new double[tree.velocityCount()];
-    motion.addRow(link, wrench, 6 * link, 2, row);
+    motion.wrenches.addRow(link, wrench, 6 * link, 2, row);
     double power = 0;
     for (int i = 0; i < row.length; i++) {
       power += row[i] * motion.v[i];
@@ -53,9 +53,9 @@ class TreeMotionTest {
       int a = motion.tree().linkOf(first);
       int b = motion.tree().linkOf(11);
       double[] way = new double[3];
-      motion.pointDifference(motion.tree().commonAncestor(a, b), a, r, 0, b, r, 3, way, 0);
-      motion.pointPosition(a, r, 0, here, 0);
-      motion.pointPosition(b, r, 3, there, 0);
+      motion.points.difference(motion.tree().commonAncestor(a, b), a, r, 0, b, r, 3, way, 0);
+      motion.points.position(a, r, 0, here, 0);
+      motion.points.position(b, r, 3, there, 0);
       for (int i = 0; i < 3; i++) {
         assertThat(way[i]).isCloseTo(there[i] - here[i], within(1e-13));
       }
@@ -76,7 +76,7 @@ class TreeMotionTest {
     int b = motion.tree().linkOf(8);
     double[] way = new double[3];
     int common = motion.tree().commonAncestor(a, b);
-    motion.pointDifference(common, a, new double[3], 0, b, new double[3], 0, way, 0);
+    motion.points.difference(common, a, new double[3], 0, b, new double[3], 0, way, 0);
     return way;
   }
 
@@ -90,7 +90,7 @@ class TreeMotionTest {
     motion.tree().fromReference(new BodyPoint(2, jointPoint), r, 0);
     assertThat(r).containsExactly(0, 0, 0);
     motion.tree().fromReference(new BodyPoint(Mechanism.ROOT, Vector3.ZERO), r, 0);
-    motion.pointPosition(TreeGeometry.ROOT, r, 0, place, 0);
+    motion.points.position(TreeGeometry.ROOT, r, 0, place, 0);
     Vector3 root = tree.root().position();
     assertThat(place).containsExactly(root.x(), root.y(), root.z());
   }

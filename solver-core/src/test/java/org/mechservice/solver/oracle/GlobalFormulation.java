@@ -14,6 +14,7 @@ import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.PrescribedMotion;
+import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.spatial.InertiaTensor;
@@ -43,13 +44,6 @@ public final class GlobalFormulation {
   public GlobalFormulation(Mechanism mechanism, List<AppliedForce> forces) {
     this.mechanism = mechanism;
     this.forces = forces;
-  }
-
-  /** An equation and the bodies it depends on. */
-  private record Condition(List<Integer> bodies, Equations equations) {}
-
-  private interface Equations {
-    List<Taylor> at(IntFunction<TaylorPose> pose, Taylor time);
   }
 
   private TaylorPose root() {
@@ -172,6 +166,10 @@ public final class GlobalFormulation {
               }));
     }
     for (LoopClosure closure : mechanism.closures()) {
+      if (closure instanceof CoordinateClosure relation) {
+        all.add(new CouplingEquation(mechanism, relation).condition());
+        continue;
+      }
       all.add(
           new Condition(
               ClosureEquations.bodies(closure),

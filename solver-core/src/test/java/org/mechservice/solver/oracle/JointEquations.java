@@ -95,6 +95,27 @@ final class JointEquations {
     return TaylorVector.of(axis).times(way);
   }
 
+  /**
+   * Returns a coordinate that a pose has: of R, P or C, angles within half a turn.
+   *
+   * @param component which, in the order of MECHML §4
+   */
+  static Taylor coordinate(Joint joint, int component, TaylorPose pose) {
+    if (joint instanceof Prismatic p) {
+      return pose.position().dot(p.axis());
+    }
+    if (joint instanceof Cylindrical c && component == 0) {
+      return pose.position().dot(c.axis());
+    }
+    if (joint instanceof Cylindrical || joint instanceof Revolute) {
+      Vector3 b = normalTo(axis(joint));
+      Rotation zero = JointSide.of(joint).zero();
+      TaylorVector turned = pose.rotation().times(TaylorRotation.of(zero).transposed()).apply(b);
+      return Taylor.angle(turned.dot(axis(joint).cross(b)), turned.dot(b));
+    }
+    throw new IllegalArgumentException("the oracle cannot read " + joint.name() + " from a pose");
+  }
+
   /** Returns what is zero in every pose the joint allows. */
   static List<Taylor> conditions(Joint joint, TaylorPose pose) {
     TaylorVector r = pose.position();

@@ -52,10 +52,18 @@ class StandaloneTest {
     assertThat(text(out)).contains("--t-end", "--columns", "Exit status");
   }
 
+  @Test
+  void driftOfTheEnergyBalanceEndsTheRunWhereAskedTo() {
+    assertThat(run("--rtol", "1e-2", "--atol", "1e-2", "--max-drift=1e-12", "--quiet"))
+        .isEqualTo(1);
+    assertThat(text(err)).contains("N-016 t=", "at most 1.0E-12 is allowed");
+  }
+
   @CsvSource({
     "--frobnicate, unknown option",
     "--rtol=abc, not \"abc\"",
     "--rtol=NaN, not \"NaN\"",
+    "--max-drift=0, must be positive",
     "--out, lacks its value",
     "--columns=wheels, no column group",
     "--columns=reactions, --columns reactions",

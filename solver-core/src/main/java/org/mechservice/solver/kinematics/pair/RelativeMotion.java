@@ -85,14 +85,14 @@ public final class RelativeMotion {
                 + axesA[atA + 6 + i] * axesB[atB + 6 + j];
       }
     }
-    motion.pointDifference(ancestor, linkA, pointA, 0, linkB, pointB, 0, first, 0);
+    motion.points.difference(ancestor, linkA, pointA, 0, linkB, pointB, 0, first, 0);
     motion.fromWorld(linkA, first, 0, position, 0);
   }
 
   /** Takes velocities too; {@link #place} comes before. */
   public void move(TreeMotion motion) {
-    motion.pointVelocity(linkA, pointA, 0, first, 0);
-    motion.pointVelocity(linkB, pointB, 0, second, 0);
+    motion.points.velocity(linkA, pointA, 0, first, 0);
+    motion.points.velocity(linkB, pointB, 0, second, 0);
     subtractFirst();
     motion.fromWorld(linkA, second, 0, velocity, 0);
     bodyVector(linkB, motion.angularVelocity, first);
@@ -110,8 +110,8 @@ public final class RelativeMotion {
 
   /** Takes accelerations too, those of the last acceleration sweep; {@link #move} comes before. */
   public void accelerate(TreeMotion motion) {
-    motion.pointAcceleration(linkA, pointA, 0, first, 0);
-    motion.pointAcceleration(linkB, pointB, 0, second, 0);
+    motion.points.acceleration(linkA, pointA, 0, first, 0);
+    motion.points.acceleration(linkB, pointB, 0, second, 0);
     subtractFirst();
     motion.fromWorld(linkA, second, 0, acceleration, 0);
     bodyVector(linkB, motion.angularAcceleration, first);
@@ -196,7 +196,7 @@ public final class RelativeMotion {
         }
         row[at + k] += factor * sum;
       }
-      motion.wrenchToParent(i, wrench, 0);
+      motion.wrenches.toParent(i, wrench, 0);
     }
   }
 
@@ -222,7 +222,7 @@ public final class RelativeMotion {
             moment * Math.sqrt(dot(motion.subspace, 6 * k, motion.subspace, 6 * k))
                 + force * Math.sqrt(dot(motion.subspace, 6 * k + 3, motion.subspace, 6 * k + 3));
       }
-      motion.wrenchToParent(i, wrench, 0);
+      motion.wrenches.toParent(i, wrench, 0);
     }
   }
 

@@ -1,0 +1,39 @@
+package org.mechservice.sim.worker;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
+
+/** What a worker is asked for arrives as it was sent. */
+class WorkerOrderTest {
+  private static RunRequest received(boolean strict, OptionalDouble maxDrift) throws IOException {
+    RunSettings settings = new RunSettings(0, 2, 0.25, "ode113", 1e-10, 1e-12);
+    RunRequest request = new RunRequest(settings, Set.of(ColumnGroup.ENERGY), strict, maxDrift);
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    new WorkerOrder("A", new TreeMap<>(), new TreeMap<>(), Map.of("p", "1"), request)
+        .write(new DataOutputStream(bytes));
+    RunRequest read =
+        WorkerOrder.read(new DataInputStream(new ByteArrayInputStream(bytes.toByteArray())))
+            .request();
+    assertThat(read).isEqualTo(request);
+    return read;
+  }
+
+  @Test
+  void rulesThatEndARunArrive() throws IOException {
+    assertThat(received(true, OptionalDouble.of(1e-4)).maxDrift()).hasValue(1e-4);
+    assertThat(received(false, OptionalDouble.empty()).maxDrift()).isEmpty();
+  }
+}
