@@ -51,7 +51,7 @@ public final class EvaluationCost {
         new Runner(
                 new OptionsBuilder()
                     .parent(new CommandLineOptions(options))
-                    .include(Evaluations.class.getSimpleName())
+                    .include("\\." + Evaluations.class.getSimpleName())
                     .include(GeneratedCode.class.getSimpleName())
                     .include(ChainGrowth.class.getSimpleName())
                     .build())
@@ -64,7 +64,7 @@ public final class EvaluationCost {
     line("");
     line(
         "Measured on %s with JMH by the second command of [benchmarks](../../benchmarks/README.md):"
-            + " %s %s, %d processors, Java %s; warm, each figure in a process of its own, one"
+            + " %s %s, processors: %d, Java %s; warm, each figure in a process of its own, one"
             + " thread. Times depend on the machine and on what else it does. Bytes are what %d calls"
             + " have allocated, as the JVM counts them for the thread, over their number.",
         LocalDate.now(ZoneId.systemDefault()),
