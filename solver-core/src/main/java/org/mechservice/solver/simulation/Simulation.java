@@ -221,7 +221,7 @@ public final class Simulation implements Solver {
       if (strict && notes.firstWarning().isPresent()) {
         return warned(notes.firstWarning().get());
       }
-      int badColumn = rows.write(outputTimes.time(nextRow), y, 0);
+      int badColumn = rows.write(outputTimes.time(nextRow), y, 0, 0);
       if (badColumn != RowWriter.ALL_FINITE) {
         return rowFailed(outputTimes.time(nextRow), badColumn);
       }
@@ -306,7 +306,7 @@ public final class Simulation implements Solver {
         if (!equations.closeLoops(t, y) || !work.advance(t)) {
           return LOOPS_OPEN;
         }
-        int badColumn = rows.write(t, y, work.work());
+        int badColumn = rows.write(t, y, work.work(), work.turnover());
         if (badColumn != RowWriter.ALL_FINITE) {
           return badColumn;
         }

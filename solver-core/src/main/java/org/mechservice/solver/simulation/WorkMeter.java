@@ -23,6 +23,7 @@ final class WorkMeter {
   private final double[] yDot;
   private double reached;
   private double work;
+  private double turnover;
 
   /**
    * @param wanted whether the work is to be known; if not, or if the model does none, it stays zero
@@ -51,6 +52,7 @@ final class WorkMeter {
         return false;
       }
       work += half * WEIGHTS[i] * source.power(at, y);
+      turnover += half * WEIGHTS[i] * source.turnover(at, y);
     }
     reached = t;
     return true;
@@ -59,6 +61,7 @@ final class WorkMeter {
   /** Adds energy that was put in at once, J. */
   void add(double energy) {
     work += energy;
+    turnover += Math.abs(energy);
   }
 
   /** Returns the work up to the time last advanced to, J; positive into the mechanism. */
@@ -66,9 +69,15 @@ final class WorkMeter {
     return work;
   }
 
+  /** Returns what was put in and what was taken out up to then, added up, J. */
+  double turnover() {
+    return turnover;
+  }
+
   /** Carries the work over. */
   void transfer(StateTransfer state) {
     reached = state.number(reached);
     work = state.number(work);
+    turnover = state.number(turnover);
   }
 }
