@@ -120,35 +120,38 @@ public final class Campaign {
     return run.failed(BUDGET + took + compared(fastest.get()));
   }
 
-  /** Lets the JIT compiler finish with every method before any is timed. */
+  /** In the same order as later the timed runs, so that the compiler sees the same. */
   private void warmUp(List<Candidate> candidates) {
-    for (int i = 0; i < candidates.size(); i++) {
-      Candidate candidate = candidates.get(i);
-      double left = (candidates.size() - i) * effort.warmSeconds() + timingSeconds(candidates);
-      progress.at("warming up: " + candidate.method(), 0.3, left);
-      long end = System.nanoTime() + (long) (effort.warmSeconds() * 1e9);
-      boolean works = true;
-      while (works && System.nanoTime() < end) {
-        double limit = effort.limitSeconds();
-        works = runner.run(candidate, effort.tolerances()[0], 0, limit).completed();
-      }
+    List<Due> due = due(candidates);
+    if (!due.isEmpty() && effort.warmSeconds() > 0 && toDo(due) > 0) {
+      double limit = 5 * effort.limitSeconds();
+      WarmUp.until(
+          () ->
+              due.stream()
+                  .mapToDouble(d -> runner.run(d.candidate(), d.tolerance(), 0, limit).seconds())
+                  .sum(),
+          effort.warmSeconds(),
+          progress,
+          toDo(due));
     }
   }
 
-  private double timingSeconds(List<Candidate> candidates) {
-    return due(candidates).stream().mapToDouble(point -> point.seconds() * point.repeats()).sum();
+  /** Returns the time of all timed runs that are not in the journal yet, s. */
+  private double toDo(List<Due> due) {
+    double seconds = 0;
+    for (Due point : due) {
+      for (int round = 1; round <= point.repeats(); round++) {
+        seconds += isDone(point, round) ? 0 : point.seconds();
+      }
+    }
+    return seconds;
   }
 
   private record Due(Candidate candidate, double tolerance, double seconds, int repeats) {}
 
   private void time(List<Candidate> candidates) throws IOException {
     List<Due> due = due(candidates);
-    double left = 0;
-    for (Due point : due) {
-      for (int round = 1; round <= point.repeats(); round++) {
-        left += isDone(point, round) ? 0 : point.seconds();
-      }
-    }
+    double left = toDo(due);
     double total = left;
     long started = System.nanoTime();
     for (int round = 1; round <= Effort.REPEATS; round++) {

@@ -13,7 +13,8 @@ import java.util.stream.IntStream;
  * @param fewestRepeats timed runs of a point that takes long
  * @param timingSeconds for all timed runs together, s, as far as {@code fewestRepeats} allows
  * @param referenceSeconds for one solution of the reference, s
- * @param warmSeconds per method before it is timed, s
+ * @param warmSeconds of rounds over all points that are compared with those before them, to see
+ *     whether all is warm, s; 0 for no warm-up
  * @param freshStarts first runs in a Java machine of their own, per method
  */
 @SuppressWarnings("ArrayRecordComponent") // constants, not changed
@@ -42,11 +43,11 @@ public record Effort(
 
   /** Under a minute. */
   public static final Effort QUICK =
-      new Effort("quick", new double[] {1e-3, 1e-5, 1e-7, 1e-9}, 1, 3, 12, 4, 0.15, 1);
+      new Effort("quick", new double[] {1e-3, 1e-5, 1e-7, 1e-9}, 1, 3, 12, 4, 1, 1);
 
   /** Tolerances from 1e-3 to 1e-12, every point timed eleven times whatever that takes. */
   public static final Effort FULL =
-      new Effort("full", powers(3, 12), 20, REPEATS, Double.POSITIVE_INFINITY, 120, 0.5, 5);
+      new Effort("full", powers(3, 12), 20, REPEATS, Double.POSITIVE_INFINITY, 120, 3, 5);
 
   /** Returns the tolerance that first runs and shares of time are measured at: 1e-5, or the next. */
   public double typicalTolerance() {

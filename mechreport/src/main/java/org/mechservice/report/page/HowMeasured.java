@@ -31,8 +31,8 @@ final class HowMeasured {
         .ifPresent(
             factors ->
                 html.append("\n<li>A change of the start by 1e-9 has grown ")
-                    .append(Html.factor(factors[factors.length - 1]))
-                    .append(" at the end."));
+                    .append(Html.number(factors[factors.length - 1]))
+                    .append("× at the end."));
     html.append("\n<li>").append(definition(found)).append(" Intervals and output rows the same.");
     html.append("\n<li>Tolerances: relative as stated, absolute a hundredth of it.");
     html.append("\n<li>").append(timing());
@@ -65,9 +65,9 @@ final class HowMeasured {
                 + " runs (the tables say how many)";
     return String.format(
         Locale.ROOT,
-        "Time: processor time of the run's thread, %s, after one untimed run at every point and"
-            + " %.2g s of warm-up per method; every round runs every point once, beginning at"
-            + " another one. Spread: quartiles.",
+        "Time: processor time of the run's thread, %s. Before them, rounds that do not count until"
+            + " %.2g s of them got no faster (by 2 %%). Every round runs every point once,"
+            + " beginning at another one. Spread: quartiles.",
         repeats,
         effort.warmSeconds());
   }

@@ -17,6 +17,9 @@ import org.mechservice.report.method.Method;
 
 /** The page of one scene. What does not concern the scene is not on it. */
 public final class ScenePage {
+  /** Labels on a curve beyond which they cover each other. */
+  private static final int MOST_LABELS = 5;
+
   private final SceneFindings found;
   private final CurveStyles styles;
   private final StringBuilder page = new StringBuilder();
@@ -102,7 +105,7 @@ public final class ScenePage {
     add("<section><h2>Error against run time</h2>");
     add(legend());
     add(
-        "<p class=\"note\">The number at a point is the exponent of the tolerance asked for; the"
+        "<p class=\"note\">The number at a point is the exponent of the tolerance asked for (3: 1e-3); the"
             + " line through it spans the quartiles of its times where that is wider than the mark. "
             + HowMeasured.definition(found)
             + "</p>");
@@ -180,9 +183,11 @@ public final class ScenePage {
     return new LogLogChart.Curve(styles.of(method), marks, failures);
   }
 
-  /** The exponent of the tolerance asked for. */
-  private static String label(Point point) {
-    return String.format(Locale.ROOT, "%.0f", -Math.log10(point.tolerance()));
+  /** The exponent of the tolerance asked for; of many, every third. */
+  private String label(Point point) {
+    long exponent = Math.round(-Math.log10(point.tolerance()));
+    boolean crowded = found.effort().tolerances().length > MOST_LABELS;
+    return crowded && exponent % 3 != 0 ? "" : Long.toString(exponent);
   }
 
   private String hover(Method method, Point point) {
