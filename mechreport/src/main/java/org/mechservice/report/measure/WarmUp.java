@@ -7,7 +7,7 @@ import java.util.function.DoubleSupplier;
  * Repeats rounds over all points until they get no faster: the JIT compiler has then met every
  * method and has finished with it.
  */
-final class WarmUp {
+public final class WarmUp {
   /** A block of rounds that is faster than the one before by no more than this ends the warm-up. */
   private static final double STEADY = 0.98;
 
@@ -25,7 +25,7 @@ final class WarmUp {
    * @param progress hears of every round
    * @param thenSeconds what is to come afterwards, s
    */
-  static void until(
+  public static void until(
       DoubleSupplier round, double blockSeconds, Progress progress, double thenSeconds) {
     double before = Double.POSITIVE_INFINITY;
     boolean steady = false;
