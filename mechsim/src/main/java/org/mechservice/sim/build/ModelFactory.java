@@ -150,6 +150,12 @@ public final class ModelFactory {
         choice.formulation().equals("RR-JF")
             ? Optional.of(ResidualDerivatives.derive(links))
             : Optional.empty();
+    List<String> tooLong =
+        GenerationLimits.tooLong(
+            derivatives.map(derived -> derived.program().operationCount()).orElse(0));
+    if (!tooLong.isEmpty()) {
+      return compact(model, options, choice, tooLong);
+    }
     List<Omission> leftOut = LeftOut.of(model, scene, links, options, derivative);
     ModelClass written =
         new ModelClass(

@@ -22,6 +22,28 @@ public final class GenerationLimits {
    */
   private static final int MOST_ELEMENTS = 2500;
 
+  /**
+   * Operations of a Jacobian: the most of which code is generated. Some 7 to 15 bytes each make
+   * methods of 6000, and what calls them all is a method, too, which ends at 8000.
+   */
+  private static final int MOST_OPERATIONS = 200_000;
+
+  /**
+   * Returns what no code is generated for because of its length, if anything.
+   *
+   * @param operations of the Jacobian; 0 without one
+   */
+  public static List<String> tooLong(int operations) {
+    return operations <= MOST_OPERATIONS
+        ? List.of()
+        : List.of(
+            "a Jacobian of more than "
+                + MOST_OPERATIONS
+                + " operations (it has "
+                + operations
+                + ")");
+  }
+
   /** Returns what no code is generated for, such as {@code forces "f1", "f2"}. */
   public static List<String> notGenerated(Mechanism mechanism, FormulationChoice choice) {
     List<String> beyond = new ArrayList<>();
