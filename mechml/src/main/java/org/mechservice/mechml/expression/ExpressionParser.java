@@ -2,6 +2,8 @@ package org.mechservice.mechml.expression;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.regex.Pattern;
 import org.mechservice.mechml.diagnosis.MessageCode;
@@ -14,6 +16,12 @@ import org.mechservice.mechml.unit.UnitSymbols;
 public final class ExpressionParser {
   /** Deeper nesting is refused, which bounds the stack here and wherever the tree is walked. */
   static final int DEEPEST = 100;
+
+  /** What functions are called in other notations. */
+  private static final Map<String, String> ELSEWHERE =
+      Map.of(
+          "sgn", "signum", "sign", "signum", "arcsin", "asin", "arccos", "acos", "arctan", "atan",
+          "ln", "log", "fabs", "abs");
 
   private static final Pattern INDEX = Pattern.compile("[0-9]");
 
@@ -160,7 +168,9 @@ public final class ExpressionParser {
           name.offset(),
           "there is no function "
               + Quoted.of(name.text())
-              + Nearest.suggestion(symbol, Function.symbols()));
+              + Optional.ofNullable(ELSEWHERE.get(symbol))
+                  .map(ours -> "; here it is " + Quoted.of(ours))
+                  .orElseGet(() -> Nearest.suggestion(symbol, Function.symbols())));
     }
     List<ParsedExpression> arguments = arguments();
     if (arguments.size() != function.arity()) {
@@ -218,7 +228,7 @@ public final class ExpressionParser {
   /** Returns what those write who know another notation. */
   private String hint() {
     if (token.is(",") && depth == 0) {
-      return "; decimals have a point";
+      return "; decimals have a point, lists are separated by \";\"";
     } else if (token.is("*") && text.startsWith("**", Math.max(0, token.offset() - 1))) {
       return "; the power of two numbers is written 2^3";
     } else if (UnitSymbols.all().contains(token.text())) {

@@ -42,6 +42,8 @@ public interface Scope {
         name.offset(),
         Quoted.of(name.text())
             + " stands for nothing here"
-            + Nearest.suggestion(name.text(), known));
+            + (name.text().equals("time")
+                ? "; time is written t"
+                : Nearest.suggestion(name.text(), known)));
   }
 }

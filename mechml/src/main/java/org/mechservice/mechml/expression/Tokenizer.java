@@ -45,7 +45,18 @@ final class Tokenizer {
     throw new ExpressionException(
         MessageCode.EXPRESSION_SYNTAX,
         position,
-        Quoted.of(Character.toString(text.codePointAt(position))) + " has no meaning here");
+        Quoted.of(Character.toString(text.codePointAt(position))) + " has no meaning here" + hint());
+  }
+
+  /** Returns what those write who know another notation. */
+  private String hint() {
+    return switch (text.charAt(position)) {
+      case '<', '>', '=', '?', '&', '|', '!' ->
+          "; a choice is written with step, smoothStep, min or max";
+      case ';' -> "; no list may stand here, and arguments are separated by \",\"";
+      case '\u00b0' -> "; degrees are asked for by angleUnits or unit";
+      default -> "";
+    };
   }
 
   private void skipWhiteSpace() {

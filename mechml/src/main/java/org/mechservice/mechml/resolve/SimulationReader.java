@@ -182,6 +182,10 @@ final class SimulationReader {
   }
 
   private void unknownGroup(Element output, String group) {
+    if (group.contains(",")) {
+      error(output, "groups of columns are separated by \";\", not by \",\"");
+      return;
+    }
     Optional<String> nearest = Nearest.of(group, SimulationSettings.COLUMN_GROUPS);
     error(
         output,
