@@ -66,6 +66,15 @@ final class FetchCommand implements Callable<Integer> {
 
   private int fetch(ReattachedRun run, ResultFiles files) throws IOException {
     PrintWriter err = spec.commandLine().getErr();
+    if (!run.id().equals(id)) {
+      err.println(
+          "S-117 run "
+              + id
+              + " has moved and is "
+              + run.id()
+              + " now; the rows before its move were handed to its client, those since then"
+              + " are fetched");
+    }
     RunResult result;
     try {
       result = run.toEnd(files);

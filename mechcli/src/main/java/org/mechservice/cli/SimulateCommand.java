@@ -98,7 +98,7 @@ final class SimulateCommand implements Callable<Integer> {
       if (!quiet && !strict) {
         warnings.forEach(warning -> err().println(warning));
       }
-      RunNews news = new RunNews();
+      RunNews news = new RunNews(this::tellMove);
       try (PreparedRun run = prepare(session, options, news);
           ResultFiles files = ResultFiles.open(out)) {
         interrupt.cancels(run);
@@ -112,6 +112,14 @@ final class SimulateCommand implements Callable<Integer> {
   private void tellIdentity(PreparedRun run) {
     if (run instanceof RemoteRun remote && !server.address().isEmpty() && !quiet && !json) {
       err().println("simulation " + remote.id());
+      err().flush();
+    }
+  }
+
+  /** A run that has moved has a new identity. */
+  private void tellMove(ModelMessage message) {
+    if (!quiet && !json) {
+      err().println(message);
       err().flush();
     }
   }

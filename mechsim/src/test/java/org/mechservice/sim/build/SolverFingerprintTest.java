@@ -54,8 +54,7 @@ final class SolverFingerprintTest {
       places.add(Path.of(classPath.nextToken()).toUri().toURL());
     }
     try (URLClassLoader process =
-        new URLClassLoader(
-            places.toArray(URL[]::new), ClassLoader.getPlatformClassLoader())) {
+        new URLClassLoader(places.toArray(URL[]::new), ClassLoader.getPlatformClassLoader())) {
       Class<?> there = process.loadClass(SolverClasses.class.getName());
       return (String) there.getMethod("fingerprint").invoke(null);
     }
