@@ -229,7 +229,7 @@ final class MechSimServant implements MechSimOperations {
     RunTask task = Built.orRefused(() -> runs.task(compiled, request, memory));
     RunColumns columns = Built.orRefused(() -> runs.columns(task.model(), request));
     RunFacts facts = RunFacts.of(session.host().hostName(), source, compiled.generated(), times);
-    SimulationRun run = runs.create(task, columns, source, facts, session);
+    SimulationRun run = runs.create(task, columns, source, facts, session, asked.earlierIds());
     IMechSimRemote reference = session.add(run, client);
     session.said(run, messages(source, compiled.generated(), asked));
     return new Created(run, reference, compiled.generated().formulationReason());

@@ -18,6 +18,7 @@ import org.mechservice.idl.OPT_ABS_TOL;
 import org.mechservice.idl.OPT_CLOSURE;
 import org.mechservice.idl.OPT_COLUMNS;
 import org.mechservice.idl.OPT_COMPACT;
+import org.mechservice.idl.OPT_CONTINUES;
 import org.mechservice.idl.OPT_FORMULATION;
 import org.mechservice.idl.OPT_INTEGRATOR;
 import org.mechservice.idl.OPT_MAX_DRIFT;
@@ -47,6 +48,7 @@ import org.mechservice.solver.api.RunSettings;
  * @param standalone whether a JAR is to carry the solver
  * @param strict whether warnings are errors
  * @param maxDrift drift of the energy balance, over the energy scale, that ends a run
+ * @param earlierIds of the runs that a run goes on from
  */
 record RunOptions(
     String formulation,
@@ -56,7 +58,8 @@ record RunOptions(
     RunSettings settings,
     boolean standalone,
     boolean strict,
-    OptionalDouble maxDrift) {
+    OptionalDouble maxDrift,
+    List<String> earlierIds) {
   /** What {@code auto} means for explicit formulations: ode113, and ode15s where it gets stiff. */
   private static final String EXPLICIT_INTEGRATOR = "switching";
 
@@ -85,10 +88,12 @@ record RunOptions(
               OPT_STANDALONE.value,
               OPT_STRICT.value,
               OPT_MAX_DRIFT.value,
-              OPT_COMPACT.value));
+              OPT_COMPACT.value,
+              OPT_CONTINUES.value));
 
   RunOptions {
     columns = Set.copyOf(columns);
+    earlierIds = List.copyOf(earlierIds);
   }
 
   /**
@@ -112,7 +117,20 @@ record RunOptions(
         settings(given, ofFile),
         flag(given, OPT_STANDALONE.value),
         flag(given, OPT_STRICT.value),
-        maxDrift(given));
+        maxDrift(given),
+        earlierIds(given));
+  }
+
+  private static List<String> earlierIds(Map<String, String> given) throws InvalidOption {
+    String ids = given.getOrDefault(OPT_CONTINUES.value, "");
+    if (ids.isEmpty()) {
+      return List.of();
+    }
+    if (!ids.matches("[-0-9a-f]{1,64}(,[-0-9a-f]{1,64}){0,99}")) {
+      throw Refusal.option(
+          OPT_CONTINUES.value, "\"" + ids + "\" are no ids of runs, separated by commas");
+    }
+    return List.of(ids.split(",", -1));
   }
 
   private static Map<String, String> byName(NameValue[] options) throws InvalidOption {

@@ -106,14 +106,14 @@ final class AppliedForces {
     return sum;
   }
 
-  /** Returns the power of all that has no potential energy, W. */
-  Scalar power() {
-    Scalar sum = expressions.zero();
+  /** Returns the powers of all that has no potential energy, one per force in file order, W. */
+  List<Scalar> powers() {
+    List<Scalar> powers = new ArrayList<>();
     for (ForceElement element : written()) {
       section(element);
-      sum = sum.plus(term(element).power());
+      powers.add(term(element).power());
     }
-    return sum;
+    return powers;
   }
 
   /** Returns the values that forces can put out, in file order. */
