@@ -21,6 +21,7 @@ import org.mechservice.sim.build.emit.AnalysisTask;
 import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.ModelPlan;
+import org.mechservice.sim.build.jar.Packing;
 import org.mechservice.sim.build.javac.ModelCompiler;
 import org.mechservice.sim.build.user.UserClasses;
 import org.mechservice.sim.scene.FormulationChoice;
@@ -285,13 +286,14 @@ public final class ModelFactory {
   }
 
   /** Packs the model's own classes, description and manifest; it runs with {@link #runtimeJar}. */
-  public static PackedJar modelJar(CompiledModel model, String mechmlSha256) {
-    return ModelJars.model(model, mechmlSha256);
+  public static PackedJar modelJar(CompiledModel model, String mechmlSha256, Packing packing) {
+    return ModelJars.model(model, mechmlSha256, packing);
   }
 
   /** Packs the model with just the solver classes it reaches; starts with {@code java -jar}. */
-  public static PackedJar standaloneJar(CompiledModel model, String mechmlSha256) {
-    return ModelJars.standalone(model, mechmlSha256);
+  public static PackedJar standaloneJar(
+      CompiledModel model, String mechmlSha256, Packing packing) {
+    return ModelJars.standalone(model, mechmlSha256, packing);
   }
 
   /** Returns the solver of this process, packed. */
