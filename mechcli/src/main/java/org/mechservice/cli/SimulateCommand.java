@@ -108,7 +108,7 @@ final class SimulateCommand implements Callable<Integer> {
 
   /** A run that has moved has a new identity. */
   private void tellMove(ModelMessage message) {
-    if (!quiet && !json) {
+    if (results.talks()) {
       err().println(message);
       err().flush();
     }
