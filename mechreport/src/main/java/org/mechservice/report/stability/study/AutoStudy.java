@@ -25,7 +25,7 @@ import org.mechservice.solver.api.ModelDescription;
 
 /** What the automatic choice costs beside the best fixed one, on stiff scenes and others. */
 final class AutoStudy implements Study {
-  private static final double[] TOLERANCES = {1e-4, 1e-6, 1e-8};
+  private static final double[] TOLERANCES = {1e-4, 1e-6, 1e-8, 1e-9};
   private static final int REPEATS = 11;
   private static final int WARM_UP = 5;
 
@@ -40,7 +40,7 @@ final class AutoStudy implements Study {
 
   AutoStudy(Bench bench) {
     this.bench = bench;
-    limit = bench.quick() ? 1 : 10;
+    limit = bench.quick() ? 1 : 2;
   }
 
   @Override
@@ -52,7 +52,7 @@ final class AutoStudy implements Study {
   public void measure(StudyPage page) {
     page.title("The automatic choice beside the best fixed one");
     page.notes(
-        "Every method that fits, and auto, at tolerances 1e-4, 1e-6, 1e-8; cost: the least processor"
+        "Every method that fits, and auto, at tolerances 1e-4, 1e-6, 1e-8, 1e-9; cost: the least processor"
             + " time, median of %d warm runs in turns, of a run whose error is at most the one"
             + " wanted. Runs are stopped after %.0f s.",
         REPEATS, limit);
