@@ -38,6 +38,7 @@ import org.mechservice.sim.build.CompiledModel;
 import org.mechservice.sim.build.GeneratedModel;
 import org.mechservice.sim.build.ModelFactory;
 import org.mechservice.sim.build.PackedJar;
+import org.mechservice.sim.build.jar.Packing;
 import org.mechservice.sim.build.user.UserFile;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.simulation.SolverVersion;
@@ -233,7 +234,7 @@ final class MechSimServant implements MechSimOperations {
     RunTask task = Built.orRefused(() -> runs.task(compiled, request, memory));
     RunColumns columns = Built.orRefused(() -> runs.columns(task.model(), request));
     RunFacts facts = RunFacts.of(session.host().hostName(), source, compiled.generated(), times);
-    SimulationRun run = runs.create(task, columns, source, facts, session);
+    SimulationRun run = runs.create(task, columns, source, facts, session, asked.earlierIds());
     IMechSimRemote reference = session.add(run, client);
     session.said(run, messages(source, compiled.generated(), asked));
     return new Created(run, reference, compiled.generated().formulationReason());
@@ -284,6 +285,11 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public byte[] compileToJar(NameValue[] options, JarInfoHolder info)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
+    return packed(options, info, Packing.SMALLEST);
+  }
+
+  private byte[] packed(NameValue[] options, JarInfoHolder info, Packing packing)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
     LoadedModel source = requireModel(options);
     RunOptions asked = suiting(options, source);
     requireNoWarnings(source, asked);
@@ -292,8 +298,8 @@ final class MechSimServant implements MechSimOperations {
     long start = System.nanoTime();
     PackedJar jar =
         asked.standalone()
-            ? ModelFactory.standaloneJar(compiled, source.sha256())
-            : ModelFactory.modelJar(compiled, source.sha256());
+            ? ModelFactory.standaloneJar(compiled, source.sha256(), packing)
+            : ModelFactory.modelJar(compiled, source.sha256(), packing);
     String runtime = asked.standalone() ? "" : ModelFactory.runtimeJar().sha256();
     times.addPacking(System.nanoTime() - start);
     info.value =
@@ -312,7 +318,7 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public byte[] prepareJar(NameValue[] options, JarInfoHolder info, NameValueSeqHolder facts)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
-    byte[] jar = compileToJar(options, info);
+    byte[] jar = packed(options, info, Packing.QUICK);
     facts.value = facts("");
     return jar;
   }

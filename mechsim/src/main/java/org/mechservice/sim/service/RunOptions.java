@@ -19,6 +19,7 @@ import org.mechservice.idl.OPT_ABS_TOL;
 import org.mechservice.idl.OPT_CLOSURE;
 import org.mechservice.idl.OPT_COLUMNS;
 import org.mechservice.idl.OPT_COMPACT;
+import org.mechservice.idl.OPT_CONTINUES;
 import org.mechservice.idl.OPT_FORMULATION;
 import org.mechservice.idl.OPT_INTEGRATOR;
 import org.mechservice.idl.OPT_MAX_DRIFT;
@@ -52,6 +53,7 @@ import org.mechservice.solver.mechanism.Mechanism;
  * @param automatic whether the integrator was left to us
  * @param integratorReason why it is the one in the settings; empty if nothing is to be said
  * @param maxDrift drift of the energy balance, over the energy scale, that ends a run
+ * @param earlierIds of the runs that a run goes on from
  */
 record RunOptions(
     String formulation,
@@ -63,7 +65,8 @@ record RunOptions(
     boolean strict,
     boolean automatic,
     Optional<String> integratorReason,
-    OptionalDouble maxDrift) {
+    OptionalDouble maxDrift,
+    List<String> earlierIds) {
   /** What {@code auto} means for explicit formulations: ode113, and ode15s where it gets stiff. */
   private static final String EXPLICIT_INTEGRATOR = "switching";
 
@@ -92,10 +95,12 @@ record RunOptions(
               OPT_STANDALONE.value,
               OPT_STRICT.value,
               OPT_MAX_DRIFT.value,
-              OPT_COMPACT.value));
+              OPT_COMPACT.value,
+              OPT_CONTINUES.value));
 
   RunOptions {
     columns = Set.copyOf(columns);
+    earlierIds = List.copyOf(earlierIds);
   }
 
   /**
@@ -122,7 +127,20 @@ record RunOptions(
         integrated
             && given.getOrDefault(OPT_INTEGRATOR.value, ofFile.run().integrator()).equals(AUTO),
         Optional.empty(),
-        maxDrift(given));
+        maxDrift(given),
+        earlierIds(given));
+  }
+
+  private static List<String> earlierIds(Map<String, String> given) throws InvalidOption {
+    String ids = given.getOrDefault(OPT_CONTINUES.value, "");
+    if (ids.isEmpty()) {
+      return List.of();
+    }
+    if (!ids.matches("[-0-9a-f]{1,64}(,[-0-9a-f]{1,64}){0,99}")) {
+      throw Refusal.option(
+          OPT_CONTINUES.value, "\"" + ids + "\" are no ids of runs, separated by commas");
+    }
+    return List.of(ids.split(",", -1));
   }
 
   /** Returns the same options with the integrator that suits a scene, if it was left to us. */
@@ -141,7 +159,8 @@ record RunOptions(
         strict,
         true,
         choice.reason(),
-        maxDrift);
+        maxDrift,
+        earlierIds);
   }
 
   private static Map<String, String> byName(NameValue[] options) throws InvalidOption {
