@@ -168,6 +168,10 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
               "The reference is doubtful: its codes differ by up to %.1e, more than rounding"
                   + " explains. Smaller errors mean nothing.",
               reference.worstFloor());
+    } else if (!reference.isChecked()) {
+      doubt =
+          "The reference is doubtful: one code alone solved the scene, so what its errors are is not"
+              + " known.";
     }
     RunGrid shorter = new RunGrid(grid.start(), grid.step(), grid.row(kept.end()) + 1);
     return new Judge(Optional.of(kept), shorter, said, doubt);

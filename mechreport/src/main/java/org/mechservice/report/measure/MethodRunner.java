@@ -84,7 +84,7 @@ public final class MethodRunner implements AutoCloseable {
       double tolerance,
       int round,
       double limitSeconds) {
-    RunSettings settings = settings(candidate, tolerance);
+    RunSettings settings = settings(candidate, model, tolerance);
     Rows rows = new Rows(grid, settings.tEnd());
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     ScheduledFuture<?> alarm = stopAfter(limitSeconds, control, threads);
@@ -121,14 +121,22 @@ public final class MethodRunner implements AutoCloseable {
         TimeUnit.MILLISECONDS);
   }
 
-  private RunSettings settings(Candidate candidate, double tolerance) {
+  /** The largest step is the scene's: it may be what lets a method see a force at all. */
+  private RunSettings settings(Candidate candidate, Model model, double tolerance) {
+    double absolute = tolerance * ABSOLUTE_PART;
     return new RunSettings(
         grid.start(),
         reference.end(),
         grid.step(),
         candidate.method().integrator(),
         tolerance,
-        tolerance * ABSOLUTE_PART);
+        absolute,
+        model.description().defaults().maxStep(),
+        0,
+        0,
+        absolute,
+        absolute,
+        absolute);
   }
 
   private MeasuredRun measured(

@@ -27,6 +27,14 @@ public record Reference(
     sources = List.copyOf(sources);
   }
 
+  /** Said of one that a single code has made: its floor then knows nothing of the code's error. */
+  static final String NOT_CHECKED = "Not checked: no second code solved the scene.";
+
+  /** Returns whether a second code agrees, or the reference came with its own floor. */
+  boolean isChecked() {
+    return !sources.contains(NOT_CHECKED);
+  }
+
   /** Returns the largest floor. */
   public double worstFloor() {
     return Arrays.stream(floor).max().orElse(0);

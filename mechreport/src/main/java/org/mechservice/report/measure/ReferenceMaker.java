@@ -95,7 +95,7 @@ public final class ReferenceMaker {
           break;
         }
       } else {
-        said.add(attempt.how() + ": not solved within " + (long) secondsPerCode + " s");
+        said.add(attempt.how() + ": not solved, for " + (long) secondsPerCode + " s at most");
       }
     }
     return solved.isEmpty() ? Optional.empty() : Optional.of(judged(solved, times, said));
@@ -159,7 +159,7 @@ public final class ReferenceMaker {
               solved.get(1).how(),
               largest(apart)));
     } else {
-      sources.add("Not checked: no second code solved the scene in its time.");
+      sources.add(Reference.NOT_CHECKED);
     }
     rounding.ifPresent(
         moved ->

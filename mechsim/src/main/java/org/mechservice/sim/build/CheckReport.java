@@ -7,6 +7,7 @@ import java.util.Set;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.dynamics.ArticulatedBodyEquations;
 import org.mechservice.sim.build.dynamics.Links;
+import org.mechservice.sim.scene.BriefPush;
 import org.mechservice.sim.scene.Finding;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
@@ -64,6 +65,7 @@ public record CheckReport(
         new ArrayList<>(scene.findingsAtStart(model.settings().run().tStart()));
     findings.addAll(loops.findings());
     StiffnessForecast.of(mechanism, model.settings().run()).ifPresent(findings::add);
+    BriefPush.of(mechanism, model.settings().run()).ifPresent(findings::add);
     try {
       return new CheckReport(
           model, scene, loops, findings, Optional.of(generation(model, scene)), "");

@@ -5,6 +5,7 @@ import java.util.List;
 import org.mechservice.mechml.Diagnostic;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.Severity;
+import org.mechservice.sim.scene.BriefPush;
 import org.mechservice.sim.scene.Finding;
 import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.sim.scene.StiffnessForecast;
@@ -24,6 +25,7 @@ final class SceneWarnings {
     List<Finding> findings =
         new ArrayList<>(SceneAnalysis.of(model.mechanism()).findingsAtStart(run.tStart()));
     StiffnessForecast.of(model.mechanism(), run).ifPresent(findings::add);
+    BriefPush.of(model.mechanism(), run).ifPresent(findings::add);
     for (Finding finding : findings) {
       warnings.add(
           new Diagnostic(

@@ -1,6 +1,7 @@
 package org.mechservice.report.stability.study;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -24,15 +25,22 @@ import org.mechservice.solver.api.ModelDescription;
 
 /** What the automatic choice costs beside the best fixed one, on stiff scenes and others. */
 final class AutoStudy implements Study {
-  private static final double[] TOLERANCES = {1e-4, 1e-6, 1e-8};
+  private static final double[] TOLERANCES = {1e-4, 1e-6, 1e-8, 1e-9};
   private static final int REPEATS = 11;
+  private static final int WARM_UP = 5;
+
+  /** A cost that another is below by this factor is not the best. */
+  private static final double SEVERAL = 2;
+
+  /** A run of this time is timed once, s. */
+  private static final double LONG = 0.3;
 
   private final Bench bench;
   private final double limit;
 
   AutoStudy(Bench bench) {
     this.bench = bench;
-    limit = bench.quick() ? 1 : 20;
+    limit = bench.quick() ? 1 : 2;
   }
 
   @Override
@@ -44,7 +52,7 @@ final class AutoStudy implements Study {
   public void measure(StudyPage page) {
     page.title("The automatic choice beside the best fixed one");
     page.notes(
-        "Every method that fits, and auto, at tolerances 1e-4, 1e-6, 1e-8; cost: the least processor"
+        "Every method that fits, and auto, at tolerances 1e-4, 1e-6, 1e-8, 1e-9; cost: the least processor"
             + " time, median of %d warm runs in turns, of a run whose error is at most the one"
             + " wanted. Runs are stopped after %.0f s.",
         REPEATS, limit);
@@ -72,6 +80,7 @@ final class AutoStudy implements Study {
       scenes.put(stiff, Bench.scene(stiff + ".xml"));
     }
     scenes.put("chain, stiff", new Chain(5, 1, 1, 1e4, 1e4, 0.05, 1).text());
+    scenes.put("chain of 40, stiff", new Chain(40, 1, 1, 1e4, 1e4, 0.05, 1).text());
     scenes.put("chain, soft", new Chain(5, 1, 1, 0, 0, 0.3, 1).text());
     scenes.put("chain, undamped", new Chain(5, 1, 1, 1e4, 0, 0.05, 1).text());
     double worst = 0;
@@ -121,7 +130,7 @@ final class AutoStudy implements Study {
           }
         }
       }
-      costs = timed(runner, costs);
+      costs = timed(runner, costs, auto);
     }
     double worst = 0;
     for (double error : new double[] {1e-3, 1e-5, 1e-7}) {
@@ -130,26 +139,41 @@ final class AutoStudy implements Study {
     return worst;
   }
 
-  private List<Cost> timed(MethodRunner runner, List<Cost> costs) {
-    double[][] seconds = new double[costs.size()][REPEATS];
-    // The first half warms up.
-    for (int round = -REPEATS; round < REPEATS; round++) {
+  private List<Cost> timed(MethodRunner runner, List<Cost> costs, Candidate auto) {
+    List<Cost> warm = timed(runner, costs, WARM_UP);
+    List<Cost> near = warm.stream().filter(cost -> mayBeBest(cost, warm, auto)).toList();
+    return timed(runner, near, REPEATS);
+  }
+
+  /** What costs several times another of at most its error need not be timed well. */
+  private static boolean mayBeBest(Cost cost, List<Cost> all, Candidate auto) {
+    double error = cost.first().errors().largest();
+    double least =
+        all.stream()
+            .filter(other -> other.first().errors().largest() <= error)
+            .mapToDouble(Cost::seconds)
+            .min()
+            .orElseThrow();
+    return cost.candidate().equals(auto) || cost.seconds() <= SEVERAL * least;
+  }
+
+  /** Medians of runs in turns; long ones are not repeated. */
+  private List<Cost> timed(MethodRunner runner, List<Cost> costs, int repeats) {
+    double[][] seconds = new double[costs.size()][repeats];
+    for (int round = 0; round < repeats; round++) {
       for (int i = 0; i < costs.size(); i++) {
         Cost cost = costs.get(i);
-        if (cost.first().seconds() < 0.3 || round == 0) {
-          MeasuredRun run = runner.run(cost.candidate(), cost.tolerance(), 1, limit);
-          seconds[i][Math.max(round, 0)] = run.seconds();
-        } else {
-          seconds[i][Math.max(round, 0)] = cost.first().seconds();
-        }
+        seconds[i][round] =
+            cost.first().seconds() < LONG
+                ? runner.run(cost.candidate(), cost.tolerance(), 1, limit).seconds()
+                : cost.first().seconds();
       }
     }
     List<Cost> timed = new ArrayList<>();
     for (int i = 0; i < costs.size(); i++) {
-      java.util.Arrays.sort(seconds[i]);
+      Arrays.sort(seconds[i]);
       Cost cost = costs.get(i);
-      timed.add(
-          new Cost(cost.candidate(), cost.tolerance(), cost.first(), seconds[i][REPEATS / 2]));
+      timed.add(new Cost(cost.candidate(), cost.tolerance(), cost.first(), seconds[i][repeats / 2]));
     }
     return timed;
   }

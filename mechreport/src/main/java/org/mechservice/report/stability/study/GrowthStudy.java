@@ -18,6 +18,7 @@ import org.mechservice.solver.integration.StepResult;
 final class GrowthStudy implements Study {
   private static final double ACCEPTS_ALL = 1e30;
   private static final int WARM_UP_STEPS = 200;
+  private static final double[] SIZES = {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10};
 
   /** Beyond this an amplitude has said what it had to say. */
   private static final double FAR = 1e12;
@@ -51,7 +52,56 @@ final class GrowthStudy implements Study {
             + " promises a smaller error; such points are not shown in the diagram.",
         WARM_UP_STEPS);
     measure(page, "ode113", Ode113::new, new int[] {1, 2, 3, 4, 5, 6, 8, 10, 12});
-    measure(page, "ode15s", Ode15s::new, new int[] {1, 2, 3, 4, 5});
+    measure(page, "ode15s", Ode15s::new, new int[] {1});
+    measureFormulas(page);
+  }
+
+  /**
+   * The formulas of ode15s at a step that is held. The integrator itself cannot be made to hold an
+   * order above 1: it goes to a higher one only where that promises a longer step, and with
+   * tolerances that accept all, every order promises the same.
+   */
+  private void measureFormulas(StudyPage page) {
+    StudyPage.Table table =
+        page.table("Formulas of ode15s", "order", "|hλ|", "growth per period − 1");
+    SolverChart grows = new SolverChart("|hλ|", "growth per period − 1");
+    SolverChart decays = new SolverChart("|hλ|", "1 − growth per period");
+    StringBuilder limits = new StringBuilder();
+    for (int order = 1; order <= BackwardRecursion.HIGHEST_ORDER; order++) {
+      List<SolverChart.Value> up = new ArrayList<>();
+      List<SolverChart.Value> down = new ArrayList<>();
+      double worst = 0;
+      double at = 0;
+      for (double size : SIZES) {
+        double gain = new BackwardRecursion(order).growthPerPeriod(size) - 1;
+        table.row(order, size, gain);
+        String hover = "order " + order + ": " + StudyPage.shown(gain);
+        if (gain != 0) {
+          (gain > 0 ? up : down).add(new SolverChart.Value(size, Math.abs(gain), hover));
+        }
+        if (gain > worst) {
+          worst = gain;
+          at = size;
+        }
+      }
+      if (!up.isEmpty()) {
+        grows.add("order " + order, up);
+      }
+      if (!down.isEmpty()) {
+        decays.add("order " + order, down);
+      }
+      limits.append(limits.isEmpty() ? "" : ", ").append(order).append(": ");
+      limits.append(
+          worst == 0 ? "nowhere" : StudyPage.shown(worst) + " at " + StudyPage.shown(at));
+    }
+    page.finds(
+        "Formulas of ode15s and ode15sR: where an undamped oscillation grows, and by how much per"
+            + " period at most, by order: %s. Told to hold a high order with tolerances that accept"
+            + " all, ode15s itself stays at order 1: it goes to a higher order only where that"
+            + " promises a longer step, and here all promise the same.",
+        limits);
+    page.shows("Formulas of ode15s: the amplitude grows", grows);
+    page.shows("Formulas of ode15s: the amplitude decays", decays);
   }
 
   private void measure(
@@ -59,7 +109,6 @@ final class GrowthStudy implements Study {
       String integrator,
       Function<IntegratorSettings, Integrator> maker,
       int[] orders) {
-    double[] sizes = {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10};
     StudyPage.Table table =
         page.table(integrator, "highest order", "|hλ|", "order used", "growth per period − 1");
     SolverChart grows = new SolverChart("|hλ|", "growth per period − 1");
@@ -73,7 +122,7 @@ final class GrowthStudy implements Study {
       double neutral = 0;
       boolean stable = true;
       boolean everHeld = false;
-      for (double size : sizes) {
+      for (double size : SIZES) {
         Growth growth = growth(maker, order, size);
         double gain = growth.perPeriod() - 1;
         table.row(order, size, growth.order(), gain);

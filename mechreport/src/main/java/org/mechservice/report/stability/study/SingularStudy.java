@@ -6,15 +6,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.mechservice.client.MechSession;
-import org.mechservice.report.measure.Judge;
 import org.mechservice.report.measure.MeasuredRun;
 import org.mechservice.report.measure.MethodRunner;
-import org.mechservice.report.measure.ReferenceMaker;
+import org.mechservice.report.measure.Reference;
 import org.mechservice.report.measure.RunGrid;
 import org.mechservice.report.measure.StateDistance;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.Method;
-import org.mechservice.report.method.ModelProblem;
 import org.mechservice.report.page.SolverChart;
 import org.mechservice.solver.api.ExplicitModel;
 
@@ -53,8 +51,9 @@ final class SingularStudy implements Study {
     page.notes(
         "A four-bar that falls through the position in which all its bars lie in line; its coupler"
             + " is longer than the gap by the distance. 2 s, tolerance %.0e; error against a"
-            + " reference made for every distance, whose floor is shown. An ending with a message"
-            + " is an honest one.",
+            + " reference made for every distance, whose floor is shown: the motion along the curve"
+            + " of positions, by two codes, without equations of loops. An ending with a message is"
+            + " an honest one.",
         TOLERANCE);
     StudyPage.Table table =
         page.table(
@@ -100,25 +99,27 @@ final class SingularStudy implements Study {
         METHODS.stream().map(method -> Bench.compact(session, method)).toList();
     ExplicitModel model = (ExplicitModel) candidates.get(0).models().get();
     StateDistance measure = new StateDistance(model.description());
-    List<ReferenceMaker.Source> sources = new ArrayList<>();
-    for (Candidate candidate : candidates.subList(0, 2)) {
-      sources.add(
-          new ReferenceMaker.Source(
-              candidate.method().closure(),
-              () -> new ModelProblem((ExplicitModel) candidate.models().get())));
-    }
     RunGrid grid = RunGrid.uniform(0, model.description().defaults().tEnd(), 20);
-    Judge judge =
-        Judge.of(
-            Optional.empty(), sources, new ReferenceMaker(measure, referenceLimit), measure, grid);
-    if (judge.reference().isEmpty()) {
+    double[] start = new double[model.description().stateCount()];
+    model.initialState(start);
+    Optional<Reference> made =
+        FourBarInLine.reference(distance, start, grid.times(), measure, referenceLimit);
+    if (made.isEmpty()) {
       table.row(
-          distance, "none", Double.NaN, Double.NaN, Double.NaN, Double.NaN, 0, 0, judge.doubt());
+          distance,
+          "none",
+          Double.NaN,
+          Double.NaN,
+          Double.NaN,
+          Double.NaN,
+          0,
+          0,
+          "no reference within its time");
       return false;
     }
-    double floor = judge.reference().orElseThrow().worstFloor();
-    try (MethodRunner runner =
-        new MethodRunner(judge.reference().orElseThrow(), measure, judge.grid())) {
+    Reference reference = made.get();
+    double floor = reference.worstFloor();
+    try (MethodRunner runner = new MethodRunner(reference, measure, grid)) {
       for (Candidate candidate : candidates) {
         MeasuredRun run = runner.run(candidate, TOLERANCE, 0, limit);
         String name = candidate.method().name();
@@ -128,7 +129,7 @@ final class SingularStudy implements Study {
             name,
             error,
             floor,
-            judge.reference().orElseThrow().end(),
+            reference.end(),
             run.energyDrift(),
             run.steps(),
             run.rejected(),
@@ -138,7 +139,7 @@ final class SingularStudy implements Study {
               .computeIfAbsent(name, key -> new ArrayList<>())
               .add(new SolverChart.Value(distance, error, name + ": " + StudyPage.shown(error)));
         }
-        boolean passed = judge.reference().orElseThrow().end() > PASSED;
+        boolean passed = reference.end() > PASSED;
         if (run.completed() && passed && error < Math.max(1e-4, 2 * floor)) {
           last.put(name, distance);
         }

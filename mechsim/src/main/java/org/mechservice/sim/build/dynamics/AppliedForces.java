@@ -135,7 +135,7 @@ final class AppliedForces {
   private ForceTerm term(ForceElement element) {
     if (element instanceof SpringDamper spring) {
       PairMotion pair = new PairMotion(kinematics, points, spring.point1(), spring.point2());
-      return new SpringTerm(pair, law(spring));
+      return new SpringTerm(spring.name(), pair, law(spring));
     } else if (element instanceof JointSpringDamper spring) {
       return jointSpring(spring);
     } else if (element instanceof JointFriction friction) {

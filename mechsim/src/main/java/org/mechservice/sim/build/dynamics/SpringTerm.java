@@ -2,6 +2,7 @@ package org.mechservice.sim.build.dynamics;
 
 import java.util.List;
 import java.util.Optional;
+import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Scalar;
@@ -20,13 +21,31 @@ final class SpringTerm implements ForceTerm {
   private final Scalar rate;
   private final boolean slack;
 
-  SpringTerm(PairMotion pair, SpringLaw law) {
+  /** Whether its length never changes, so that it does nothing, or nothing but hold itself. */
+  private final boolean still;
+
+  /**
+   * @param name of the force, for messages
+   * @throws ModelBuildException N-031 if its points coincide wherever the joints are, and it has a
+   *     tension there
+   */
+  SpringTerm(String name, PairMotion pair, SpringLaw law) {
     this.pair = pair;
     this.law = law;
     this.way = pair.way();
     this.length = way.dot(way).squareRoot();
     this.slack = law.isSlackAtZero(length.expressions());
-    this.rate = pair.isRigid() ? length.expressions().zero() : rate(pair.velocity());
+    boolean coincident = length.isZero();
+    if (coincident && !slack && !pair.isRigid()) {
+      throw new ModelBuildException(
+          "N-031",
+          "force \""
+              + name
+              + "\" has no direction: its two points coincide in every position; move one of them,"
+              + " or use an element that suits the motion");
+    }
+    this.still = pair.isRigid() || coincident;
+    this.rate = still ? length.expressions().zero() : rate(pair.velocity());
   }
 
   private Scalar rate(ScalarVector velocity) {
@@ -42,12 +61,12 @@ final class SpringTerm implements ForceTerm {
 
   @Override
   public Optional<Direction> direction() {
-    return slack || pair.isRigid() ? Optional.empty() : Optional.of(new Direction(length, 0));
+    return slack || still ? Optional.empty() : Optional.of(new Direction(length, 0));
   }
 
   @Override
   public void apply(Loads loads) {
-    if (pair.isRigid()) {
+    if (still) {
       return;
     }
     Scalar perLength = law.tension(length, rate).over(length).negated();

@@ -1,0 +1,60 @@
+package org.mechservice.sim.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.mechml.MechmlException;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.MechmlReader;
+
+/** What an integrator cannot know of before it has passed over it is told before the run. */
+class BriefPushTest {
+  private static final Path SCENE = Path.of("../examples/extremes/brief_push.xml");
+  private static final String PUSH = "1000*exp(-((t-5)/0.001)^2)";
+
+  private static Optional<Finding> of(String formula, String maxStep)
+      throws IOException, MechmlException {
+    String text =
+        Files.readString(SCENE, StandardCharsets.UTF_8)
+            .replace(PUSH, formula)
+            .replace(" maxStep=\"0.0005\"", maxStep);
+    MechmlModel model = MechmlReader.read("scene.xml", text.getBytes(StandardCharsets.UTF_8));
+    return BriefPush.of(model.mechanism(), model.settings().run());
+  }
+
+  @Test
+  void briefPushIsToldWithItsJointItsTimeAndAStepThatSeesIt() throws Exception {
+    assertThat(of(PUSH, ""))
+        .hasValueSatisfying(
+            found -> {
+              assertThat(found.code()).isEqualTo("N-025");
+              assertThat(found.text())
+                  .contains("joint \"s\"", "first at t = 4.998", "a maxStep of 1.5e-03 s");
+            });
+  }
+
+  @Test
+  void boundedStepsSeeIt() throws Exception {
+    assertThat(of(PUSH, " maxStep=\"0.0005\"")).isEmpty();
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "1000*(step(t-5)-step(t-5.001))",
+        "sin(100*t)",
+        "1000*exp(-((t-5)/1)^2)",
+        "1000*exp(-s.q^2)",
+        "3"
+      })
+  void whatLastsOrReturnsOrBeginsAtAKnownTimeIsNot(String formula) throws Exception {
+    assertThat(of(formula, "")).isEmpty();
+  }
+}
