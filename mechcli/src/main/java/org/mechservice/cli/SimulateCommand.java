@@ -98,7 +98,7 @@ final class SimulateCommand implements Callable<Integer> {
       if (!quiet && !strict) {
         warnings.forEach(warning -> err().println(warning));
       }
-      RunNews news = new RunNews(this::tellMove);
+      RunNews news = new RunNews(this::tell);
       try (PreparedRun run = prepare(session, options, news);
           ResultFiles files = ResultFiles.open(out)) {
         interrupt.cancels(run);
@@ -116,10 +116,9 @@ final class SimulateCommand implements Callable<Integer> {
     }
   }
 
-  /** A run that has moved has a new identity. */
-  private void tellMove(ModelMessage message) {
+  private void tell(String news) {
     if (!quiet && !json) {
-      err().println(message);
+      err().println(news);
       err().flush();
     }
   }
