@@ -3,17 +3,20 @@ package org.mechservice.cli;
 import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.LoggerContext;
+import ch.qos.logback.classic.encoder.JsonEncoder;
 import ch.qos.logback.classic.encoder.PatternLayoutEncoder;
 import ch.qos.logback.classic.spi.Configurator;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.ConsoleAppender;
 import ch.qos.logback.core.FileAppender;
 import ch.qos.logback.core.OutputStreamAppender;
+import ch.qos.logback.core.encoder.Encoder;
 import ch.qos.logback.core.spi.ContextAwareBase;
 
 /**
  * Logging of the command line: the product's warnings on standard error, one line each; everything,
- * with details, in the file that MECH_LOG names. Found by logback as a service.
+ * with details, in the file that MECH_LOG names, as one JSON object per line if its name ends in
+ * {@code .jsonl}. Found by logback as a service.
  */
 public final class LogSetup extends ContextAwareBase implements Configurator {
   private static final String PRODUCT = "org.mechservice";
@@ -22,13 +25,16 @@ public final class LogSetup extends ContextAwareBase implements Configurator {
 
   @Override
   public ExecutionStatus configure(LoggerContext context) {
+    return configure(context, System.getenv().getOrDefault("MECH_LOG", ""));
+  }
+
+  ExecutionStatus configure(LoggerContext context, String file) {
     Logger root = context.getLogger(Logger.ROOT_LOGGER_NAME);
     root.setLevel(Level.OFF);
-    String file = System.getenv().getOrDefault("MECH_LOG", "");
     if (!file.isEmpty()) {
       FileAppender<ILoggingEvent> log = new FileAppender<>();
       log.setFile(file);
-      root.addAppender(started(log, context, LONG));
+      root.addAppender(started(log, context, file.endsWith(".jsonl") ? json() : pattern(LONG)));
       root.setLevel(Level.INFO);
       context.getLogger(PRODUCT).setLevel(Level.DEBUG);
       return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
@@ -36,16 +42,31 @@ public final class LogSetup extends ContextAwareBase implements Configurator {
     ConsoleAppender<ILoggingEvent> console = new ConsoleAppender<>();
     console.setTarget("System.err");
     Logger product = context.getLogger(PRODUCT);
-    product.addAppender(started(console, context, SHORT));
+    product.addAppender(started(console, context, pattern(SHORT)));
     product.setLevel(Level.WARN);
     return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
   }
 
-  private static OutputStreamAppender<ILoggingEvent> started(
-      OutputStreamAppender<ILoggingEvent> appender, LoggerContext context, String pattern) {
+  /** The message as people read it, not its parts. */
+  private static JsonEncoder json() {
+    JsonEncoder encoder = new JsonEncoder();
+    encoder.setWithFormattedMessage(true);
+    encoder.setWithMessage(false);
+    encoder.setWithArguments(false);
+    return encoder;
+  }
+
+  private static PatternLayoutEncoder pattern(String pattern) {
     PatternLayoutEncoder encoder = new PatternLayoutEncoder();
-    encoder.setContext(context);
     encoder.setPattern(pattern);
+    return encoder;
+  }
+
+  private static OutputStreamAppender<ILoggingEvent> started(
+      OutputStreamAppender<ILoggingEvent> appender,
+      LoggerContext context,
+      Encoder<ILoggingEvent> encoder) {
+    encoder.setContext(context);
     encoder.start();
     appender.setContext(context);
     appender.setEncoder(encoder);

@@ -61,12 +61,14 @@ final class ProgressDisplay {
     bar = shown;
     shown.stepTo(Math.round(FULL * progress.fraction()));
     shown.setExtraMessage(
-        String.format(
-            Locale.ROOT,
-            "t=%.4g of %.4g s, step %.2g s",
-            progress.time(),
-            progress.endTime(),
-            progress.stepSize()));
+        progress.queuePosition() > 0
+            ? "waiting, place " + progress.queuePosition() + " in the queue"
+            : String.format(
+                Locale.ROOT,
+                "t=%.4g of %.4g s, step %.2g s",
+                progress.time(),
+                progress.endTime(),
+                progress.stepSize()));
   }
 
   private static ProgressBar opened() {

@@ -17,16 +17,17 @@ final class RunNews implements RunListener {
   /** What is said of a run whose host is being emptied. */
   private static final Set<String> OF_MOVES = Set.of("S-116", "S-117");
 
-  private final Consumer<ModelMessage> moves;
+  private final Consumer<String> aloud;
   private final List<ModelMessage> warnings = new CopyOnWriteArrayList<>();
+  private boolean hasWaited;
   private volatile Optional<RunProgress> told = Optional.empty();
   private volatile Supplier<Optional<RunProgress>> latest = () -> told;
 
   /**
-   * @param moves hears at once where the run goes on
+   * @param aloud hears at once where the run goes on, and that it has to wait
    */
-  RunNews(Consumer<ModelMessage> moves) {
-    this.moves = moves;
+  RunNews(Consumer<String> aloud) {
+    this.aloud = aloud;
   }
 
   /** Follows a local run, which tells nothing by itself. */
@@ -37,12 +38,19 @@ final class RunNews implements RunListener {
 
   @Override
   public void onProgress(RunProgress progress) {
+    if (progress.queuePosition() > 0 && !hasWaited) {
+      hasWaited = true;
+      aloud.accept("waiting for room, place " + progress.queuePosition() + " in the queue");
+    }
     told = Optional.of(progress);
   }
 
   @Override
   public void onMessages(List<ModelMessage> messages) {
-    messages.stream().filter(message -> OF_MOVES.contains(message.code())).forEach(moves);
+    messages.stream()
+        .filter(message -> OF_MOVES.contains(message.code()))
+        .map(ModelMessage::toString)
+        .forEach(aloud);
     messages.stream()
         .filter(message -> message.severity() == ModelMessage.Severity.WARNING)
         .forEach(warnings::add);

@@ -6,6 +6,7 @@ import java.util.concurrent.Callable;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.PlacementPolicy;
 import org.mechservice.server.ServerSettings;
+import org.mechservice.sim.service.WarmUp;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -91,6 +92,9 @@ final class ServerCommand implements Callable<Integer> {
             audit);
     try (MechServerProcess server = MechServerProcess.start(settings)) {
       spec.commandLine().getOut().println(server.url());
+      if (capacity > 0) {
+        WarmUp.begin();
+      }
       Serving.untilEnded(server, server::awaitShutdown);
     }
     return ExitStatus.DONE;

@@ -88,7 +88,7 @@ final class SimulateCommand implements Callable<Integer> {
       if (!results.quiet() && !strict) {
         warnings.forEach(warning -> err().println(warning));
       }
-      RunNews news = new RunNews(this::tellMove);
+      RunNews news = new RunNews(this::tell);
       try (PreparedRun run = prepare(session, options, news);
           ResultFiles files = ResultFiles.open(results.files())) {
         interrupt.cancels(run);
@@ -106,10 +106,9 @@ final class SimulateCommand implements Callable<Integer> {
     }
   }
 
-  /** A run that has moved has a new identity. */
-  private void tellMove(ModelMessage message) {
+  private void tell(String news) {
     if (results.talks()) {
-      err().println(message);
+      err().println(news);
       err().flush();
     }
   }

@@ -33,7 +33,7 @@ class CommandLineTest {
         "simulate m.xml --rtol | S-041 --rtol lacks its value (mech help simulate lists what there is)",
         "simulate m.xml --rtol abc | S-041 --rtol takes a number, not abc (mech help simulate lists what there is)",
         "simulate m.xml --mode sideways | S-041 --mode takes remote or local, not sideways (mech help simulate lists what there is)",
-        "simulate m.xml --columns colours | S-041 --columns: \"colours\" is no column group; there are joints, accelerations, bodies, energy, constraints, reactions, forces, outputs, and all",
+        "simulate m.xml --columns colours | S-041 --columns: \"colours\" is no column group; there are joints, accelerations, bodies, energy, constraints, reactions, forces, outputs, momentum, and all",
         "simulate m.xml --out r.mat | S-044 --out r.mat: results are written to .csv files",
         "simulate m.xml --out r.csv --out ./r.csv | S-044 --out ./r.csv is given twice",
         "simulate m.xml --json --quiet=maybe | S-041 --quiet takes no value (mech help simulate lists what there is)",

@@ -113,6 +113,27 @@ class FetchCommandTest {
   }
 
   @Test
+  void runThatHasToWaitSaysItsPlaceInTheQueue() throws Exception {
+    SimulationOptions endless = SimulationOptions.asInFile().endTime(1e7).outputStep(1e4);
+    try (MechConnection connection = MechConnection.open(server.url());
+        MechSession session = connection.openSession()) {
+      session.loadModel(MODEL);
+      RemoteRun first = session.prepareRemoteRun(endless);
+      RemoteRun second = session.prepareRemoteRun(endless);
+      first.start();
+      second.start();
+      Thread waiting =
+          new Thread(() -> mech("simulate", MODEL.toString(), "--server", server.url()));
+      waiting.start();
+      Eventually.holds(() -> err.toString().contains("waiting for room, place 1 in the queue"));
+      first.cancel();
+      waiting.join();
+      assertThat(out.toString()).contains("completed");
+      second.cancel();
+    }
+  }
+
+  @Test
   void runIdIsToldWhereItIsNeeded() {
     assertThat(mech("simulate", MODEL.toString(), "--server", server.url())).isZero();
     assertThat(err.toString()).containsPattern("(?m)^simulation [0-9a-f-]{36}$");

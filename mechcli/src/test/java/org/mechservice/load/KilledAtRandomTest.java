@@ -90,7 +90,7 @@ class KilledAtRandomTest {
         killed.in(killing);
         killing.assertWitnessSawNothing();
       }
-      Thread.sleep(5000); // leases of those who are dead end
+      Thread.sleep((Killing.LEASE_SECONDS + 2) * 1000L); // leases of those who are dead end
       Inside witness = killing.insideWitness();
       Inside victim = killing.insideVictim();
       Inside server = killing.insideServer();

@@ -12,8 +12,6 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.IMechSimRemote;
-import org.mechservice.idl.JarInfo;
-import org.mechservice.idl.JarInfoHolder;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
@@ -316,9 +314,9 @@ public final class MechSession implements AutoCloseable {
     ServerTimes before = setsUpInOneCall() ? soFar : serverTimes();
     Stopwatch watch = new Stopwatch();
     NameValueSeqHolder said = new NameValueSeqHolder(new NameValue[0]);
-    BuiltJar modelJar = compile(options, said);
-    byte[] runtimeJar = connection.cache().get(modelJar.runtimeSha256(), () -> fetch(modelJar));
-    verifyRuntime(runtimeJar);
+    JarFetch jars = jars();
+    BuiltJar modelJar = jars.model(options, said);
+    byte[] runtimeJar = jars.runtime(modelJar);
     double fetchSeconds = watch.lap();
     FetchedModel fetched = FetchedModel.load(modelJar, runtimeJar, connection.cache());
     double total = openSeconds + loadSeconds + fetchSeconds + watch.lap();
@@ -345,9 +343,9 @@ public final class MechSession implements AutoCloseable {
    * @throws JarRefusedException if a JAR is not the one announced or does not fit this client
    */
   public LocalModel fetchModel(SimulationOptions options) {
-    BuiltJar modelJar = compile(options, new NameValueSeqHolder(new NameValue[0]));
-    byte[] runtimeJar = connection.cache().get(modelJar.runtimeSha256(), () -> fetch(modelJar));
-    verifyRuntime(runtimeJar);
+    JarFetch jars = jars();
+    BuiltJar modelJar = jars.model(options, new NameValueSeqHolder(new NameValue[0]));
+    byte[] runtimeJar = jars.runtime(modelJar);
     return new LocalModel(modelJar, FetchedModel.load(modelJar, runtimeJar, connection.cache()));
   }
 
@@ -360,41 +358,20 @@ public final class MechSession implements AutoCloseable {
    * @throws JarRefusedException if what arrives is not what was announced
    */
   public BuiltJar build(SimulationOptions options, boolean standalone) {
-    return compile(
-        standalone ? options.standalone() : options, new NameValueSeqHolder(new NameValue[0]));
+    return jars()
+        .model(
+            standalone ? options.standalone() : options, new NameValueSeqHolder(new NameValue[0]));
+  }
+
+  private JarFetch jars() {
+    return new JarFetch(
+        calls, session, setsUpInOneCall(), connection.cache(), connection.originOf(session));
   }
 
   /** Returns the size of the server's runtime JAR, bytes. */
   public long runtimeJarBytes() {
     RuntimeInfo runtime = calls.get(session::getRuntimeInfo);
     return runtime.sizeBytes;
-  }
-
-  /**
-   * @param facts overwritten with what the server says of the set-up, if it can
-   */
-  private BuiltJar compile(SimulationOptions options, NameValueSeqHolder facts) {
-    JarInfoHolder holder = new JarInfoHolder();
-    NameValue[] asked = options.toNameValues();
-    byte[] jar =
-        setsUpInOneCall()
-            ? calls.get(() -> session.prepareJar(asked, holder, facts))
-            : calls.get(() -> session.compileToJar(asked, holder));
-    JarInfo info = holder.value;
-    connection.originOf(session).verified(jar, info.signature, "the model JAR");
-    return BuiltJar.verified(jar, info);
-  }
-
-  private void verifyRuntime(byte[] runtimeJar) {
-    JarOrigin origin = connection.originOf(session);
-    if (origin.encrypted()) {
-      RuntimeInfo runtime = calls.get(session::getRuntimeInfo);
-      origin.verified(runtimeJar, runtime.signature, "the runtime JAR");
-    }
-  }
-
-  private byte[] fetch(BuiltJar modelJar) {
-    return calls.get(() -> session.fetchRuntime(modelJar.runtimeSha256()));
   }
 
   private Map<String, Object> modelFacts() {

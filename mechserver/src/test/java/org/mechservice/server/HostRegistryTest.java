@@ -4,8 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
+import java.lang.reflect.Proxy;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.HostInfo;
 import org.mechservice.idl.HostRegistration;
@@ -40,8 +44,15 @@ class HostRegistryTest {
     final HostRegistry registry;
 
     Careless(Farm farm, String name) {
+      this(farm, name, host -> host);
+    }
+
+    /**
+     * @param seen how others see the host
+     */
+    Careless(Farm farm, String name, UnaryOperator<MechSimHostOperations> seen) {
       host = new SimHost(orb, new HostOptions(name, 1), new EndlessSolver(), () -> {});
-      MechSimHostOperations operations = host;
+      MechSimHostOperations operations = seen.apply(host);
       reference =
           MechSimHostHelper.unchecked_narrow(
               orb.activate(new MechSimHostPOATie(operations)).reference());
@@ -141,6 +152,32 @@ class HostRegistryTest {
             .hasMessageStartingWith("S-013 there is a host \"" + name + "\"");
       }
     }
+  }
+
+  /** As a process that has just started may, on a machine under heavy load. */
+  @Test
+  void hostThatAnswersItsFirstCallLateIsTakenIn() throws Exception {
+    ServerTuning impatient =
+        new ServerTuning(Duration.ofHours(1), Duration.ofMillis(200), Duration.ofMillis(500));
+    try (Farm farm = new Farm(1, impatient);
+        Careless slow = new Careless(farm, "slow", HostRegistryTest::lateOnce)) {
+      slow.register(slow.host.getInfo());
+      assertThat(reachableHosts(farm)).contains("slow");
+    }
+  }
+
+  private static MechSimHostOperations lateOnce(MechSimHostOperations host) {
+    AtomicBoolean asked = new AtomicBoolean();
+    return (MechSimHostOperations)
+        Proxy.newProxyInstance(
+            MechSimHostOperations.class.getClassLoader(),
+            new Class<?>[] {MechSimHostOperations.class},
+            (proxy, method, arguments) -> {
+              if (method.getName().equals("getInfo") && asked.compareAndSet(false, true)) {
+                Thread.sleep(1000);
+              }
+              return method.invoke(host, arguments);
+            });
   }
 
   @Test

@@ -31,6 +31,7 @@ import org.mechservice.idl.ResultCursor;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.service.LimitsInForce;
+import org.mechservice.sim.worker.WorkerMain;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.Solver;
@@ -42,6 +43,8 @@ import org.omg.CORBA.UserException;
 class ServiceSpeedTest {
   private static final int ROWS = 2_000_000;
   private static final int PINGS = 5000;
+  private static final int OPENED = 1000;
+  private static final int PROCESSES = 9;
   private static final int PING_BYTES = 60;
   private static final int BLOCK_BYTES = 1 << 20;
   private static final int BLOCKS = 200;
@@ -101,6 +104,14 @@ class ServiceSpeedTest {
             + " bytes over a socket of the same loopback interface, in the same run, two threads of"
             + " the same JVM, nothing encoded. gRPC is not measured: it would add a dozen"
             + " dependencies to the build for one table.\n");
+    report.add(
+        "No MechSims are kept in stock: opening one is the row `MechSim`, of which the row `ping` is"
+            + " the call itself, so a stock would spare the difference. What makes a first client"
+            + " wait is that the first model of a process loads its classes (`cold` against `warm`)."
+            + " `mech server` and `mech simhost` therefore build and pack a small model of their own"
+            + " as soon as they have started, so that their MechSims are ready. Processes for classes"
+            + " of users are not kept in stock either: each would hold its memory all the time, for"
+            + " less than the last step of a build that such a run has behind it.\n");
     report.add("| what | measured |\n|---|---|");
     try (MechServerProcess server =
             MechServerProcess.start(
@@ -111,6 +122,7 @@ class ServiceSpeedTest {
       MechServer service = orb.connect(server.url());
       setUp(service, "cold");
       pings(service);
+      readiness(service);
       rawTcp();
       for (int i = 0; i < 5; i++) {
         setUp(service, i < 4 ? "" : "warm");
@@ -132,6 +144,47 @@ class ServiceSpeedTest {
     }
     Arrays.sort(micros);
     line("ping (getInfo), median of " + PINGS, micros[PINGS / 2], "µs");
+  }
+
+  /** What a stock of opened MechSims, or of idle processes, would spare a client. */
+  private void readiness(MechServer service)
+      throws UserException, IOException, InterruptedException {
+    double[] micros = new double[OPENED];
+    for (int i = 0; i < OPENED; i++) {
+      long start = System.nanoTime();
+      MechSim session = service.createSession("speed", "", null);
+      micros[i] = (System.nanoTime() - start) * 1e-3;
+      session.destroy();
+    }
+    Arrays.sort(micros);
+    line("MechSim (createSession), median of " + OPENED, micros[OPENED / 2], "µs");
+    double[] seconds = new double[PROCESSES];
+    for (int i = 0; i < PROCESSES; i++) {
+      seconds[i] = processSeconds();
+    }
+    Arrays.sort(seconds);
+    line(
+        "process for classes of users, from start to end, median of " + PROCESSES,
+        1e3 * seconds[PROCESSES / 2],
+        "ms");
+  }
+
+  /** It is given no order, so it ends as soon as it has started. */
+  private static double processSeconds() throws IOException, InterruptedException {
+    long start = System.nanoTime();
+    Process worker =
+        new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:+UseSerialGC",
+                "-Xshare:auto",
+                "-cp",
+                System.getProperty("java.class.path"),
+                WorkerMain.class.getName())
+            .redirectError(ProcessBuilder.Redirect.DISCARD)
+            .start();
+    worker.getOutputStream().close();
+    worker.waitFor();
+    return (System.nanoTime() - start) * 1e-9;
   }
 
   /** The same work over a bare socket: a question of 60 bytes and its answer, and blocks. */

@@ -57,6 +57,7 @@ final class SimulationRun implements Runnable {
   private boolean left;
   private boolean holdTold;
   private long stepsTold = -1;
+  private int positionTold;
 
   SimulationRun(RunPlan plan, RunQueue queue, RunStore store, Listener listener) {
     this.plan = plan;
@@ -449,8 +450,15 @@ final class SimulationRun implements Runnable {
     }
   }
 
-  /** Returns whether the run has got on since this was asked last. */
+  /** Returns whether the run has got on, or up in the queue, since this was asked last. */
   synchronized boolean hasProgressed() {
+    int position = phase == SimState.SIM_QUEUED ? queue.positionOf(this) : 0;
+    boolean movedUp = position > 0 && position != positionTold;
+    positionTold = position;
+    return movedUp || hasStepped();
+  }
+
+  private boolean hasStepped() {
     long steps = control.steps();
     boolean progressed = phase == SimState.SIM_RUNNING && steps != stepsTold;
     stepsTold = steps;

@@ -252,6 +252,12 @@ class SimulationContractTest {
       third.start();
       assertThat(second.getProgress().state).isEqualTo(SimState.SIM_QUEUED);
       assertThat(third.getProgress().queuePosition).isEqualTo(2);
+      String waiting = third.simId();
+      Eventually.holds(
+          () ->
+              Arrays.stream(session.pollEvents(0, 500, 0))
+                  .anyMatch(
+                      event -> event.info.simId.equals(waiting) && event.info.queuePosition == 2));
       second.cancel();
       assertThat(second.getProgress().state).isEqualTo(SimState.SIM_CANCELLED);
       assertThat(third.getProgress().queuePosition).isEqualTo(1);

@@ -1,0 +1,55 @@
+package org.mechservice.client;
+
+import org.mechservice.idl.JarInfo;
+import org.mechservice.idl.JarInfoHolder;
+import org.mechservice.idl.MechSim;
+import org.mechservice.idl.NameValue;
+import org.mechservice.idl.NameValueSeqHolder;
+import org.mechservice.idl.RuntimeInfo;
+
+/**
+ * Fetches the JARs of a session's model, and takes only what was announced and, over TLS, signed.
+ *
+ * @param calls to the session's host
+ * @param session the session
+ * @param inOneCall whether the host says what the set-up has cost together with the JAR
+ * @param cache keeps the solver
+ * @param origin makes sure that a JAR comes from the host
+ */
+record JarFetch(
+    RemoteCalls calls, MechSim session, boolean inOneCall, JarCache cache, JarOrigin origin) {
+
+  /**
+   * Lets the host build a JAR of the model.
+   *
+   * @param facts overwritten with what the server says of the set-up, if it can
+   * @throws InvalidOptionException if an option cannot be used
+   * @throws JarRefusedException if what arrives is not what was announced
+   */
+  BuiltJar model(SimulationOptions options, NameValueSeqHolder facts) {
+    JarInfoHolder holder = new JarInfoHolder();
+    NameValue[] asked = options.toNameValues();
+    byte[] jar =
+        inOneCall
+            ? calls.get(() -> session.prepareJar(asked, holder, facts))
+            : calls.get(() -> session.compileToJar(asked, holder));
+    JarInfo info = holder.value;
+    origin.verified(jar, info.signature, "the model JAR");
+    return BuiltJar.verified(jar, info);
+  }
+
+  /**
+   * Returns the solver that a model needs, from the cache if it is there.
+   *
+   * @throws JarRefusedException if it is not the one the model names
+   */
+  byte[] runtime(BuiltJar modelJar) {
+    String sha256 = modelJar.runtimeSha256();
+    byte[] runtimeJar = cache.get(sha256, () -> calls.get(() -> session.fetchRuntime(sha256)));
+    if (origin.encrypted()) {
+      RuntimeInfo runtime = calls.get(session::getRuntimeInfo);
+      origin.verified(runtimeJar, runtime.signature, "the runtime JAR");
+    }
+    return runtimeJar;
+  }
+}
