@@ -59,6 +59,9 @@ final class PaperPage {
             stiff.explicit().run().evaluations(),
             stiff.implicit().run().evaluations()));
     for (EqualErrors.Ratio ratio : stiff.ratios()) {
+      if (Double.isNaN(ratio.seconds())) {
+        continue;
+      }
       html.append(
           format(
               "<p>Driver with C = K/100 at equal error %s: the implicit method needs <b>%s</b>"
@@ -185,10 +188,8 @@ final class PaperPage {
     }
     html.append("<tr><td>error");
     for (PaperReport.RunPair pair : runs.values()) {
-      html.append(
-          format(
-              "<td>%.1e<td>%.1e",
-              pair.explicit().run().errors().largest(), pair.implicit().run().errors().largest()));
+      html.append("<td>").append(error(pair.explicit()));
+      html.append("<td>").append(error(pair.implicit()));
     }
     html.append("</table><table><tr><th>explicit ÷ implicit at equal error");
     for (PaperFigures.Scene scene : runs.keySet()) {
@@ -213,6 +214,11 @@ final class PaperPage {
     return format(
         "%+.0f … %+.0f %%",
         100 * (timed.low() / median - 1), 100 * (timed.high() / median - 1));
+  }
+
+  private static String error(PaperReport.Timed timed) {
+    double error = timed.run().errors().largest();
+    return Double.isNaN(error) ? "–" : format("%.1e", error);
   }
 
   private static String known(double ratio) {
