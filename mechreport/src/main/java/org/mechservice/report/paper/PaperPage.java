@@ -139,9 +139,9 @@ final class PaperPage {
     }
     html.append("</table><p class=\"note\">Medians of ").append(PaperReport.SET_UPS);
     html.append(" set-ups of a warm service after ").append(PaperReport.WARM_SET_UPS);
-    html.append(", each of a model that it has not met. tcc is 0 because no compiler runs: class");
-    html.append(" files are written directly, within t2s. The solver's code is fetched once per");
-    html.append(" user.</p></section>");
+    html.append(", each of a model that it has not met; wall-clock times, which other work on the");
+    html.append(" machine lengthens. tcc is what writing and loading class files takes; no Java");
+    html.append(" compiler runs. The solver's code is fetched once per user.</p></section>");
     return html.toString();
   }
 
