@@ -1,6 +1,7 @@
 package org.mechservice.cli;
 
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.util.concurrent.Callable;
 import org.mechservice.client.JarCache;
 import org.mechservice.client.MechConnection;
@@ -51,11 +52,21 @@ final class FetchCommand implements Callable<Integer> {
   }
 
   private int fetch(ReattachedRun run, ResultFiles files) throws IOException {
+    PrintWriter err = spec.commandLine().getErr();
+    if (!run.id().equals(id)) {
+      err.println(
+          "S-117 run "
+              + id
+              + " has moved and is "
+              + run.id()
+              + " now; the rows before its move were handed to its client, those since then"
+              + " are fetched");
+    }
     RunResult result;
     try {
       result = run.toEnd(files);
     } catch (ServiceException e) {
-      spec.commandLine().getErr().println(e.getMessage() + ResultOptions.keptRows(files));
+      err.println(e.getMessage() + ResultOptions.keptRows(files));
       return ExitStatus.SERVER;
     }
     return results.tell(result, files);

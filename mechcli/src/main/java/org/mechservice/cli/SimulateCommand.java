@@ -88,7 +88,7 @@ final class SimulateCommand implements Callable<Integer> {
       if (!results.quiet() && !strict) {
         warnings.forEach(warning -> err().println(warning));
       }
-      RunNews news = new RunNews();
+      RunNews news = new RunNews(this::tellMove);
       try (PreparedRun run = prepare(session, options, news);
           ResultFiles files = ResultFiles.open(results.files())) {
         interrupt.cancels(run);
@@ -102,6 +102,14 @@ final class SimulateCommand implements Callable<Integer> {
   private void tellIdentity(PreparedRun run) {
     if (run instanceof RemoteRun remote && !server.address().isEmpty() && results.talks()) {
       err().println("simulation " + remote.id());
+      err().flush();
+    }
+  }
+
+  /** A run that has moved has a new identity. */
+  private void tellMove(ModelMessage message) {
+    if (results.talks()) {
+      err().println(message);
       err().flush();
     }
   }

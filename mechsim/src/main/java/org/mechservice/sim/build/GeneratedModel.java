@@ -6,6 +6,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
+import org.mechservice.sim.build.emit.ModelPlan;
 import org.mechservice.sim.build.emit.WrittenClass;
 import org.mechservice.solver.api.ForceDeclaration;
 import org.mechservice.solver.api.ForceLoads;
@@ -141,6 +142,11 @@ public final class GeneratedModel {
   /** Returns additions, multiplications and divisions of one evaluation of the derivative. */
   public int operations() {
     return operations;
+  }
+
+  /** Returns how the model computes, and how many operations each part of it takes. */
+  public String code() {
+    return written instanceof ModelPlan plan ? plan.code() : "none: data for the solver";
   }
 
   /** Returns what the scene does not need. */

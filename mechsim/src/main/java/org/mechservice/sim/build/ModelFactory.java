@@ -21,6 +21,7 @@ import org.mechservice.sim.build.emit.AnalysisTask;
 import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.ModelPlan;
+import org.mechservice.sim.build.jar.Packing;
 import org.mechservice.sim.build.javac.ModelCompiler;
 import org.mechservice.sim.build.user.UserClasses;
 import org.mechservice.sim.scene.FormulationChoice;
@@ -59,9 +60,14 @@ public final class ModelFactory {
     }
     String integrator = options.settings().integrator();
     StandaloneMain.requireIntegrator(integrator);
-    FormulationChoice choice =
+    FormulationChoice resolved =
         FormulationChoice.of(
             options.formulation(), options.closure(), options.settings(), mechanism);
+    FormulationChoice choice =
+        options
+            .integratorReason()
+            .map(why -> resolved.because("; auto: " + integrator + ", since at the start " + why))
+            .orElse(resolved);
     List<String> notGenerated = GenerationLimits.notGenerated(mechanism, choice);
     return options.compact() || !notGenerated.isEmpty()
         ? compact(model, options, choice, notGenerated)
@@ -280,13 +286,14 @@ public final class ModelFactory {
   }
 
   /** Packs the model's own classes, description and manifest; it runs with {@link #runtimeJar}. */
-  public static PackedJar modelJar(CompiledModel model, String mechmlSha256) {
-    return ModelJars.model(model, mechmlSha256);
+  public static PackedJar modelJar(CompiledModel model, String mechmlSha256, Packing packing) {
+    return ModelJars.model(model, mechmlSha256, packing);
   }
 
   /** Packs the model with just the solver classes it reaches; starts with {@code java -jar}. */
-  public static PackedJar standaloneJar(CompiledModel model, String mechmlSha256) {
-    return ModelJars.standalone(model, mechmlSha256);
+  public static PackedJar standaloneJar(
+      CompiledModel model, String mechmlSha256, Packing packing) {
+    return ModelJars.standalone(model, mechmlSha256, packing);
   }
 
   /** Returns the solver of this process, packed. */

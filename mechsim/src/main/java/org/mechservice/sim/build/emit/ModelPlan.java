@@ -126,6 +126,21 @@ public final class ModelPlan implements WrittenClass {
     return new ModelBytes(this).bytes();
   }
 
+  /** Returns how the programs are written, with the operations of each, for people. */
+  public String code() {
+    List<String> parts = new ArrayList<>();
+    for (Part part : programs) {
+      int methods = part.plan().methods().size();
+      parts.add(
+          part.head().name()
+              + " "
+              + part.plan().program().operationCount()
+              + " operations"
+              + (methods > 1 ? " in " + methods + " methods" : ""));
+    }
+    return "straight line: " + String.join(", ", parts);
+  }
+
   ModelClass content() {
     return content;
   }
