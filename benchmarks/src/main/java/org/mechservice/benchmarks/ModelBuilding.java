@@ -15,7 +15,7 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 
-/** The way from a file to a model at work, in each formulation; microseconds. */
+/** The way from a mechanism to a model at work, in each formulation; microseconds. */
 @State(Scope.Benchmark)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 public class ModelBuilding extends Measured {
@@ -37,12 +37,6 @@ public class ModelBuilding extends Measured {
     model = Scenes.named(scene);
     options = Scenes.options(formulation);
     generated = generation();
-  }
-
-  /** Reads and checks the MechML file. */
-  @Benchmark
-  public MechmlModel reading() {
-    return Scenes.named(scene);
   }
 
   /** Derives the equations and plans their code. */

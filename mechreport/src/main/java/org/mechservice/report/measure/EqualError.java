@@ -43,12 +43,27 @@ public final class EqualError {
 
   private static double between(
       Point worse, Point better, double error, ToDoubleFunction<Point> cost) {
-    double part =
-        Math.log(worse.error() / error)
-            / Math.log(worse.error() / Math.max(better.error(), Double.MIN_NORMAL));
-    double from = Math.log(cost.applyAsDouble(worse));
-    double to = Math.log(cost.applyAsDouble(better));
-    return Math.exp(from + part * (to - from));
+    return between(
+        worse.error(),
+        cost.applyAsDouble(worse),
+        Math.max(better.error(), Double.MIN_NORMAL),
+        cost.applyAsDouble(better),
+        error);
+  }
+
+  /**
+   * Returns the cost of an error between two, interpolated in logarithms.
+   *
+   * @param worse larger error
+   * @param costOfWorse what it costs
+   * @param better smaller error
+   * @param costOfBetter what it costs
+   * @param error between them
+   */
+  public static double between(
+      double worse, double costOfWorse, double better, double costOfBetter, double error) {
+    double part = Math.log(worse / error) / Math.log(worse / better);
+    return Math.exp(Math.log(costOfWorse) + part * Math.log(costOfBetter / costOfWorse));
   }
 
   /**

@@ -55,7 +55,12 @@ public record Rerun(List<Pair> pairs, int alone) {
 
     /** Each median lies within the other's quartiles, widened by their distance. */
     boolean withinSpread() {
-      return within(first, second.seconds()) && within(second, first.seconds());
+      return withinSpread(1);
+    }
+
+    /** The same where the second computer is slower by a factor. */
+    boolean withinSpread(double factor) {
+      return within(first, second.seconds() / factor) && within(second, first.seconds() * factor);
     }
 
     private static boolean within(Point point, double seconds) {
@@ -134,6 +139,13 @@ public record Rerun(List<Pair> pairs, int alone) {
           line(
               "medians within each other's quartiles widened by their distance: %d of %d",
               within, timed.size()));
+      double common = quantile(ratios, 0.5);
+      lines.add(
+          line(
+              "the same with the factor %.3f taken out, which all have in common: %d of %d",
+              common,
+              timed.stream().filter(pair -> pair.withinSpread(common)).count(),
+              timed.size()));
     }
     lines.add(agrees() ? "rerun within noise" : "NOT within noise (90 % of the times must be)");
     return lines;

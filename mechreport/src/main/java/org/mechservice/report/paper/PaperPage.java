@@ -59,6 +59,9 @@ final class PaperPage {
             stiff.explicit().run().evaluations(),
             stiff.implicit().run().evaluations()));
     for (EqualErrors.Ratio ratio : stiff.ratios()) {
+      if (Double.isNaN(ratio.seconds())) {
+        continue;
+      }
       html.append(
           format(
               "<p>Driver with C = K/100 at equal error %s: the implicit method needs <b>%s</b>"
@@ -136,9 +139,9 @@ final class PaperPage {
     }
     html.append("</table><p class=\"note\">Medians of ").append(PaperReport.SET_UPS);
     html.append(" set-ups of a warm service after ").append(PaperReport.WARM_SET_UPS);
-    html.append(", each of a model that it has not met. tcc is 0 because no compiler runs: class");
-    html.append(" files are written directly, within t2s. The solver's code is fetched once per");
-    html.append(" user.</p></section>");
+    html.append(", each of a model that it has not met; wall-clock times, which other work on the");
+    html.append(" machine lengthens. tcc is what writing and loading class files takes; no Java");
+    html.append(" compiler runs. The solver's code is fetched once per user.</p></section>");
     return html.toString();
   }
 
@@ -185,10 +188,8 @@ final class PaperPage {
     }
     html.append("<tr><td>error");
     for (PaperReport.RunPair pair : runs.values()) {
-      html.append(
-          format(
-              "<td>%.1e<td>%.1e",
-              pair.explicit().run().errors().largest(), pair.implicit().run().errors().largest()));
+      html.append("<td>").append(error(pair.explicit()));
+      html.append("<td>").append(error(pair.implicit()));
     }
     html.append("</table><table><tr><th>explicit ÷ implicit at equal error");
     for (PaperFigures.Scene scene : runs.keySet()) {
@@ -213,6 +214,11 @@ final class PaperPage {
     return format(
         "%+.0f … %+.0f %%",
         100 * (timed.low() / median - 1), 100 * (timed.high() / median - 1));
+  }
+
+  private static String error(PaperReport.Timed timed) {
+    double error = timed.run().errors().largest();
+    return Double.isNaN(error) ? "–" : format("%.1e", error);
   }
 
   private static String known(double ratio) {

@@ -1,5 +1,7 @@
 package org.mechservice.report.reference;
 
+import java.util.Optional;
+
 /**
  * A state that is summed up over many steps: what rounding cuts off one sum is added to the next
  * (Kahan 1965).
@@ -37,5 +39,33 @@ final class CompensatedState {
       }
     }
     return true;
+  }
+
+  /** Goes from one time to the next. */
+  interface Advance {
+    /** Returns whether the state could be taken from one time to another. */
+    boolean advance(double from, double to);
+  }
+
+  /**
+   * Returns the states at times, the first of which is now.
+   *
+   * @return empty if one of them is not reached
+   */
+  Optional<double[][]> along(double[] times, Advance code) {
+    double[][] states = new double[times.length][];
+    states[0] = y.clone();
+    for (int k = 1; k < times.length; k++) {
+      if (!code.advance(times[k - 1], times[k])) {
+        return Optional.empty();
+      }
+      states[k] = y.clone();
+    }
+    return Optional.of(states);
+  }
+
+  /** Returns the longest step of equal ones that end at a time, none longer than wished. */
+  static double equalStep(double left, double wished) {
+    return left / Math.max(1, Math.ceil(left / wished * (1 - 1e-9)));
   }
 }

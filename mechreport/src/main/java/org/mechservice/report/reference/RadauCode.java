@@ -82,16 +82,8 @@ public final class RadauCode implements ReferenceCode {
     }
 
     Optional<double[][]> at(double[] times) {
-      double[][] states = new double[times.length][];
-      states[0] = state.y.clone();
       h = (times[times.length - 1] - times[0]) / 1000;
-      for (int k = 1; k < times.length; k++) {
-        if (!advance(times[k - 1], times[k])) {
-          return Optional.empty();
-        }
-        states[k] = state.y.clone();
-      }
-      return Optional.of(states);
+      return state.along(times, this::advance);
     }
 
     /** Steps of equal size between output times, as far as the error allows. */
@@ -103,7 +95,7 @@ public final class RadauCode implements ReferenceCode {
       }
       while (t < to) {
         double left = to - t;
-        double step = left / Math.max(1, Math.ceil(left / h * (1 - 1e-9)));
+        double step = CompensatedState.equalStep(left, h);
         if (step < smallest || System.nanoTime() > deadline) {
           return false;
         }

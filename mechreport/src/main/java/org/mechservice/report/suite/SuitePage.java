@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.ToDoubleFunction;
 import org.mechservice.report.Machine;
+import org.mechservice.report.measure.EqualError;
 import org.mechservice.report.page.PageFrame;
 import org.mechservice.report.page.SolverChart;
 
@@ -132,10 +133,15 @@ final class SuitePage {
       SuiteRun better = mine.get(i);
       boolean known = cost.applyAsDouble(worse) > 0 && cost.applyAsDouble(better) > 0;
       if (known && worse.error() > level && better.error() <= level && better.error() > 0) {
-        double part = Math.log(worse.error() / level) / Math.log(worse.error() / better.error());
-        double from = Math.log(cost.applyAsDouble(worse));
-        double to = Math.log(cost.applyAsDouble(better));
-        least = Math.min(least, Math.exp(from + part * (to - from)));
+        least =
+            Math.min(
+                least,
+                EqualError.between(
+                    worse.error(),
+                    cost.applyAsDouble(worse),
+                    better.error(),
+                    cost.applyAsDouble(better),
+                    level));
       }
     }
     return Double.isInfinite(least) ? OptionalDouble.empty() : OptionalDouble.of(least);

@@ -45,13 +45,21 @@ class RerunTest {
   void timesWithinTheSpreadAreNoise() {
     Rerun rerun = Rerun.of(report(10, 1, 0), report(10, 1.05, POINTS));
     assertThat(rerun.agrees()).isTrue();
-    assertThat(rerun.lines()).contains("rerun within noise").hasSize(6);
+    assertThat(rerun.lines()).contains("rerun within noise").hasSize(7);
   }
 
   @Test
   void timesBeyondTheSpreadInMoreThanATenthOfThePointsAreNot() {
     assertThat(Rerun.of(report(10, 1, 0), report(10, 1.3, 2)).agrees()).isTrue();
     assertThat(Rerun.of(report(10, 1, 0), report(10, 1.3, 3)).agrees()).isFalse();
+  }
+
+  @Test
+  void slowerComputerIsNoNoiseButItsFactorIsTold() {
+    Rerun rerun = Rerun.of(report(10, 1, 0), report(10, 2, POINTS));
+    assertThat(rerun.agrees()).isFalse();
+    assertThat(rerun.lines())
+        .contains("the same with the factor 2.000 taken out, which all have in common: 20 of 20");
   }
 
   @Test
