@@ -14,6 +14,7 @@ import java.util.Objects;
 import java.util.StringTokenizer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.sim.build.jar.Packing;
 import org.mechservice.sim.build.jar.ReproducibleJar;
 import org.mechservice.sim.build.javac.SolverClasses;
 
@@ -35,7 +36,7 @@ final class SolverFingerprintTest {
 
   /** Returns a JAR of the solver; if not true to it, with one byte of one class another. */
   private Path jar(boolean isTrue) throws Exception {
-    ReproducibleJar jar = new ReproducibleJar(Map.of());
+    ReproducibleJar jar = new ReproducibleJar(Map.of(), Packing.QUICK);
     SolverClasses.files().forEach(jar::add);
     if (!isTrue) {
       byte[] changed = Objects.requireNonNull(SolverClasses.file(ONE)).clone();
