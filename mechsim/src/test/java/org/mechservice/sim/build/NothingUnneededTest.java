@@ -110,8 +110,7 @@ class NothingUnneededTest {
     assertThat(pendulum.base).isEqualTo("java/lang/Object");
     assertThat(pendulum.interfaces).containsExactlyInAnyOrder("ExplicitModel", "Energies");
     assertThat(pendulum.methods)
-        .containsExactlyInAnyOrder(
-            "<init>", "description", "initialState", "derivative", "energy");
+        .containsExactlyInAnyOrder("<init>", "description", "initialState", "derivative", "energy");
     assertThat(pendulum.fields).containsExactly("w");
     assertThat(pendulum.calls)
         .containsExactlyInAnyOrder(
