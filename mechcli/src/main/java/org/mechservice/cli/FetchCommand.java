@@ -2,8 +2,6 @@ package org.mechservice.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Path;
-import java.util.List;
 import java.util.concurrent.Callable;
 import org.mechservice.client.JarCache;
 import org.mechservice.client.MechConnection;
@@ -13,7 +11,6 @@ import org.mechservice.client.ServiceException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
@@ -36,30 +33,20 @@ final class FetchCommand implements Callable<Integer> {
 
   @Mixin private ServerOption server = new ServerOption();
 
-  @Option(
-      names = "--out",
-      paramLabel = "FILE.csv",
-      description = "Write the rows here, and their units beside it; may be given several times.")
-  private List<Path> out = List.of();
-
-  @Option(names = "--quiet", description = "Print nothing but errors.")
-  private boolean quiet;
-
-  @Option(names = "--json", description = "Print the run report as one JSON object.")
-  private boolean json;
+  @Mixin private ResultOptions results = new ResultOptions();
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
   public Integer call() throws IOException {
-    ResultFiles.requireUsableNames(out);
+    ResultFiles.requireUsableNames(results.files());
     if (server.address().isEmpty()) {
       throw new UsageException("S-041 fetch: name the server that has the run with --server URL");
     }
     try (MechConnection connection =
             MechConnection.open(server.address(), JarCache.ofUser(), server.identity());
         ReattachedRun run = connection.reattach(id);
-        ResultFiles files = ResultFiles.open(out)) {
+        ResultFiles files = ResultFiles.open(results.files())) {
       return fetch(run, files);
     }
   }
@@ -79,9 +66,9 @@ final class FetchCommand implements Callable<Integer> {
     try {
       result = run.toEnd(files);
     } catch (ServiceException e) {
-      err.println(e.getMessage() + RunEnd.keptRows(files));
+      err.println(e.getMessage() + ResultOptions.keptRows(files));
       return ExitStatus.SERVER;
     }
-    return new RunEnd(spec.commandLine().getOut(), err, json, quiet).tell(result, files);
+    return results.tell(result, files);
   }
 }

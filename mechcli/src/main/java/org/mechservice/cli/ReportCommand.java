@@ -9,6 +9,7 @@ import java.util.concurrent.Callable;
 import org.mechservice.client.MechSession;
 import org.mechservice.report.ModelReport;
 import org.mechservice.report.measure.Effort;
+import org.mechservice.report.measure.Journal;
 import org.mechservice.report.measure.Rerun;
 import org.mechservice.report.paper.PaperReport;
 import org.mechservice.report.suite.SuiteReport;
@@ -87,6 +88,11 @@ final class ReportCommand implements Callable<Integer> {
   }
 
   private int compare() throws IOException {
+    for (Path runs : compared) {
+      if (Journal.read(runs).isEmpty()) {
+        throw new UsageException("S-041 --compare: " + runs + " has no runs of a report");
+      }
+    }
     Rerun rerun = Rerun.of(compared.get(0), compared.get(1));
     rerun.lines().forEach(spec.commandLine().getOut()::println);
     spec.commandLine().getOut().flush();

@@ -56,11 +56,7 @@ final class SimulateCommand implements Callable<Integer> {
 
   @Mixin private RunOptions run = new RunOptions();
 
-  @Option(
-      names = "--out",
-      paramLabel = "FILE.csv",
-      description = "Write the rows here, and their units beside it; may be given several times.")
-  private List<Path> out = List.of();
+  @Mixin private ResultOptions results = new ResultOptions();
 
   @Mixin private CheckpointOptions checkpoints = new CheckpointOptions();
 
@@ -77,30 +73,24 @@ final class SimulateCommand implements Callable<Integer> {
               + " scale.")
   private Optional<Double> maxDrift = Optional.empty();
 
-  @Option(names = "--quiet", description = "Print nothing but errors.")
-  private boolean quiet;
-
-  @Option(names = "--json", description = "Print the run report as one JSON object.")
-  private boolean json;
-
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
   public Integer call() throws IOException {
-    ResultFiles.requireUsableNames(out);
-    checkpoints.requireUsable(out);
+    ResultFiles.requireUsableNames(results.files());
+    checkpoints.requireUsable(results.files());
     CheckpointStore store = checkpoints.open();
     SimulationOptions options = options();
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
         Service service = Service.open(server);
         MechSession session = service.connection().openSession(host)) {
       List<ModelMessage> warnings = session.loadModel(model, userCode.folder());
-      if (!quiet && !strict) {
+      if (!results.quiet() && !strict) {
         warnings.forEach(warning -> err().println(warning));
       }
       RunNews news = new RunNews(this::tellMove);
       try (PreparedRun run = prepare(session, options, news);
-          ResultFiles files = ResultFiles.open(out)) {
+          ResultFiles files = ResultFiles.open(results.files())) {
         interrupt.cancels(run);
         tellIdentity(run);
         return simulate(run, news, files, store);
@@ -110,7 +100,7 @@ final class SimulateCommand implements Callable<Integer> {
 
   /** Who loses this process finds the run again by its identity. */
   private void tellIdentity(PreparedRun run) {
-    if (run instanceof RemoteRun remote && !server.address().isEmpty() && !quiet && !json) {
+    if (run instanceof RemoteRun remote && !server.address().isEmpty() && results.talks()) {
       err().println("simulation " + remote.id());
       err().flush();
     }
@@ -118,7 +108,7 @@ final class SimulateCommand implements Callable<Integer> {
 
   /** A run that has moved has a new identity. */
   private void tellMove(ModelMessage message) {
-    if (!quiet && !json) {
+    if (results.talks()) {
       err().println(message);
       err().flush();
     }
@@ -141,21 +131,21 @@ final class SimulateCommand implements Callable<Integer> {
   private int simulate(PreparedRun run, RunNews news, ResultFiles files, CheckpointStore store)
       throws IOException {
     RunResult result;
-    ProgressDisplay display = ProgressDisplay.of(news, !quiet && !json);
+    ProgressDisplay display = ProgressDisplay.of(news, results.talks());
     try {
       result = run.toEnd(files, store);
     } catch (ServiceException e) {
       int status = FailureReport.status(e);
       // Rows that came before a server was lost are good; what bad input left is not.
-      err().println(e.getMessage() + (status == ExitStatus.SERVER ? RunEnd.keptRows(files) : ""));
+      err().println(e.getMessage() + (status == ExitStatus.SERVER ? ResultOptions.keptRows(files) : ""));
       return status;
     } finally {
       display.close();
     }
-    if (!json && !quiet) {
+    if (results.talks()) {
       news.warnings().forEach(warning -> err().println(warning));
     }
-    return new RunEnd(spec.commandLine().getOut(), err(), json, quiet).tell(result, files);
+    return results.tell(result, files);
   }
 
   private PrintWriter err() {

@@ -47,6 +47,9 @@ public final class SuiteReport {
     runs.addAll(peers.runs());
     Path page = folder.resolve("integrators.html");
     Files.writeString(page, SuitePage.of(problems, runs, peers.version()), StandardCharsets.UTF_8);
+    List<String> lines = new ArrayList<>(List.of(SuiteRun.HEADER));
+    runs.forEach(run -> lines.add(run.line()));
+    Files.write(folder.resolve(SuitePage.CSV), lines, StandardCharsets.UTF_8);
     return page;
   }
 }

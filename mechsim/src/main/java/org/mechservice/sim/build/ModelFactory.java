@@ -60,9 +60,14 @@ public final class ModelFactory {
     }
     String integrator = options.settings().integrator();
     StandaloneMain.requireIntegrator(integrator);
-    FormulationChoice choice =
+    FormulationChoice resolved =
         FormulationChoice.of(
             options.formulation(), options.closure(), options.settings(), mechanism);
+    FormulationChoice choice =
+        options
+            .integratorReason()
+            .map(why -> resolved.because("; auto: " + integrator + ", since at the start " + why))
+            .orElse(resolved);
     List<String> notGenerated = GenerationLimits.notGenerated(mechanism, choice);
     return options.compact() || !notGenerated.isEmpty()
         ? compact(model, options, choice, notGenerated)
