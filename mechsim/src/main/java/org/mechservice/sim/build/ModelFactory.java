@@ -297,8 +297,7 @@ public final class ModelFactory {
   }
 
   /** Packs the model with just the solver classes it reaches; starts with {@code java -jar}. */
-  public static PackedJar standaloneJar(
-      CompiledModel model, String mechmlSha256, Packing packing) {
+  public static PackedJar standaloneJar(CompiledModel model, String mechmlSha256, Packing packing) {
     return ModelJars.standalone(model, mechmlSha256, packing);
   }
 

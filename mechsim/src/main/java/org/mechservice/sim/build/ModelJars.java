@@ -61,9 +61,7 @@ final class ModelJars {
     jar.add("META-INF/modelDescription.xml", xml.getBytes(StandardCharsets.UTF_8));
     byte[] bytes = jar.bytes();
     long modelBytes =
-        model.classFiles().values().stream()
-            .mapToLong(file -> packing.deflated(file).length)
-            .sum();
+        model.classFiles().values().stream().mapToLong(file -> packing.deflated(file).length).sum();
     return new PackedJar(
         className.substring(className.lastIndexOf('.') + 1) + suffix + ".jar",
         bytes,

@@ -45,7 +45,7 @@ import org.mechservice.solver.spatial.Vector3;
 /** Forces that users have written as classes, called by generated code, against the data-driven. */
 class GeneratedUserForcesTest {
   private static final double TIME = 0.4;
-  private static final UserForceSource FORCES = element -> new PullingForce();
+  static final UserForceSource FORCES = element -> new PullingForce();
 
   private static BuildOptions options(String formulation) {
     String integrator = formulation.startsWith("RR") ? "ode15sR" : "DE";
@@ -74,7 +74,7 @@ class GeneratedUserForcesTest {
   }
 
   /** Two classes of users among the other forces, at any points. */
-  private static Mechanism pulled(Mechanism m) {
+  static Mechanism pulled(Mechanism m) {
     Random random = new Random(m.bodies().size());
     List<NamedPoint> points = new ArrayList<>();
     for (String body : List.of("A", "B", "C")) {
@@ -111,7 +111,7 @@ class GeneratedUserForcesTest {
     return loaded(generated(formulation, mechanism), new TreeMap<>());
   }
 
-  private static Model loaded(GeneratedModel generated, SortedMap<String, byte[]> instead) {
+  static Model loaded(GeneratedModel generated, SortedMap<String, byte[]> instead) {
     SortedMap<String, byte[]> files = new TreeMap<>(generated.classFiles());
     files.putAll(instead);
     try {

@@ -159,8 +159,7 @@ final class DeflateBlock {
     long sum = 0;
     for (int symbol = 0; symbol < Tokens.LITERALS; symbol++) {
       sum +=
-          (long) literalCounts[symbol]
-              * (withLiterals.length(symbol) + Tokens.lengthExtra(symbol));
+          (long) literalCounts[symbol] * (withLiterals.length(symbol) + Tokens.lengthExtra(symbol));
     }
     for (int symbol = 0; symbol < Tokens.DISTANCES; symbol++) {
       sum +=

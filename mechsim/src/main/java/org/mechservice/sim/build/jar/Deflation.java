@@ -191,7 +191,9 @@ final class Deflation {
     return tokens;
   }
 
-  /** A symbol costs as many bits as its share tells; one that did not occur, as one that did once. */
+  /**
+   * A symbol costs as many bits as its share tells; one that did not occur, as one that did once.
+   */
   private void setCosts(DeflateBlock codes) {
     double[] literals = costs(codes.literalCounts(), 8);
     double[] distances = costs(codes.distanceCounts(), 5);
@@ -209,10 +211,7 @@ final class Deflation {
     double sum = Arrays.stream(counts).sum();
     double[] costs = new double[counts.length];
     for (int symbol = 0; symbol < counts.length; symbol++) {
-      costs[symbol] =
-          sum <= 1
-              ? withoutAny
-              : log2(sum / Math.max(1, counts[symbol]));
+      costs[symbol] = sum <= 1 ? withoutAny : log2(sum / Math.max(1, counts[symbol]));
     }
     return costs;
   }

@@ -61,8 +61,7 @@ final class PrefixCode {
       for (int i = 0; i < next.length; i++) {
         boolean takesLeaf =
             pair == packages
-                || (leaf < leaves.length
-                    && leaves[leaf] <= level[2 * pair] + level[2 * pair + 1]);
+                || (leaf < leaves.length && leaves[leaf] <= level[2 * pair] + level[2 * pair + 1]);
         isLeaf[bits][i] = takesLeaf;
         next[i] = takesLeaf ? leaves[leaf++] : level[2 * pair] + level[2 * pair + 1];
         pair += takesLeaf ? 0 : 1;

@@ -1,0 +1,223 @@
+package org.mechservice.benchmarks;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneId;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.build.BuildOptions;
+import org.mechservice.sim.build.CompiledModel;
+import org.mechservice.sim.build.GeneratedModel;
+import org.mechservice.sim.build.ModelFactory;
+import org.mechservice.sim.build.javac.ModelCompiler;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ModelSource;
+
+/**
+ * What the first evaluations cost in a virtual machine that has done nothing else, generated code
+ * beside data, and what it takes to generate and compile. Every run is a process of its own.
+ */
+public final class FirstEvaluations {
+  private static final List<String> SCENES = List.of("pend5", "pend5s", "driver41", "spatial200");
+  private static final int[] COUNTS = {1, 100, 1_000, 3_000, 5_000, 10_000};
+  private static final int RUNS = 5;
+  private static final int WARM = 40;
+
+  private final List<String> page = new ArrayList<>();
+  private final Path folder;
+
+  private FirstEvaluations(Path folder) {
+    this.folder = folder;
+  }
+
+  /**
+   * Measures and writes a page.
+   *
+   * @param args the page's file; in the processes that are started: what to do, and with what
+   */
+  public static void main(String[] args) throws IOException, ReflectiveOperationException {
+    switch (args[0]) {
+      case "evaluate" -> evaluate(args[1]);
+      case "generate" -> generate(args[1]);
+      default -> {
+        Path folder = Files.createTempDirectory("first-evaluations");
+        FirstEvaluations all = new FirstEvaluations(folder);
+        all.evaluations();
+        all.generation();
+        Files.write(Path.of(args[0]), all.page);
+      }
+    }
+  }
+
+  /** In a new process: loads a class and evaluates it, telling the time since its start. */
+  private static void evaluate(String className) throws ReflectiveOperationException {
+    long start = System.nanoTime();
+    Object instance = Class.forName(className).getConstructor().newInstance();
+    ExplicitModel model = (ExplicitModel) ModelSource.of(instance);
+    double[] y = new double[model.description().stateCount()];
+    double[] yDot = new double[y.length];
+    model.initialState(y);
+    StringBuilder times = new StringBuilder();
+    int done = 0;
+    for (int count : COUNTS) {
+      for (; done < count; done++) {
+        y[0] += 1e-9;
+        model.derivative(0, y, yDot);
+      }
+      times.append((System.nanoTime() - start) * 1e-6).append(' ');
+    }
+    System.out.println(times);
+  }
+
+  /** In a new process: generates and compiles, cold and warm, by class bytes and by source. */
+  private static void generate(String scene) {
+    MechmlModel model = Scenes.named(scene);
+    double cold = bytes(model);
+    double warm = cold;
+    double source = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < WARM; i++) {
+      warm = Math.min(warm, bytes(model));
+    }
+    for (int i = 0; i < WARM; i++) {
+      source = Math.min(source, source(model));
+    }
+    System.out.println(cold + " " + warm + " " + source);
+  }
+
+  private static BuildOptions options(boolean compact) {
+    return new BuildOptions("DTR", "auto", compact, Set.of(), Scenes.SETTINGS);
+  }
+
+  private static double bytes(MechmlModel model) {
+    long start = System.nanoTime();
+    BuildOptions options = options(false);
+    ModelFactory.compile(model, options, ModelFactory.generate(model, options));
+    return (System.nanoTime() - start) * 1e-6;
+  }
+
+  private static double source(MechmlModel model) {
+    long start = System.nanoTime();
+    GeneratedModel generated = ModelFactory.generate(model, options(false));
+    ModelCompiler.compile(
+        generated.sourceName(), generated.source(), Collections.emptySortedMap());
+    return (System.nanoTime() - start) * 1e-6;
+  }
+
+  private void line(String format, Object... values) {
+    page.add(values.length == 0 ? format : String.format(Locale.ROOT, format, values));
+  }
+
+  private void evaluations() throws IOException {
+    line("# The first evaluations, and generation");
+    line("");
+    line(
+        "Measured on %s by `FirstEvaluations` of [benchmarks](../../benchmarks/README.md): %s %s,"
+            + " processors: %d, Java %s. Each run is a new process; the median of %d, ms.",
+        LocalDate.now(ZoneId.systemDefault()),
+        System.getProperty("os.name"),
+        System.getProperty("os.arch"),
+        Runtime.getRuntime().availableProcessors(),
+        System.getProperty("java.version"),
+        RUNS);
+    line("");
+    line("## From loading the class to so many evaluations of y' (DTR)");
+    line("");
+    String counts =
+        Arrays.stream(COUNTS).mapToObj(Integer::toString).collect(Collectors.joining(" | "));
+    line("| model | form | %s |", counts);
+    line("|---|---|%s", "---:|".repeat(COUNTS.length));
+    for (String scene : SCENES) {
+      double[] generated = row(scene, "generated", false);
+      double[] data = row(scene, "data", true);
+      StringBuilder ratios = new StringBuilder();
+      for (int i = 0; i < generated.length; i++) {
+        ratios.append(String.format(Locale.ROOT, " %.2f |", generated[i] / data[i]));
+      }
+      line("| %s | generated / data |%s", scene, ratios);
+    }
+  }
+
+  private double[] row(String scene, String form, boolean compact) throws IOException {
+    BuildOptions options = options(compact);
+    MechmlModel model = Scenes.named(scene);
+    CompiledModel compiled =
+        ModelFactory.compile(model, options, ModelFactory.generate(model, options));
+    Path classes = Files.createTempDirectory(folder, scene);
+    compiled.classFiles().forEach((name, bytes) -> write(classes, name, bytes));
+    double[] times = medians(classes, "evaluate", compiled.generated().className());
+    line("| %s | %s | %s |", scene, form, numbers(times));
+    return times;
+  }
+
+  private static void write(Path classes, String name, byte[] bytes) {
+    Path file = classes.resolve(name.replace('.', '/') + ".class");
+    try {
+      Files.createDirectories(file.getParent());
+      Files.write(file, bytes);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private void generation() throws IOException {
+    line("");
+    line("## Generation with compilation (DTR)");
+    line("");
+    line("Cold: the first thing a process does. Warm: the least of %d.", WARM);
+    line("");
+    line("| model | class bytes, cold | class bytes, warm | through source, warm |");
+    line("|---|---:|---:|---:|");
+    List<String> scenes = new ArrayList<>(SCENES);
+    scenes.add("driver");
+    for (String scene : scenes) {
+      line("| %s | %s |", scene, numbers(medians(folder, "generate", scene)));
+    }
+  }
+
+  private static String numbers(double[] times) {
+    return Arrays.stream(times)
+        .mapToObj(time -> String.format(Locale.ROOT, "%.1f", time))
+        .collect(Collectors.joining(" | "));
+  }
+
+  private static double[] medians(Path classes, String what, String subject) throws IOException {
+    List<double[]> runs = new ArrayList<>();
+    for (int run = 0; run < RUNS; run++) {
+      runs.add(started(classes, what, subject));
+    }
+    double[] medians = new double[runs.get(0).length];
+    for (int i = 0; i < medians.length; i++) {
+      int column = i;
+      medians[i] = runs.stream().mapToDouble(run -> run[column]).sorted().toArray()[RUNS / 2];
+    }
+    return medians;
+  }
+
+  private static double[] started(Path classes, String what, String subject) throws IOException {
+    Process process =
+        new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-cp",
+                classes + System.getProperty("path.separator") + System.getProperty("java.class.path"),
+                FirstEvaluations.class.getName(),
+                what,
+                subject)
+            .redirectError(ProcessBuilder.Redirect.INHERIT)
+            .start();
+    String told = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    if (told.isBlank()) {
+      throw new IOException(what + " " + subject + " told nothing");
+    }
+    return Arrays.stream(told.strip().split(" ", -1)).mapToDouble(Double::parseDouble).toArray();
+  }
+}
