@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.mechservice.solver.analysis.ExtendedSource;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.closure.LoopTerms;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.compact.CompactSource;
 import org.mechservice.solver.force.UserForceSource;
@@ -82,8 +83,12 @@ public record CompactClass(
     if (!generated.isEmpty()) {
       source.line("@Override");
       source.open("protected Object bare(CompactModel data, UserForceSource userForces)");
-      String given = hasParameters() ? "data.parameterValues()" : "";
-      source.line("return data.watched(new " + generated + "(" + given + "));");
+      String made =
+          "new " + generated + "(" + (hasParameters() ? "data.parameterValues()" : "") + ")";
+      source.line(
+          hasLoops()
+              ? "return data.model(userForces, " + made + ");"
+              : "return data.watched(" + made + ");");
       source.close().blank();
     }
     source.line("@Override").open("protected String[] texts()");
@@ -130,6 +135,11 @@ public record CompactClass(
     return file.toByteArray();
   }
 
+  /** Of a model with loops the class beside has the terms of its equations alone. */
+  private boolean hasLoops() {
+    return !model.mechanism().closures().isEmpty();
+  }
+
   private boolean hasParameters() {
     return !model.mechanism().parameters().isEmpty();
   }
@@ -153,6 +163,9 @@ public record CompactClass(
     String data = Type.getInternalName(CompactModel.class);
     String model = Type.getDescriptor(Model.class);
     code.visitVarInsn(Opcodes.ALOAD, 1);
+    if (hasLoops()) {
+      code.visitVarInsn(Opcodes.ALOAD, 2);
+    }
     code.visitTypeInsn(Opcodes.NEW, internal(generated));
     code.visitInsn(Opcodes.DUP);
     if (hasParameters()) {
@@ -165,7 +178,14 @@ public record CompactClass(
         "<init>",
         hasParameters() ? "([D)V" : NOTHING_TO_VOID,
         false);
-    code.visitMethodInsn(Opcodes.INVOKEVIRTUAL, data, "watched", "(" + model + ")" + model, false);
+    if (hasLoops()) {
+      String given =
+          Type.getDescriptor(UserForceSource.class) + Type.getDescriptor(LoopTerms.class);
+      code.visitMethodInsn(Opcodes.INVOKEVIRTUAL, data, "model", "(" + given + ")" + model, false);
+    } else {
+      code.visitMethodInsn(
+          Opcodes.INVOKEVIRTUAL, data, "watched", "(" + model + ")" + model, false);
+    }
     ClassMethods.end(code, Opcodes.ARETURN);
   }
 
