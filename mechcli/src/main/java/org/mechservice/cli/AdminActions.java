@@ -89,16 +89,16 @@ final class AdminActions {
     }
   }
 
-  /** {@code mech admin drain}. */
-  @Command(
-      name = "drain",
-      description = "Lets a host or server finish what runs and take nothing new.")
-  static final class Drain extends Acting {
+  /** Something done to a host or a server. */
+  abstract static class ActingAtPlace extends Acting {
     @Parameters(
         arity = "0..1",
         paramLabel = "HOST|SERVER",
         description = "Its name; without it the server asked.")
     private String name = "";
+
+    /** Returns what is done; the host is empty where a server is meant. */
+    abstract AdminAction action(String host);
 
     @Override
     public Integer call() throws Exception {
@@ -106,28 +106,31 @@ final class AdminActions {
           .console(
               (console, out) -> {
                 Place place = place(console, name);
-                return perform(console, place.server(), new AdminAction.Drain(place.host()));
+                return perform(console, place.server(), action(place.host()));
               });
+    }
+  }
+
+  /** {@code mech admin drain}. */
+  @Command(
+      name = "drain",
+      description = {
+        "Lets a host or server take nothing new; what runs moves to other hosts or finishes.",
+        "A server is emptied together with the host in its process; other hosts by their names."
+      })
+  static final class Drain extends ActingAtPlace {
+    @Override
+    AdminAction action(String host) {
+      return new AdminAction.Drain(host);
     }
   }
 
   /** {@code mech admin undrain}. */
   @Command(name = "undrain", description = "Lets a host or server take new work again.")
-  static final class Undrain extends Acting {
-    @Parameters(
-        arity = "0..1",
-        paramLabel = "HOST|SERVER",
-        description = "Its name; without it the server asked.")
-    private String name = "";
-
+  static final class Undrain extends ActingAtPlace {
     @Override
-    public Integer call() throws Exception {
-      return admin()
-          .console(
-              (console, out) -> {
-                Place place = place(console, name);
-                return perform(console, place.server(), new AdminAction.Undrain(place.host()));
-              });
+    AdminAction action(String host) {
+      return new AdminAction.Undrain(host);
     }
   }
 

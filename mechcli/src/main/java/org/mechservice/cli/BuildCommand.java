@@ -104,6 +104,7 @@ final class BuildCommand implements Callable<Integer> {
     Map<String, String> manifest = jar.manifest();
     fact("formulation", manifest.getOrDefault("Mech-Formulation", ""));
     fact("because", manifest.getOrDefault("Mech-Formulation-Reason", ""));
+    fact("code", manifest.getOrDefault("Mech-Code", ""));
     fact("integrator", manifest.getOrDefault("Mech-Integrator", ""));
     fact("columns", manifest.getOrDefault("Mech-Columns", ""));
     for (String omission : manifest.getOrDefault("Mech-Left-Out", "").split("; ", -1)) {

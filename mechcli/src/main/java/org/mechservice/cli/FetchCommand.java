@@ -2,23 +2,15 @@ package org.mechservice.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Path;
-import java.util.LinkedHashMap;
-import java.util.List;
-import java.util.Map;
 import java.util.concurrent.Callable;
 import org.mechservice.client.JarCache;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.ReattachedRun;
 import org.mechservice.client.RunResult;
 import org.mechservice.client.ServiceException;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.standalone.JsonText;
-import org.mechservice.solver.standalone.ReportText;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
@@ -41,69 +33,42 @@ final class FetchCommand implements Callable<Integer> {
 
   @Mixin private ServerOption server = new ServerOption();
 
-  @Option(
-      names = "--out",
-      paramLabel = "FILE.csv",
-      description = "Write the rows here, and their units beside it; may be given several times.")
-  private List<Path> out = List.of();
-
-  @Option(names = "--quiet", description = "Print nothing but errors.")
-  private boolean quiet;
-
-  @Option(names = "--json", description = "Print the run report as one JSON object.")
-  private boolean json;
+  @Mixin private ResultOptions results = new ResultOptions();
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
   public Integer call() throws IOException {
-    ResultFiles.requireUsableNames(out);
+    ResultFiles.requireUsableNames(results.files());
     if (server.address().isEmpty()) {
       throw new UsageException("S-041 fetch: name the server that has the run with --server URL");
     }
     try (MechConnection connection =
             MechConnection.open(server.address(), JarCache.ofUser(), server.identity());
         ReattachedRun run = connection.reattach(id);
-        ResultFiles files = ResultFiles.open(out)) {
+        ResultFiles files = ResultFiles.open(results.files())) {
       return fetch(run, files);
     }
   }
 
   private int fetch(ReattachedRun run, ResultFiles files) throws IOException {
+    PrintWriter err = spec.commandLine().getErr();
+    if (!run.id().equals(id)) {
+      err.println(
+          "S-117 run "
+              + id
+              + " has moved and is "
+              + run.id()
+              + " now; the rows before its move were handed to its client, those since then"
+              + " are fetched");
+    }
     RunResult result;
     try {
       result = run.toEnd(files);
     } catch (ServiceException e) {
-      boolean kept = files.rows() > 0 && files.keep().isPresent();
-      String where = kept ? "; rows up to " + files.reached() + " are in " + files : "";
-      err().println(e.getMessage() + where);
+      err.println(e.getMessage() + ResultOptions.keptRows(files));
       return ExitStatus.SERVER;
     }
-    Map<String, Object> report = new LinkedHashMap<>(result.report());
-    if (files.rows() > 0) {
-      files.keep().ifPresent(hash -> report.put("resultsSha256", hash));
-    }
-    PrintWriter terminal = spec.commandLine().getOut();
-    if (json) {
-      terminal.println(JsonText.write(report));
-    } else if (!quiet) {
-      terminal.print(ReportText.format(report));
-    }
-    return tell(result.outcome(), files);
-  }
-
-  private int tell(Outcome outcome, ResultFiles files) {
-    if (outcome instanceof Outcome.Failed failed) {
-      err().println(failed.failure().message() + files.whereRowsAre());
-      return ExitStatus.SIMULATION_FAILED;
-    } else if (outcome instanceof Outcome.Stopped) {
-      err().println("S-045 the run was stopped at " + files.reached() + "." + files.whereRowsAre());
-      return ExitStatus.INTERRUPTED;
-    }
-    return ExitStatus.DONE;
-  }
-
-  private PrintWriter err() {
-    return spec.commandLine().getErr();
+    return results.tell(result, files);
   }
 }

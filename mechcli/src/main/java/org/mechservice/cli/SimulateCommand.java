@@ -3,9 +3,7 @@ package org.mechservice.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.mechservice.client.CheckpointStore;
@@ -16,9 +14,6 @@ import org.mechservice.client.RemoteRun;
 import org.mechservice.client.RunResult;
 import org.mechservice.client.ServiceException;
 import org.mechservice.client.SimulationOptions;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.standalone.JsonText;
-import org.mechservice.solver.standalone.ReportText;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -61,11 +56,7 @@ final class SimulateCommand implements Callable<Integer> {
 
   @Mixin private RunOptions run = new RunOptions();
 
-  @Option(
-      names = "--out",
-      paramLabel = "FILE.csv",
-      description = "Write the rows here, and their units beside it; may be given several times.")
-  private List<Path> out = List.of();
+  @Mixin private ResultOptions results = new ResultOptions();
 
   @Mixin private CheckpointOptions checkpoints = new CheckpointOptions();
 
@@ -82,30 +73,24 @@ final class SimulateCommand implements Callable<Integer> {
               + " scale.")
   private Optional<Double> maxDrift = Optional.empty();
 
-  @Option(names = "--quiet", description = "Print nothing but errors.")
-  private boolean quiet;
-
-  @Option(names = "--json", description = "Print the run report as one JSON object.")
-  private boolean json;
-
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
   public Integer call() throws IOException {
-    ResultFiles.requireUsableNames(out);
-    checkpoints.requireUsable(out);
+    ResultFiles.requireUsableNames(results.files());
+    checkpoints.requireUsable(results.files());
     CheckpointStore store = checkpoints.open();
     SimulationOptions options = options();
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
         Service service = Service.open(server);
         MechSession session = service.connection().openSession(host)) {
       List<ModelMessage> warnings = session.loadModel(model, userCode.folder());
-      if (!quiet && !strict) {
+      if (!results.quiet() && !strict) {
         warnings.forEach(warning -> err().println(warning));
       }
-      RunNews news = new RunNews();
+      RunNews news = new RunNews(this::tellMove);
       try (PreparedRun run = prepare(session, options, news);
-          ResultFiles files = ResultFiles.open(out)) {
+          ResultFiles files = ResultFiles.open(results.files())) {
         interrupt.cancels(run);
         tellIdentity(run);
         return simulate(run, news, files, store);
@@ -115,8 +100,16 @@ final class SimulateCommand implements Callable<Integer> {
 
   /** Who loses this process finds the run again by its identity. */
   private void tellIdentity(PreparedRun run) {
-    if (run instanceof RemoteRun remote && !server.address().isEmpty() && !quiet && !json) {
+    if (run instanceof RemoteRun remote && !server.address().isEmpty() && results.talks()) {
       err().println("simulation " + remote.id());
+      err().flush();
+    }
+  }
+
+  /** A run that has moved has a new identity. */
+  private void tellMove(ModelMessage message) {
+    if (results.talks()) {
+      err().println(message);
       err().flush();
     }
   }
@@ -138,52 +131,21 @@ final class SimulateCommand implements Callable<Integer> {
   private int simulate(PreparedRun run, RunNews news, ResultFiles files, CheckpointStore store)
       throws IOException {
     RunResult result;
-    ProgressDisplay display = ProgressDisplay.of(news, !quiet && !json);
+    ProgressDisplay display = ProgressDisplay.of(news, results.talks());
     try {
       result = run.toEnd(files, store);
     } catch (ServiceException e) {
       int status = FailureReport.status(e);
       // Rows that came before a server was lost are good; what bad input left is not.
-      err().println(e.getMessage() + (status == ExitStatus.SERVER ? keptRows(files) : ""));
+      err().println(e.getMessage() + (status == ExitStatus.SERVER ? ResultOptions.keptRows(files) : ""));
       return status;
     } finally {
       display.close();
     }
-    Map<String, Object> report = new LinkedHashMap<>(result.report());
-    if (files.rows() > 0) {
-      files.keep().ifPresent(hash -> report.put("resultsSha256", hash));
-    }
-    print(report, news);
-    return tell(result.outcome(), files);
-  }
-
-  /** Keeps the rows that came before the end, and says where. */
-  private static String keptRows(ResultFiles files) throws IOException {
-    boolean kept = files.rows() > 0 && files.keep().isPresent();
-    return kept ? "; rows up to " + files.reached() + " are in " + files : "";
-  }
-
-  /** Prints the report now: after an interrupt the process ends as soon as the run is closed. */
-  private void print(Map<String, Object> report, RunNews news) {
-    PrintWriter out = spec.commandLine().getOut();
-    if (json) {
-      out.println(JsonText.write(report));
-    } else if (!quiet) {
+    if (results.talks()) {
       news.warnings().forEach(warning -> err().println(warning));
-      out.print(ReportText.format(report));
     }
-    out.flush();
-  }
-
-  private int tell(Outcome outcome, ResultFiles files) {
-    if (outcome instanceof Outcome.Failed failed) {
-      err().println(failed.failure().message() + files.whereRowsAre());
-      return ExitStatus.SIMULATION_FAILED;
-    } else if (outcome instanceof Outcome.Stopped) {
-      err().println("S-045 stopped on request at " + files.reached() + "." + files.whereRowsAre());
-      return ExitStatus.INTERRUPTED;
-    }
-    return ExitStatus.DONE;
+    return results.tell(result, files);
   }
 
   private PrintWriter err() {

@@ -60,9 +60,10 @@ public final class Journal implements AutoCloseable {
     return runs;
   }
 
-  /** Reads the runs of a journal, whatever it was made for. */
+  /** Reads the runs of a journal, whatever it was made for; none of a file that is not one. */
   public static List<MeasuredRun> read(Path file) throws IOException {
-    return complete(Files.readAllLines(file, StandardCharsets.UTF_8));
+    List<String> lines = Files.readAllLines(file, StandardCharsets.UTF_8);
+    return lines.size() > 1 && lines.get(1).equals(MeasuredRun.HEADER) ? complete(lines) : List.of();
   }
 
   private void writeLine(String line) throws IOException {

@@ -13,6 +13,9 @@ import org.mechservice.report.page.SolverChart;
 
 /** The page of the suite: what each integrator pays for its digits. */
 final class SuitePage {
+  /** The file with every run. */
+  static final String CSV = "integrators.csv";
+
   private static final double[] LEVELS = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
 
   private final List<SuiteProblem> problems;
@@ -44,6 +47,8 @@ final class SuitePage {
     html.append("<p class=\"note\">Error: the largest |y − ref| / (|ref| + scale) at the end over");
     html.append(" the components that count, against references verified to 13 digits and more.");
     html.append(" Evaluations include those for Jacobians by differences. ");
+    html.append("Peers' failures are shown as their own. Every run: <a href=\"").append(CSV);
+    html.append("\">").append(CSV).append("</a>. ");
     html.append(String.join(" · ", Machine.facts())).append("</p>");
   }
 
@@ -64,8 +69,10 @@ final class SuitePage {
     html.append(
         "</table><p class=\"note\">Geometric means over the problems and the errors 1e-3 to");
     html.append(
-        " 1e-8 that both reach. Times: warm, of those whose equations are evaluated by the");
-    html.append(" same Java.</p></section>");
+        " 1e-8 that both reach. Times: of those whose equations are evaluated by the same Java;");
+    html.append(" processor time, median of ").append(SuiteRunner.REPEATS);
+    html.append(" warm runs in turns (one run where it takes over ");
+    html.append(format("%.0f", SuiteRunner.LONG)).append(" s).</p></section>");
   }
 
   private Set<String> solvers(boolean stiff) {

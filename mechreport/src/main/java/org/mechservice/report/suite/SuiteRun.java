@@ -1,5 +1,7 @@
 package org.mechservice.report.suite;
 
+import java.util.Locale;
+
 /**
  * One integrator on one problem at one tolerance.
  *
@@ -21,6 +23,25 @@ record SuiteRun(
     long steps,
     double seconds,
     String cause) {
+  /** Header of the file that {@link #line} writes lines of. */
+  static final String HEADER =
+      "problem,solver,relative_tolerance,error_at_end,evaluations,steps,seconds,cause";
+
+  /** Returns the run as a line of a CSV file. */
+  String line() {
+    return String.format(
+        Locale.ROOT,
+        "%s,%s,%.0e,%.4e,%d,%d,%.6e,\"%s\"",
+        problem,
+        solver,
+        tolerance,
+        error,
+        evaluations,
+        steps,
+        seconds,
+        cause.replace('"', '\''));
+  }
+
   /** Returns the same run with another time. */
   SuiteRun taking(double median) {
     return new SuiteRun(problem, solver, tolerance, error, evaluations, steps, median, cause);

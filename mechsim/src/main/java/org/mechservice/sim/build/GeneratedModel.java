@@ -6,6 +6,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
+import org.mechservice.sim.build.emit.ModelPlan;
 import org.mechservice.sim.build.emit.WrittenClass;
 import org.mechservice.solver.api.ForceDeclaration;
 import org.mechservice.solver.api.ForceLoads;
@@ -87,16 +88,14 @@ public final class GeneratedModel {
 
   /** Returns the model with forces of users that do nothing. */
   ModelSource withoutUserClasses() {
-    if (written instanceof CompactClass compact) {
-      CompactModel data = compact.model();
-      String closure = data.mechanism().closures().isEmpty() ? "none" : "projection";
-      CompactModel integrated =
-          compact.task().isEmpty()
-              ? data
-              : new CompactModel(data.mechanism(), "DSR", closure, data.settings());
-      return new ForceFree(integrated);
-    }
-    throw new IllegalStateException("no code is generated for classes of users");
+    CompactClass compact = written instanceof CompactClass all ? all : columns.orElseThrow();
+    CompactModel data = compact.model();
+    String closure = data.mechanism().closures().isEmpty() ? "none" : "projection";
+    CompactModel integrated =
+        compact.task().isEmpty()
+            ? data
+            : new CompactModel(data.mechanism(), "DSR", closure, data.settings());
+    return new ForceFree(integrated);
   }
 
   /** Makes models that know everything but the forces of users. */
@@ -143,6 +142,11 @@ public final class GeneratedModel {
   /** Returns additions, multiplications and divisions of one evaluation of the derivative. */
   public int operations() {
     return operations;
+  }
+
+  /** Returns how the model computes, and how many operations each part of it takes. */
+  public String code() {
+    return written instanceof ModelPlan plan ? plan.code() : "none: data for the solver";
   }
 
   /** Returns what the scene does not need. */

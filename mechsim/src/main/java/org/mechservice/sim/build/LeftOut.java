@@ -17,6 +17,9 @@ import org.mechservice.solver.spatial.Vector3;
 
 /** Says what a generated class does not contain, and why its scene does not need it. */
 final class LeftOut {
+  /** More names are told by their number. */
+  private static final int MOST_NAMES = 5;
+
   private final List<Omission> omissions = new ArrayList<>();
 
   private LeftOut() {}
@@ -100,8 +103,10 @@ final class LeftOut {
       add("orientation of the root", "its axes are the world's");
     }
     if (!scene.massless().isEmpty()) {
+      List<String> names = scene.massless();
+      boolean few = names.size() <= MOST_NAMES;
       add(
-          "inertia of bodies " + String.join(", ", scene.massless()),
+          "inertia of " + (few ? "bodies " + String.join(", ", names) : names.size() + " bodies"),
           "they have neither mass nor inertia");
     }
   }

@@ -2,19 +2,18 @@ package org.mechservice.sim.build;
 
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.SortedMap;
 import java.util.stream.Collectors;
 import org.mechservice.sim.build.jar.ModelDescriptionXml;
+import org.mechservice.sim.build.jar.Packing;
 import org.mechservice.sim.build.jar.ReachableClasses;
 import org.mechservice.sim.build.jar.ReproducibleJar;
 import org.mechservice.sim.build.jar.Sha256;
 import org.mechservice.sim.build.jar.SolidClasses;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.simulation.SolverVersion;
 import org.mechservice.solver.standalone.Launcher;
 
@@ -23,19 +22,19 @@ final class ModelJars {
   private ModelJars() {}
 
   /** Packs a model without a solver, but with what it needs beyond the runtime JAR. */
-  static PackedJar model(CompiledModel model, String mechmlSha256) {
+  static PackedJar model(CompiledModel model, String mechmlSha256, Packing packing) {
     Map<String, String> manifest = manifest(model, mechmlSha256);
-    ReproducibleJar jar = new ReproducibleJar(manifest).addClasses(model.classFiles());
+    ReproducibleJar jar = new ReproducibleJar(manifest, packing).addClasses(model.classFiles());
     RuntimeJar runtime = RuntimeJar.current();
     // What the runtime JAR has reaches nothing beyond it.
     ReachableClasses.from(
             model.classFiles(), path -> runtime.has(path) ? null : SolverFiles.lean(path))
         .forEach(jar::add);
-    return packed(model, mechmlSha256, jar, "", model.generated().className(), manifest);
+    return packed(model, jar, packing, "", model.generated().className(), manifest);
   }
 
   /** Packs a model with its main class and the solver classes that it reaches. */
-  static PackedJar standalone(CompiledModel model, String mechmlSha256) {
+  static PackedJar standalone(CompiledModel model, String mechmlSha256, Packing packing) {
     SortedMap<String, byte[]> own = StandaloneMain.classFiles(model);
     String mainClass = StandaloneMain.className(model.generated());
     Map<String, String> manifest = new LinkedHashMap<>();
@@ -43,26 +42,28 @@ final class ModelJars {
     manifest.put("Main-Class", launcher);
     manifest.putAll(manifest(model, mechmlSha256));
     SortedMap<String, byte[]> solver = ReachableClasses.from(own, SolverFiles::lean);
-    ReproducibleJar jar = new ReproducibleJar(manifest).addClasses(own);
+    ReproducibleJar jar = new ReproducibleJar(manifest, packing).addClasses(own);
     String launcherFile = launcher.replace('.', '/') + ".class";
     jar.add(launcherFile, Objects.requireNonNull(SolverFiles.lean(launcherFile)));
     jar.add(Launcher.SOLVER, SolidClasses.of(mainClass, solver));
-    return packed(model, mechmlSha256, jar, "-standalone", launcher, manifest);
+    return packed(model, jar, packing, "-standalone", launcher, manifest);
   }
 
   private static PackedJar packed(
       CompiledModel model,
-      String mechmlSha256,
       ReproducibleJar jar,
+      Packing packing,
       String suffix,
       String mainClass,
       Map<String, String> manifest) {
     String className = model.generated().className();
-    String xml = descriptionXml(model, mechmlSha256);
+    String xml = descriptionXml(model);
     jar.add("META-INF/modelDescription.xml", xml.getBytes(StandardCharsets.UTF_8));
     byte[] bytes = jar.bytes();
     long modelBytes =
-        model.classFiles().values().stream().mapToLong(ReproducibleJar::deflatedSize).sum();
+        model.classFiles().values().stream()
+            .mapToLong(file -> packing.deflated(file).length)
+            .sum();
     return new PackedJar(
         className.substring(className.lastIndexOf('.') + 1) + suffix + ".jar",
         bytes,
@@ -81,6 +82,7 @@ final class ModelJars {
     manifest.put("Mech-Api-Version", Integer.toString(Model.API_VERSION));
     manifest.put("Mech-Formulation", generated.formulation());
     manifest.put("Mech-Formulation-Reason", generated.formulationReason());
+    manifest.put("Mech-Code", generated.code());
     manifest.put("Mech-Integrator", model.options().settings().integrator());
     manifest.put("Mech-Columns", BuiltColumns.labels(BuiltColumns.of(model)));
     manifest.put("Mech-Columns-Shown", BuiltColumns.labels(BuiltColumns.shown(model)));
@@ -93,15 +95,11 @@ final class ModelJars {
     return manifest;
   }
 
-  private static String descriptionXml(CompiledModel model, String mechmlSha256) {
+  private static String descriptionXml(CompiledModel model) {
     Model instance = model.withoutUserClasses();
     ModelDescription description = instance.description();
     double[] start = new double[description.stateCount()];
     instance.initialState(start);
-    Map<String, String> leftOut = new LinkedHashMap<>();
-    model.generated().leftOut().forEach(omission -> leftOut.put(omission.what(), omission.why()));
-    List<Variable> energies =
-        List.of(new Variable("energy.kinetic", "J"), new Variable("energy.potential", "J"));
-    return ModelDescriptionXml.of(description, start, energies, leftOut, mechmlSha256);
+    return ModelDescriptionXml.of(description, start);
   }
 }

@@ -11,6 +11,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.jar.Attributes;
 import java.util.jar.JarInputStream;
+import org.mechservice.sim.build.jar.Packing;
 import org.mechservice.sim.build.jar.ReachableClasses;
 import org.mechservice.sim.build.jar.ReproducibleJar;
 import org.mechservice.sim.build.jar.Sha256;
@@ -69,7 +70,7 @@ record RuntimeJar(PackedJar jar, Set<String> classes) {
     manifest.put("Implementation-Version", SolverVersion.CURRENT);
     manifest.put("Mech-Api-Version", Integer.toString(Model.API_VERSION));
     manifest.put(PackedClasses.KEPT_SHA_256, Sha256.of(kept(packed)));
-    ReproducibleJar jar = new ReproducibleJar(manifest);
+    ReproducibleJar jar = new ReproducibleJar(manifest, Packing.QUICK);
     jar.add(PackedClasses.ENTRY, packed);
     SolverFiles.lean().forEach((path, bytes) -> addOther(jar, path, bytes));
     return new RuntimeJar(asJar(jar.bytes(), manifest), classes.keySet());

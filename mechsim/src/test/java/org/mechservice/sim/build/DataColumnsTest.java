@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.build.jar.Packing;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
@@ -78,9 +79,12 @@ class DataColumnsTest {
 
   @Test
   void modelJarHasWhatTheRuntimeLacksOnlyIfAskedFor() throws IOException {
-    assertThat(entries(ModelFactory.modelJar(pendulum(false), "")))
+    assertThat(entries(ModelFactory.modelJar(pendulum(false), "", Packing.SMALLEST)))
         .noneMatch(name -> name.contains("solver"));
-    assertThat(entries(ModelFactory.modelJar(pendulum(false, ColumnGroup.REACTIONS), "")))
+    assertThat(
+            entries(
+                ModelFactory.modelJar(
+                    pendulum(false, ColumnGroup.REACTIONS), "", Packing.SMALLEST)))
         .anyMatch(name -> name.contains(ANALYSIS))
         .contains(
             "org/mechservice/model/FiveBarPendulum.class",
@@ -90,9 +94,12 @@ class DataColumnsTest {
 
   @Test
   void standaloneJarHasColumnsOnlyIfAskedFor() throws IOException {
-    assertThat(solverOf(ModelFactory.standaloneJar(pendulum(false), "")))
+    assertThat(solverOf(ModelFactory.standaloneJar(pendulum(false), "", Packing.SMALLEST)))
         .noneMatch(name -> name.contains("solver.analysis."));
-    assertThat(solverOf(ModelFactory.standaloneJar(pendulum(false, ColumnGroup.REACTIONS), "")))
+    assertThat(
+            solverOf(
+                ModelFactory.standaloneJar(
+                    pendulum(false, ColumnGroup.REACTIONS), "", Packing.SMALLEST)))
         .anyMatch(name -> name.contains("solver.analysis.ReactionColumns"));
   }
 

@@ -134,6 +134,18 @@ final class Partition {
     }
   }
 
+  /**
+   * Tells which equations are left out.
+   *
+   * @param leftOut length m; overwritten
+   */
+  void listLeftOut(boolean[] leftOut) {
+    Arrays.fill(leftOut, true);
+    for (int row : kept) {
+      leftOut[row] = false;
+    }
+  }
+
   /** Returns the length of what {@link #save} writes. */
   int stateLength() {
     return 2 * rank;

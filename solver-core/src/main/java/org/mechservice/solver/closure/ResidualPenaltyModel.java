@@ -19,10 +19,12 @@ import org.mechservice.solver.linear.DenseLu;
  *
  * <p>rows of J over their sizes, columns in the coordinates' units where they act on velocities. λ
  * and μ are in no test. The equations of an implicit step are solved with a penalty in place of the
- * zero block and repeated, which is the augmented Lagrangian: redundant rows do no harm (NUMERICS
- * §3). How J v changes with q is not in the matrix, which is kept for steps that move otherwise:
- * every solution is corrected by the rates at the state it leads to. How Jᵀ μ changes is left to
- * the iteration.
+ * zero block and repeated, which is the augmented Lagrangian (NUMERICS §3). Rows that repeat others
+ * where F is linearised are left out, their λ and μ being zero: predicted states lie off the loops,
+ * where such rows contradict the others by a little, and multipliers would grow without bound. How
+ * J v changes with q is not in the matrix, which is kept for steps that move otherwise: every
+ * solution is corrected by the rates at the state it leads to. How Jᵀ μ changes is left to the
+ * iteration.
  */
 public final class ResidualPenaltyModel extends PenaltyModel implements LinearisedModel {
   /** Where the derivatives of the equations of motion come from. */
@@ -33,7 +35,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     DIFFERENCES
   }
 
-  /** Part of the largest element added to the diagonal of J Jᵀ, which may be singular. */
+  /** Part of the largest element added to the diagonal of J U² Jᵀ, some rows of J being zero. */
   private static final double REGULAR_PART = 1e-10;
 
   private static final int REPETITIONS = 3;
@@ -69,6 +71,11 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   private final double[] ofPosition;
   private final double[] mu;
 
+  /** Which rows are independent, chosen where F is linearised, and which repeat them. */
+  private final Partition independent;
+
+  private final boolean[] isRepeated;
+
   /** Time and state of the last residual, and a state near by. */
   private double time;
 
@@ -81,7 +88,6 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   private final double[] push;
   private final double[] none;
   private double hGamma;
-  private double regular;
   private int singular;
 
   /**
@@ -120,6 +126,12 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     ofVelocity = new double[m];
     ofPosition = new double[m];
     mu = new double[m];
+    independent = new Partition(m, n, closed.rank());
+    double[] sizes = new double[m];
+    Arrays.setAll(sizes, row -> 1 / work.loops.size(row));
+    independent.scale(sizes, work.units.velocities);
+    isRepeated = new boolean[m];
+    findRepeated();
     state = new double[work.nq + n];
     moved = new double[work.nq + n];
     reduced = new double[work.nq];
@@ -156,7 +168,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     int atMu = atLambda + m;
     time = t;
     System.arraycopy(y, 0, state, 0, state.length);
-    work.loops.scaledRows(rows, n);
+    formRows(rows);
     System.arraycopy(y, work.nq, velocity, 0, n);
     addTransposed(rows, y, atMu, -1, true, velocity);
     work.coordinates.rates(y, 0, velocity, 0, residual, 0);
@@ -168,10 +180,30 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     double speed = work.units.speed(y, work.nq);
     for (int row = 0; row < m; row++) {
       double size = work.loops.size(row);
-      residual[atLambda + row] = beyond(RATE_ROUNDING * speed, work.loops.rate[row] / size);
-      residual[atMu + row] = beyond(ROUNDING, work.loops.value[row] / size);
+      boolean repeats = isRepeated[row];
+      residual[atLambda + row] =
+          repeats ? y[atLambda + row] : beyond(RATE_ROUNDING * speed, work.loops.rate[row] / size);
+      residual[atMu + row] =
+          repeats ? y[atMu + row] : beyond(ROUNDING, work.loops.value[row] / size);
     }
     return REGULAR;
+  }
+
+  /** Finds the rows that repeat others where the loops are placed. */
+  private void findRepeated() {
+    if (independent.choose(work.loops.jacobian, work.loops.width())) {
+      independent.listLeftOut(isRepeated);
+    }
+  }
+
+  /** J over its sizes; nothing in the rows that repeat others. */
+  private void formRows(double[] j) {
+    work.loops.scaledRows(j, n);
+    for (int row = 0; row < m; row++) {
+      if (isRepeated[row]) {
+        Arrays.fill(j, row * n, (row + 1) * n, 0);
+      }
+    }
   }
 
   /** Returns zero for what is rounding, which a short step would blow up to multipliers. */
@@ -201,8 +233,9 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   @Override
   public boolean linearise(double t, double[] y, double[] yDot) {
     int atLambda = work.nq + n;
+    work.place(t, y);
+    findRepeated();
     if (derivatives == Derivatives.DIFFERENCES) {
-      work.motion.sweep(t, y);
       if (!differences.evaluate(y, work.units.velocities, (at, f) -> pushed(t, at, y, yDot, f))) {
         return false;
       }
@@ -214,7 +247,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
       }
       work.sweepForDerivatives(t, yDot, work.nq, force);
       for (int row = 0; row < m; row++) {
-        lambda[row] = y[atLambda + row] / work.loops.size(row);
+        lambda[row] = isRepeated[row] ? 0 : y[atLambda + row] / work.loops.size(row);
       }
       System.arraycopy(work.wrench, 0, wrench, 0, wrench.length);
       work.loops.addForces(lambda, -1, wrench, tau);
@@ -226,7 +259,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
       work.loops.linearise(lambda, -1, jacobian.forces());
       jacobian.finish();
     }
-    work.loops.scaledRows(linearisedRows, n);
+    formRows(linearisedRows);
     iteration.setState(y);
     return jacobian.isFinite();
   }
@@ -237,7 +270,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
       fail(work.forces.defect());
       return false;
     }
-    work.loops.scaledRows(rows, n);
+    formRows(rows);
     System.arraycopy(force, 0, pushed, 0, force.length);
     addTransposed(rows, y, work.nq + n, 1, false, pushed);
     return true;
@@ -271,8 +304,8 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
       }
       largest = Math.max(largest, normal[i * m + i]);
     }
-    // loops between bodies that cannot move have nothing but zeros
-    regular = REGULAR_PART * (largest > 0 ? largest : 1);
+    // rows left out are zero, and all rows of loops between bodies that cannot move
+    double regular = REGULAR_PART * (largest > 0 ? largest : 1);
     for (int i = 0; i < m; i++) {
       normal[i * m + i] += regular;
     }
@@ -286,9 +319,12 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     int atMu = atLambda + m;
     double[] change = iteration.reduce(r);
     for (int row = 0; row < m; row++) {
-      ofVelocity[row] = -r[atLambda + row] / hGamma;
+      boolean repeats = isRepeated[row];
+      ofVelocity[row] = repeats ? 0 : -r[atLambda + row] / hGamma;
       ofPosition[row] =
-          product(row, iteration.tangent()) / hGamma - r[atMu + row] / (hGamma * hGamma);
+          repeats
+              ? 0
+              : product(row, iteration.tangent()) / hGamma - r[atMu + row] / (hGamma * hGamma);
     }
     System.arraycopy(r, 0, reduced, 0, work.nq);
     System.arraycopy(change, 0, right, 0, n);
@@ -298,10 +334,10 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     correctVelocities(r);
     System.arraycopy(reduced, 0, r, 0, work.nq);
     complete(r, change);
-    withoutRepetitions(push);
     for (int row = 0; row < m; row++) {
-      r[atLambda + row] = push[row] / hGamma;
-      r[atMu + row] = mu[row];
+      boolean repeats = isRepeated[row];
+      r[atLambda + row] = (repeats ? r[atLambda + row] : push[row]) / hGamma;
+      r[atMu + row] = repeats ? r[atMu + row] / hGamma : mu[row];
     }
   }
 
@@ -321,7 +357,8 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     work.placeRates(time, moved);
     double rounding = RATE_ROUNDING * work.units.speed(moved, work.nq);
     for (int row = 0; row < m; row++) {
-      ofVelocity[row] = beyond(rounding, work.loops.rate[row] / work.loops.size(row));
+      ofVelocity[row] =
+          isRepeated[row] ? 0 : beyond(rounding, work.loops.rate[row] / work.loops.size(row));
     }
     equations.solve(none, ofVelocity, right, 0);
     for (int k = 0; k < n; k++) {
@@ -344,20 +381,6 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
       for (int row = 0; row < m; row++) {
         mu[row] += lambda[row];
       }
-    }
-    withoutRepetitions(mu);
-  }
-
-  /**
-   * Takes out of multipliers what pushes nothing: G (G + ε)⁻¹ with G = J U² Jᵀ. Predicted states
-   * lie off the loops, where equations that repeat others contradict them by a little; the penalty
-   * would make of that multipliers that grow without bound, and away from the loops they push.
-   */
-  private void withoutRepetitions(double[] multipliers) {
-    System.arraycopy(multipliers, 0, lambda, 0, m);
-    gram.solve(lambda, 0);
-    for (int row = 0; row < m; row++) {
-      multipliers[row] -= regular * lambda[row];
     }
   }
 

@@ -69,6 +69,11 @@ abstract class StepEquations {
    */
   abstract Attempt findStart(double t, double[] y, double[] slope);
 
+  /** Returns whether the derivatives belong to a step much longer than the one tried last. */
+  boolean formedTooFarAhead() {
+    return false;
+  }
+
   /** Returns what to call a failure of {@link #findStart}. */
   abstract Cause causeAtStart(Attempt attempt);
 
@@ -298,7 +303,7 @@ abstract class StepEquations {
       outdate();
       return true;
     }
-    if (current) {
+    if (current && !formedTooFarAhead()) {
       return false;
     }
     wanted = true;

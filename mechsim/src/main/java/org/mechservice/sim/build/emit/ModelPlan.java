@@ -126,6 +126,21 @@ public final class ModelPlan implements WrittenClass {
     return new ModelBytes(this).bytes();
   }
 
+  /** Returns how the programs are written, with the operations of each, for people. */
+  public String code() {
+    List<String> parts = new ArrayList<>();
+    for (Part part : programs) {
+      int methods = part.plan().methods().size();
+      parts.add(
+          part.head().name()
+              + " "
+              + part.plan().program().operationCount()
+              + " operations"
+              + (methods > 1 ? " in " + methods + " methods" : ""));
+    }
+    return "straight line: " + String.join(", ", parts);
+  }
+
   ModelClass content() {
     return content;
   }
@@ -191,9 +206,9 @@ public final class ModelPlan implements WrittenClass {
         .orElse(new Base(Object.class, List.of()));
   }
 
-  /** Returns whether the class is given the values of parameters. */
+  /** Returns whether the class is given numbers: values of parameters, loads of user forces. */
   boolean hasParameters() {
-    return !content.mechanism().parameters().isEmpty();
+    return !content.mechanism().parameters().isEmpty() || content.hasUserForces();
   }
 
   /** Returns the interfaces the class implements beyond those of its base, in order. */

@@ -1,7 +1,7 @@
 package org.mechservice.sim.build.jar;
 
 import java.util.List;
-import java.util.Map;
+import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.RunSettings;
@@ -15,34 +15,22 @@ public final class ModelDescriptionXml {
   private ModelDescriptionXml() {}
 
   /**
-   * Describes a model.
+   * Describes a model; what it was made from, and what was left out, is in the manifest.
    *
    * @param description name, joints, default settings
    * @param start state at the start, [q; v]; not modified
-   * @param outputs what else it can put out, besides accelerations
-   * @param leftOut what was left out, with the reasons, in order
-   * @param mechmlSha256 SHA-256 of the model file
    * @return the text of the file
    */
-  public static String of(
-      ModelDescription description,
-      double[] start,
-      List<Variable> outputs,
-      Map<String, String> leftOut,
-      String mechmlSha256) {
+  public static String of(ModelDescription description, double[] start) {
     ModelDescriptionXml file = new ModelDescriptionXml();
     file.xml.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<modelDescription");
     file.attribute("name", description.name())
         .attribute("formulation", description.formulation())
-        .attribute("apiVersion", Integer.toString(Model.API_VERSION))
-        .attribute("mechmlSha256", mechmlSha256);
+        .attribute("apiVersion", Integer.toString(Model.API_VERSION));
     file.xml.append(">\n");
     file.settings(description.defaults());
-    file.variables(description, start, outputs);
-    file.xml.append("  <leftOut>\n");
-    leftOut.forEach(
-        (what, why) -> file.open("item").attribute("what", what).attribute("why", why).close());
-    file.xml.append("  </leftOut>\n</modelDescription>\n");
+    file.joints(description, start);
+    file.xml.append("</modelDescription>\n");
     return file.xml.toString();
   }
 
@@ -66,27 +54,41 @@ public final class ModelDescriptionXml {
     close();
   }
 
-  private void variables(ModelDescription description, double[] start, List<Variable> outputs) {
-    xml.append("  <variables>\n");
+  /** A column of results is called by the joint and the variable, {@code joint.variable}. */
+  private void joints(ModelDescription description, double[] start) {
     List<Variable> states = description.states();
-    for (int i = 0; i < states.size(); i++) {
-      variable(states.get(i), "state").attribute("start", start[i]).close();
+    List<Variable> accelerations = description.accelerations();
+    int position = 0;
+    int velocity = 0;
+    int positions = description.positionCount();
+    for (JointVariables joint : description.joints()) {
+      xml.append("  <joint");
+      attribute("name", joint.name()).attribute("type", joint.type().name());
+      xml.append(">");
+      for (int i = 0; i < joint.type().positionCount(); i++, position++) {
+        variable("state", joint, states.get(position)).start(start[position]);
+      }
+      for (int i = 0; i < joint.type().velocityCount(); i++) {
+        int at = positions + velocity + i;
+        variable("state", joint, states.get(at)).start(start[at]);
+      }
+      for (int i = 0; i < joint.type().velocityCount(); i++, velocity++) {
+        variable("output", joint, accelerations.get(velocity));
+        xml.append("/>");
+      }
+      xml.append("</joint>\n");
     }
-    description.accelerations().forEach(variable -> variable(variable, "output").close());
-    outputs.forEach(variable -> variable(variable, "output").close());
-    xml.append("  </variables>\n");
   }
 
-  private ModelDescriptionXml variable(Variable variable, String kind) {
-    return open("variable")
-        .attribute("name", variable.name())
-        .attribute("unit", variable.unit())
-        .attribute("kind", kind);
+  private ModelDescriptionXml variable(String kind, JointVariables joint, Variable variable) {
+    xml.append('<').append(kind);
+    return attribute("name", variable.name().substring(joint.name().length() + 1))
+        .attribute("unit", variable.unit());
   }
 
-  private ModelDescriptionXml open(String element) {
-    xml.append("    <").append(element);
-    return this;
+  private void start(double value) {
+    attribute("start", value);
+    xml.append("/>");
   }
 
   private void close() {
