@@ -88,7 +88,10 @@ public record CheckReport(
       return new Generation(choice, 0, List.of(new Omission("code of its own", why)));
     }
     Links links = Links.of(model.mechanism());
-    Program derivative = ArticulatedBodyEquations.derive(links);
+    Program derivative =
+        model.mechanism().closures().isEmpty()
+            ? ArticulatedBodyEquations.derive(links)
+            : LoopTermsClass.derive(links, choice).equations();
     BuildOptions options = new BuildOptions(choice.formulation(), Set.of(), model.settings().run());
     return new Generation(
         choice, derivative.operationCount(), LeftOut.of(model, scene, links, options, derivative));

@@ -11,6 +11,7 @@ import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -43,8 +44,10 @@ final class LeftOut {
     leftOut.author(model);
     leftOut.scene(scene);
     leftOut.frames(links);
-    leftOut.equations(derivative);
-    leftOut.outputs(options);
+    if (scene.mechanism().closures().isEmpty()) {
+      leftOut.equations(derivative);
+      leftOut.outputs(options);
+    }
     return List.copyOf(leftOut.omissions);
   }
 
@@ -53,7 +56,11 @@ final class LeftOut {
   }
 
   private void language(Mechanism mechanism, Links links) {
-    add("loop closures and constraints", "the joints form a tree");
+    if (mechanism.closures().isEmpty()) {
+      add("loop closures and constraints", "the joints form a tree");
+    } else {
+      add("energies, poses and reactions", "the data beside the code give them");
+    }
     if (!moves(links, LinkKind.BALL)) {
       add("quaternions", "no joint is spherical or free");
     }
@@ -63,7 +70,10 @@ final class LeftOut {
     if (!moves(links, LinkKind.SLIDE)) {
       add("sliding joints", "no joint slides");
     }
-    if (mechanism.motions().isEmpty()) {
+    boolean drivenCut =
+        mechanism.closures().stream()
+            .anyMatch(closure -> closure instanceof JointClosure cut && cut.isDriven());
+    if (mechanism.motions().isEmpty() && !drivenCut) {
       add("prescribed motions", "no joint is driven");
     }
     if (mechanism.forces().isEmpty()) {

@@ -21,6 +21,8 @@ import org.mechservice.sim.build.emit.AnalysisTask;
 import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.ModelPlan;
+import org.mechservice.sim.build.emit.TermsClass;
+import org.mechservice.sim.build.emit.TermsPlan;
 import org.mechservice.sim.build.jar.Packing;
 import org.mechservice.sim.build.javac.ModelCompiler;
 import org.mechservice.sim.build.user.UserClasses;
@@ -71,7 +73,9 @@ public final class ModelFactory {
     List<String> notGenerated = GenerationLimits.notGenerated(mechanism, choice);
     return options.compact() || !notGenerated.isEmpty()
         ? compact(model, options, choice, notGenerated)
-        : specialised(model, options, choice);
+        : mechanism.closures().isEmpty()
+            ? specialised(model, options, choice)
+            : looped(model, options, choice);
   }
 
   /** Returns a model that is not integrated; its data say what is done with it. */
@@ -193,6 +197,32 @@ public final class ModelFactory {
         choice.reason() + calledForces(mechanism),
         derivative.operationCount(),
         leftOut);
+  }
+
+  /** Code for the terms of the equations; their closure, and what is seldom wanted, from data. */
+  private static GeneratedModel looped(
+      MechmlModel model, BuildOptions options, FormulationChoice choice) {
+    Mechanism mechanism = model.mechanism();
+    requireClosedLoops(mechanism, choice, options);
+    Links links = Links.of(mechanism);
+    TermsClass terms = LoopTermsClass.derive(links, choice);
+    TermsPlan written = TermsPlan.of(terms);
+    Set<ColumnGroup> further = DataColumns.of(model, options, false);
+    String derivatives =
+        choice.formulation().equals("RR-JF") ? "; derivatives of the residual from data" : "";
+    return new GeneratedModel(
+        written,
+        Optional.of(
+            new CompactClass(
+                DataColumns.data(model, options, choice, further),
+                BuiltColumns.labels(further),
+                written.simpleName(),
+                Optional.empty())),
+        mechanism.name(),
+        choice.formulation(),
+        choice.reason() + derivatives,
+        terms.equations().operationCount(),
+        LeftOut.of(model, SceneAnalysis.of(mechanism), links, options, terms.equations()));
   }
 
   /** Says which forces are classes of users: code calls them, it does not contain them. */

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
@@ -17,8 +16,8 @@ public final class GenerationLimits {
   private GenerationLimits() {}
 
   /**
-   * Elements of a Jacobian: the largest of which code is generated. Each takes some 350 bytes, and
-   * a class file ends at 65535 constants.
+   * Elements of a Jacobian, or of the mass matrix of a tree whose loops are closed: the largest of
+   * which code is generated. Each takes some 350 bytes, and a class file ends at 65535 constants.
    */
   private static final int MOST_ELEMENTS = 2500;
 
@@ -47,12 +46,18 @@ public final class GenerationLimits {
   /** Returns what no code is generated for, such as {@code forces "f1", "f2"}. */
   public static List<String> notGenerated(Mechanism mechanism, FormulationChoice choice) {
     List<String> beyond = new ArrayList<>();
-    int elements = choice.formulation().equals("RR-JF") ? elements(mechanism) : 0;
+    boolean loops = !mechanism.closures().isEmpty();
+    int elements = choice.formulation().equals("RR-JF") || loops ? elements(mechanism) : 0;
     if (elements > MOST_ELEMENTS) {
       beyond.add(
-          "a Jacobian of more than " + MOST_ELEMENTS + " elements (it has " + elements + ")");
+          (loops ? "loops of bodies with a mass matrix" : "a Jacobian")
+              + " of more than "
+              + MOST_ELEMENTS
+              + " elements (it has "
+              + elements
+              + ")");
     }
-    add(beyond, "constraints", mechanism.closures().stream().map(LoopClosure::name));
+    add(beyond, "coordinates of cut joints in", CutCoordinateUses.names(mechanism).stream());
     add(
         beyond,
         "forces written as classes",

@@ -9,6 +9,7 @@ import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Tape;
+import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -18,7 +19,7 @@ import org.mechservice.solver.mechanism.closure.LoopClosure;
 
 /**
  * A mechanism whose loops are closed at the start and whose independent equations are counted: what
- * models of it are made from. Immutable.
+ * models of it are made from. Immutable, but for code that evaluates its equations.
  */
 public final class ClosedMechanism {
   private final TreeGeometry tree;
@@ -28,6 +29,8 @@ public final class ClosedMechanism {
   private final int rank;
   private final Optional<String> againstProjection;
   private final List<LoopFinding> findings = new ArrayList<>();
+
+  private final Optional<LoopTerms> terms;
 
   /** For each velocity of the state, its joint among those that have states. */
   private final int[] jointOfVelocity;
@@ -40,6 +43,7 @@ public final class ClosedMechanism {
    */
   public ClosedMechanism(Mechanism mechanism, String formulation, RunSettings defaults) {
     tree = new TreeGeometry(mechanism);
+    terms = Optional.empty();
     jointOfVelocity = new int[mechanism.velocityCount()];
     description = new ModelDescription(mechanism.name(), formulation, joints(mechanism), defaults);
     startTime = defaults.tStart();
@@ -55,6 +59,18 @@ public final class ClosedMechanism {
       rank = 0;
       againstProjection = Optional.empty();
     }
+  }
+
+  private ClosedMechanism(ClosedMechanism other, LoopTerms code) {
+    tree = other.tree;
+    description = other.description;
+    startTime = other.startTime;
+    start = other.start;
+    rank = other.rank;
+    againstProjection = other.againstProjection;
+    findings.addAll(other.findings);
+    jointOfVelocity = other.jointOfVelocity;
+    terms = Optional.of(code);
   }
 
   private List<JointVariables> joints(Mechanism mechanism) {
@@ -96,6 +112,21 @@ public final class ClosedMechanism {
   /** Returns names and settings. */
   public ModelDescription description() {
     return description;
+  }
+
+  /**
+   * Returns the same with code that evaluates the terms of its equations; since code has a
+   * workspace, one model is to be made of it.
+   */
+  public ClosedMechanism evaluatedBy(LoopTerms code) {
+    return new ClosedMechanism(this, code);
+  }
+
+  /** Returns a workspace of its equations: of its code if it has some. */
+  ClosedTree newEquations(UserForceSource userForces) {
+    return terms
+        .<ClosedTree>map(code -> new CodedTree(this, userForces, code))
+        .orElseGet(() -> new ClosedTree(tree, userForces));
   }
 
   /** Returns the number of independent equations of the loops. */

@@ -16,7 +16,7 @@ import org.mechservice.solver.kinematics.TreeMotion;
  * The equations of a mechanism with loops, M v' + b + Jᵀ λ = τ and Φ(q, t) = 0, at one state at a
  * time. Workspace of one thread; nothing allocates after construction.
  */
-final class ClosedTree {
+class ClosedTree {
   final TreeGeometry tree;
   final TreeMotion motion;
   final LoopEquations loops;
@@ -54,22 +54,51 @@ final class ClosedTree {
     noAcceleration = new double[nv];
   }
 
-  /** Sweeps the motion and evaluates Φ, J and Φ'. */
+  /** Returns a workspace of the same equations that has swept motions and forces in links. */
+  ClosedTree ofData() {
+    return this;
+  }
+
+  /** Places a state and evaluates Φ and J. */
+  void placeLoops(double t, double[] y) {
+    motion.sweep(t, y);
+    loops.place(motion, t);
+    loops.differentiate(motion);
+  }
+
+  /** Places a state and evaluates Φ and Φ'. */
+  void placeRates(double t, double[] y) {
+    motion.sweep(t, y);
+    loops.place(motion, t);
+    loops.move(motion, t);
+  }
+
+  /** Places a state and evaluates Φ, J and Φ'. */
   void place(double t, double[] y) {
+    placeData(t, y);
+  }
+
+  /** The same from the data, wherever the equations come from. */
+  final void placeData(double t, double[] y) {
     motion.sweep(t, y);
     loops.place(motion, t);
     loops.differentiate(motion);
     loops.move(motion, t);
   }
 
-  /** Forms M at the places of the last sweep. */
+  /** Places a state whose equations of motion are to be formed, and evaluates Φ, J and Φ'. */
+  void placeEquations(double t, double[] y) {
+    place(t, y);
+  }
+
+  /** Forms M at the state last placed. */
   void formMass() {
     open.formMassMatrix();
     open.massMatrix().toDense(mass);
   }
 
   /** Evaluates the applied forces at the last sweep; returns whether all have values. */
-  boolean applyForces(double t) {
+  final boolean applyForces(double t) {
     Arrays.fill(wrench, 0);
     Arrays.fill(tau, 0);
     return forces.apply(t, wrench, tau) == ForceSet.REGULAR;
@@ -120,10 +149,19 @@ final class ClosedTree {
     loops.counted.restore(state, at + motion.counted.count());
   }
 
-  /** Forms b − τ and γ after {@link #place} and {@link #applyForces}. */
-  void formBias(double t) {
+  /** Forms b − τ and γ after {@link #placeEquations}; returns whether all forces have values. */
+  boolean formBias(double t) {
+    if (!applyForces(t)) {
+      return false;
+    }
     open.formBias(wrench, tau);
     loops.accelerate(motion, t);
+    return true;
+  }
+
+  /** Returns b − τ as formed last. */
+  double[] bias() {
+    return open.bias();
   }
 
   /** Evaluates γ alone after {@link #place}. */
@@ -132,9 +170,27 @@ final class ClosedTree {
     loops.accelerate(motion, t);
   }
 
-  /** Evaluates M v' + b − τ for accelerations that begin at {@code aAt}. */
-  void formResidual(double[] a, int aAt, double[] residual) {
+  /**
+   * Evaluates M v' + b − τ for accelerations that begin at {@code aAt}, after {@link #place}.
+   *
+   * @param residual one number per extended velocity; overwritten, those of driven joints as they
+   *     come out
+   * @return whether all forces have values
+   */
+  boolean formResidual(double t, double[] a, int aAt, double[] residual) {
+    if (!applyForces(t)) {
+      return false;
+    }
     motion.accelerationSweep(a, aAt);
     open.formResidual(wrench, tau, residual);
+    return true;
+  }
+
+  /**
+   * Sweeps motion and forces at the state and the accelerations of the last {@link #formResidual},
+   * for what takes its derivatives from them.
+   */
+  void sweepForDerivatives(double t, double[] a, int aAt, double[] residual) {
+    // The residual has left them swept.
   }
 }

@@ -30,6 +30,9 @@ abstract class ClosureRows {
   /** Returns the size of what an equation measures after {@link #place}: m, or 1 rad. */
   abstract double size(int row);
 
+  /** Takes the size of what an equation measures, unless that does not change. */
+  void measure(double size) {}
+
   /** Returns the SI unit of what an equation measures, after {@link #place}. */
   abstract String unit(int row);
 

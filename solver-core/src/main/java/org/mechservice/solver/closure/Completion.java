@@ -5,7 +5,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.mechservice.solver.api.Defects.Defect;
 import org.mechservice.solver.kinematics.StateCoordinates;
-import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
  * Finds dependent positions and velocities from independent ones: positions by Newton's method,
@@ -41,7 +40,7 @@ final class Completion {
    */
   private static final double OTHER_BRANCH = 0.25;
 
-  private final TreeMotion motion;
+  private final ClosedTree work;
   private final LoopEquations loops;
   private final PositionEquations positions;
   private final Partition ofPositions;
@@ -61,19 +60,14 @@ final class Completion {
    * @param rank number of independent equations among those of the loops
    * @param notes is told of singular positions that were passed
    */
-  Completion(
-      TreeMotion motion,
-      LoopEquations loops,
-      StateCoordinates coordinates,
-      CoordinateUnits units,
-      int rank,
-      Consumer<LoopFinding> notes) {
-    this.motion = motion;
-    this.loops = loops;
-    this.units = units;
+  Completion(ClosedTree work, int rank, Consumer<LoopFinding> notes) {
+    this.work = work;
+    loops = work.loops;
+    units = work.units;
+    StateCoordinates coordinates = work.coordinates;
     positions = new PositionEquations(loops, coordinates);
-    nq = coordinates.positionCount();
-    nv = coordinates.velocityCount();
+    nq = work.nq;
+    nv = work.nv;
     ofPositions = new Partition(positions.count, nq, rank + coordinates.ballCount());
     ofVelocities = new Partition(loops.count(), nv, rank);
     correction = new double[ofPositions.rank()];
@@ -117,7 +111,8 @@ final class Completion {
    * @return false if there are not as many independent equations as there should be
    */
   boolean begin(double t, double[] y) {
-    differentiate(t, y);
+    work.place(t, y);
+    differentiate(y);
     double[] rows = new double[positions.count];
     Arrays.fill(rows, 1);
     for (int row = 0; row < loops.count(); row++) {
@@ -125,7 +120,6 @@ final class Completion {
     }
     ofPositions.scale(rows, units.positions);
     ofVelocities.scale(rows, units.velocities);
-    loops.move(motion, t);
     remember(y);
     boolean chosen =
         ofPositions.choose(positions.matrix, nq)
@@ -134,10 +128,7 @@ final class Completion {
     return chosen;
   }
 
-  private void differentiate(double t, double[] y) {
-    motion.sweep(t, y);
-    loops.place(motion, t);
-    loops.differentiate(motion);
+  private void differentiate(double[] y) {
     positions.evaluate(y);
     positions.differentiate(y);
   }
@@ -164,7 +155,8 @@ final class Completion {
 
   private boolean completePositions(double t, double[] y) {
     for (int i = 0; i < ITERATIONS; i++) {
-      differentiate(t, y);
+      work.placeLoops(t, y);
+      differentiate(y);
       if (!ofPositions.factor(positions.matrix, nq)) {
         return false;
       }
@@ -200,10 +192,7 @@ final class Completion {
   }
 
   private boolean completeVelocities(double t, double[] y) {
-    motion.sweep(t, y);
-    loops.place(motion, t);
-    loops.differentiate(motion);
-    loops.move(motion, t);
+    work.place(t, y);
     if (!keptAreClosed() || !ofVelocities.factor(loops.jacobian, loops.width())) {
       return false;
     }
@@ -321,8 +310,8 @@ final class Completion {
    * @return whether other coordinates are independent from now on
    */
   boolean accepted(double t, double[] y) {
-    differentiate(t, y);
-    loops.move(motion, t);
+    work.place(t, y);
+    differentiate(y);
     loops.accepted();
     remember(y);
     boolean other = renew(ofPositions, positions.matrix, nq);
@@ -337,8 +326,8 @@ final class Completion {
    * @param closed whether the loops are closed there
    */
   void jumped(double t, double[] y, boolean closed) {
-    differentiate(t, y);
-    loops.move(motion, t);
+    work.place(t, y);
+    differentiate(y);
     remember(y);
     ofVelocities.chooseBetter(loops.jacobian, loops.width(), Double.POSITIVE_INFINITY);
     watch.jumped(t, closed);

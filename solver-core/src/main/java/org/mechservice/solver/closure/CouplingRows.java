@@ -58,6 +58,11 @@ final class CouplingRows extends ClosureRows {
     return size;
   }
 
+  @Override
+  void measure(double size) {
+    this.size = size > 0 ? size : this.size;
+  }
+
   /** {@inheritDoc} The relation says which; it need not be one unit throughout. */
   @Override
   String unit(int row) {

@@ -127,6 +127,7 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
       return false;
     }
     projected.multipliers(force, lambda);
+    work.sweepForDerivatives(t, acceleration, 0, force);
     System.arraycopy(work.wrench, 0, wrench, 0, wrench.length);
     work.loops.addForces(lambda, -1, wrench, tau);
     jacobian.evaluate(wrench);

@@ -191,6 +191,23 @@ public final class LoopEquations {
     }
   }
 
+  /**
+   * Takes Φ, Φ' and J as code has evaluated them.
+   *
+   * @param terms as {@link LoopTerms} says; not modified
+   * @param velocities number of velocities of the state
+   */
+  void take(double[] terms, int velocities) {
+    int m = count();
+    System.arraycopy(terms, 0, value, 0, m);
+    System.arraycopy(terms, m, rate, 0, m);
+    for (int row = 0; row < m; row++) {
+      int at = LoopTerms.jacobianAt(m) + row * velocities;
+      System.arraycopy(terms, at, jacobian, row * width(), velocities);
+      closureOfRow[row].measure(terms[LoopTerms.sizeAt(m, velocities) + row]);
+    }
+  }
+
   /** Evaluates γ for the accelerations of the last sweep, after {@link #move}. */
   public void accelerate(TreeMotion motion, double t) {
     for (int i = 0; i < closures.size(); i++) {

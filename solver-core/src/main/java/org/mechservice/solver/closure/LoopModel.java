@@ -41,7 +41,7 @@ abstract class LoopModel
           "the loops of " + closed.description().name() + " are not closed at the start");
     }
     this.closed = closed;
-    work = new ClosedTree(closed.tree(), userForces);
+    work = closed.newEquations(userForces);
     world = new WorldMotion(work.motion);
     derivative = new double[work.nq + work.nv];
     closed.findings().forEach(this::note);
@@ -123,13 +123,13 @@ abstract class LoopModel
     if (moved != REGULAR) {
       return moved;
     }
-    return reactions().evaluate(t, y, derivative, work.nq) ? REGULAR : fail(work.forces.defect());
+    return reactions().evaluate(t, y, derivative, work.nq) ? REGULAR : fail(reactions().defect());
   }
 
   /** Returns the multipliers and reactions of the last {@link #react}. */
   public final Reactions reactions() {
     if (reactions.isEmpty()) {
-      reactions = Optional.of(new Reactions(work, closed.rank()));
+      reactions = Optional.of(new Reactions(work.ofData(), closed.rank()));
     }
     return reactions.get();
   }

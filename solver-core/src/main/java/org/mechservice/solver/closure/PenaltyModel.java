@@ -56,17 +56,16 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
 
   @Override
   public final int derivative(double t, double[] y, double[] yDot) {
-    work.place(t, y);
-    if (!work.applyForces(t)) {
+    work.placeEquations(t, y);
+    if (!work.formBias(t)) {
       return fail(work.forces.defect());
     }
-    work.formBias(t);
     int singular = projection.factor();
     if (singular >= 0) {
       return closed.jointOfVelocity(singular);
     }
     for (int j = 0; j < right.length; j++) {
-      right[j] = -work.open.bias()[j];
+      right[j] = -work.bias()[j];
     }
     double omega = settings.frequency();
     for (int row = 0; row < offset.length; row++) {

@@ -28,9 +28,7 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
    */
   public ProjectionModel(ClosedMechanism closed, UserForceSource userForces) {
     super(closed, userForces);
-    completion =
-        new Completion(
-            work.motion, work.loops, work.coordinates, work.units, closed.rank(), this::note);
+    completion = new Completion(work, closed.rank(), this::note);
     projected = new ProjectedMotion(work.nv, completion.ofVelocities());
     if (!completion.begin(closed.startTime(), closed.start())) {
       throw new IllegalStateException("the loops have fewer independent equations than counted");
@@ -93,33 +91,43 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
     completion.restore(state, work.stateLength());
   }
 
-  /** Places a state, forms R and evaluates the forces. */
-  final int begin(double t, double[] y) {
+  /** Returns whether the motion goes on from the last accepted state. */
+  final boolean goesOn() {
     if (broken.isPresent()) {
-      return fail(broken.get());
+      fail(broken.get());
     }
-    work.place(t, y);
+    return broken.isEmpty();
+  }
+
+  /** Forms R at the state last placed. */
+  final int formDirections() {
     if (!completion.ofVelocities().factor(work.loops.jacobian, work.loops.width())) {
       return fail(completion.locked());
     }
     projected.formTransformation(work.loops.jacobian, work.loops.width());
-    return work.applyForces(t) ? REGULAR : fail(work.forces.defect());
+    return REGULAR;
   }
 
   @Override
   public final int derivative(double t, double[] y, double[] yDot) {
-    int begun = begin(t, y);
+    if (!goesOn()) {
+      return DEFECT;
+    }
+    work.placeEquations(t, y);
+    int begun = formDirections();
     if (begun != REGULAR) {
       return begun;
     }
+    if (!work.formBias(t)) {
+      return fail(work.forces.defect());
+    }
     work.formMass();
-    work.formBias(t);
     int singular = projected.reduce(work.mass);
     if (singular != ProjectedMotion.REGULAR) {
       return closed.jointOfVelocity(singular);
     }
     work.coordinates.rates(y, 0, y, work.nq, yDot, 0);
-    projected.accelerations(work.mass, work.open.bias(), work.loops.acceleration, yDot, work.nq);
+    projected.accelerations(work.mass, work.bias(), work.loops.acceleration, yDot, work.nq);
     return REGULAR;
   }
 }

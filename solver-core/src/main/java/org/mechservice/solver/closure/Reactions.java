@@ -2,6 +2,7 @@ package org.mechservice.solver.closure;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.mechservice.solver.api.Defects.Defect;
 import org.mechservice.solver.dynamics.JointReactions;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 
@@ -102,10 +103,9 @@ public final class Reactions {
    */
   public boolean evaluate(double t, double[] y, double[] a, int aAt) {
     work.place(t, y);
-    if (!work.applyForces(t)) {
+    if (!work.formResidual(t, a, aAt, residual)) {
       return false;
     }
-    work.formResidual(a, aAt, residual);
     jacobian.decompose();
     jacobian.multipliers(jacobian.rank(rank), residual, multipliers);
     System.arraycopy(work.wrench, 0, loads, 0, loads.length);
@@ -116,6 +116,11 @@ public final class Reactions {
       cuts[i].write(work.motion, multipliers, onCutJoints, 6 * i);
     }
     return true;
+  }
+
+  /** Returns why the last {@link #evaluate} had no value. */
+  Defect defect() {
+    return work.forces.defect();
   }
 
   /**

@@ -215,11 +215,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   /** M v' + b − τ without the loops; returns false if a force has no value. */
   private boolean formForce(double t, double[] y, double[] yDot) {
     work.place(t, y);
-    if (!work.applyForces(t)) {
-      return false;
-    }
-    work.formResidual(yDot, work.nq, force);
-    return true;
+    return work.formResidual(t, yDot, work.nq, force);
   }
 
   /** x += factor Jᵀ λ, or factor U² Jᵀ λ. */
@@ -249,6 +245,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
         fail(work.forces.defect());
         return false;
       }
+      work.sweepForDerivatives(t, yDot, work.nq, force);
       for (int row = 0; row < m; row++) {
         lambda[row] = isRepeated[row] ? 0 : y[atLambda + row] / work.loops.size(row);
       }
@@ -357,9 +354,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     for (int i = 0; i < moved.length; i++) {
       moved[i] = state[i] + r[i];
     }
-    work.motion.sweep(time, moved);
-    work.loops.place(work.motion, time);
-    work.loops.move(work.motion, time);
+    work.placeRates(time, moved);
     double rounding = RATE_ROUNDING * work.units.speed(moved, work.nq);
     for (int row = 0; row < m; row++) {
       ofVelocity[row] =

@@ -29,7 +29,11 @@ public class ResidualProjectionModel extends ProjectionModel implements Residual
 
   /** Places a state and evaluates M v' + b − τ for the independent ones of given derivatives. */
   final int evaluate(double t, double[] y, double[] yDot) {
-    int begun = begin(t, y);
+    if (!goesOn()) {
+      return DEFECT;
+    }
+    work.place(t, y);
+    int begun = formDirections();
     if (begun != REGULAR) {
       return begun;
     }
@@ -37,8 +41,7 @@ public class ResidualProjectionModel extends ProjectionModel implements Residual
     projected.formOffset(work.loops.acceleration);
     System.arraycopy(yDot, work.nq, acceleration, 0, work.nv);
     projected.compose(acceleration, 0);
-    work.formResidual(acceleration, 0, force);
-    return REGULAR;
+    return work.formResidual(t, acceleration, 0, force) ? REGULAR : fail(work.forces.defect());
   }
 
   /** {@inheritDoc} Places of dependent components are set to zero. */

@@ -7,6 +7,7 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.closure.LoopTerms;
 import org.mechservice.solver.dynamics.StateEvents;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -115,6 +116,16 @@ public record CompactModel(
    */
   public Model model(UserForceSource userForces) {
     return watched(DataDriven.model(this, userForces));
+  }
+
+  /**
+   * Returns the equations of motion of a mechanism with loops, their terms evaluated by code.
+   *
+   * @param userForces makes the forces that users have written
+   * @param code for this model alone
+   */
+  public Model model(UserForceSource userForces, LoopTerms code) {
+    return watched(DataDriven.coded(this, userForces, code));
   }
 
   /** Returns a model of the mechanism with the mechanism's events. */

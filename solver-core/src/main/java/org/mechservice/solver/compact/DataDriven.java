@@ -4,6 +4,7 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.closure.LinearisedProjectionModel;
+import org.mechservice.solver.closure.LoopTerms;
 import org.mechservice.solver.closure.PenaltyModel;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.closure.ProjectionModel;
@@ -29,7 +30,16 @@ final class DataDriven {
     RunSettings settings = model.settings();
     return mechanism.closures().isEmpty()
         ? open(model.formulation(), mechanism, settings, userForces)
-        : closed(model, userForces);
+        : closed(closed(model), model, userForces);
+  }
+
+  /** Returns a model of a mechanism with loops whose equations code evaluates. */
+  static Model coded(CompactModel model, UserForceSource userForces, LoopTerms code) {
+    return closed(closed(model).evaluatedBy(code), model, userForces);
+  }
+
+  private static ClosedMechanism closed(CompactModel model) {
+    return new ClosedMechanism(model.mechanism(), model.formulation(), model.settings());
   }
 
   private static Model open(
@@ -45,9 +55,8 @@ final class DataDriven {
     };
   }
 
-  private static Model closed(CompactModel model, UserForceSource userForces) {
-    ClosedMechanism closed =
-        new ClosedMechanism(model.mechanism(), model.formulation(), model.settings());
+  private static Model closed(
+      ClosedMechanism closed, CompactModel model, UserForceSource userForces) {
     return PenaltySettings.isPenalty(model.closure())
         ? byPenalty(closed, model, userForces)
         : byProjection(closed, model.formulation(), userForces);

@@ -167,9 +167,8 @@ class LoopIterationTest {
     step[j] = h;
     work.coordinates.move(moved, 0, step, 0, 1);
     work.place(0, moved);
-    assertThat(work.applyForces(0)).isTrue();
     double[] force = new double[work.tree.velocityCount];
-    work.formResidual(a, 0, force);
+    assertThat(work.formResidual(0, a, 0, force)).isTrue();
     for (int row = 0; row < lambda.length; row++) {
       for (int k = 0; k < work.nv; k++) {
         force[k] += lambda[row] * work.loops.jacobian[row * work.loops.width() + k];

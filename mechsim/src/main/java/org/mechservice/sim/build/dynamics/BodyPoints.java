@@ -24,12 +24,17 @@ final class BodyPoints {
 
   /** Returns a point from the link's computing origin, in its computing axes, m. */
   ScalarVector inLink(BodyPoint point) {
+    return ScalarVector.of(expressions, place(mechanism, point));
+  }
+
+  /** Returns the same as numbers. */
+  static Vector3 place(Links mechanism, BodyPoint point) {
     if (point.body() == BodyPoint.ROOT) {
-      return ScalarVector.of(expressions, point.position());
+      return point.position();
     }
     BodyPlace place = mechanism.bodies().get(point.body());
     Vector3 r = ComputingAxes.inFrame(place.toFrame(), point.position());
-    return ScalarVector.of(expressions, place.origin().plus(r));
+    return place.origin().plus(r);
   }
 
   /** Returns a constant rotation from axes fixed in a body to the link's computing axes. */

@@ -1,5 +1,6 @@
 package org.mechservice.sim.build.dynamics;
 
+import java.util.List;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarMatrix;
 import org.mechservice.sim.symbolic.ScalarVector;
@@ -70,6 +71,38 @@ final class FrameMotion {
     ScalarVector second = fromLink2(kinematics.velocityAt(link2, r2));
     ScalarVector carried = kinematics.velocityAt(link1, r1.plus(between));
     return inFrame1(second.minus(carried));
+  }
+
+  /**
+   * Returns the second derivative of the displacement for an observer on body 1, m/s², while the
+   * joints accelerate as swept: ρ'' = a_2 − a_1(r_2) − 2 ω_1 × ρ'.
+   */
+  ScalarVector acceleration(ForceSweep sweep) {
+    ScalarVector second = fromLink2(sweep.motion(link2).accelerationAt(r2));
+    ScalarVector carried = sweep.motion(link1).accelerationAt(r1.plus(between));
+    ScalarVector omega = inFrame1(kinematics.omega(link1));
+    ScalarVector turned = omega.cross(rate()).map(c -> c.times(2));
+    return inFrame1(second.minus(carried)).minus(turned);
+  }
+
+  /** Returns the derivative of the relative angular velocity for that observer, rad/s². */
+  ScalarVector alpha(ForceSweep sweep) {
+    ScalarVector second = fromLink2(sweep.motion(link2).alpha());
+    ScalarVector omega = inFrame1(kinematics.omega(link1));
+    return inFrame1(second.minus(sweep.motion(link1).alpha())).minus(omega.cross(omega()));
+  }
+
+  /** Adds to a row what a force and a moment as in {@link #addWrench} are along velocities. */
+  void addRow(ScalarVector force, ScalarVector moment, VelocityRows rows, Scalar[] row) {
+    Loads loads = new Loads(force.x().expressions(), kinematics.mechanism());
+    addWrench(force, moment, loads);
+    if (link1 != link2) {
+      for (int link : List.of(link1, link2)) {
+        if (link != Links.ROOT) {
+          rows.add(link, ancestor, loads.on(link), row);
+        }
+      }
+    }
   }
 
   /**

@@ -1,10 +1,8 @@
 package org.mechservice.sim.build.dynamics;
 
 import java.util.List;
-import java.util.stream.IntStream;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarMatrix;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
@@ -17,6 +15,7 @@ final class JointColumns {
   private final Coordinates coordinates;
   private final LinkKinematics kinematics;
   private final ForceSweep sweep;
+  private final JointSubspace subspace;
 
   /**
    * @param sweep swept with accelerations
@@ -30,6 +29,7 @@ final class JointColumns {
     this.coordinates = coordinates;
     this.kinematics = kinematics;
     this.sweep = sweep;
+    this.subspace = new JointSubspace(expressions, coordinates);
   }
 
   /**
@@ -49,28 +49,14 @@ final class JointColumns {
 
   /** Returns S of each velocity of a link, as the state tells them. */
   List<Twist> subspace(Link link) {
-    ScalarVector none = ScalarVector.zero(expressions);
-    if (link.isBall()) {
-      ScalarMatrix toState = coordinates.ballRotation(link);
-      return IntStream.range(0, 3)
-          .mapToObj(c -> new Twist(link.inverse() ? along(c, -1) : toState.row(c), none))
-          .toList();
-    }
-    return List.of(new Twist(link.turns() ? along(2, 1) : none, along(2, link.way())));
-  }
-
-  private ScalarVector along(int axis, double size) {
-    Scalar zero = expressions.zero();
-    Scalar length = expressions.constant(size);
-    return new ScalarVector(
-        axis == 0 ? length : zero, axis == 1 ? length : zero, axis == 2 ? length : zero);
+    return subspace.of(link);
   }
 
   /** Returns the columns of a link's velocities. */
   List<Column> of(Link link) {
     Twist velocity = velocityOfParent(link);
     Twist acceleration = accelerationOfParent(link);
-    return subspace(link).stream().map(s -> column(link, s, velocity, acceleration)).toList();
+    return subspace.of(link).stream().map(s -> column(link, s, velocity, acceleration)).toList();
   }
 
   private Column column(Link link, Twist s, Twist velocity, Twist acceleration) {

@@ -57,6 +57,12 @@ final class JointLinks {
     return surplus(coordinate) > 0 && coordinate.component() < 3;
   }
 
+  /** Returns the link that a position with a velocity of its own belongs to. */
+  Link link(JointCoordinate position) {
+    JointCoordinate velocity = velocityOf(position);
+    return scalarLink(velocity.joint(), velocity.component());
+  }
+
   private Link scalarLink(int joint, int component) {
     return mechanism.links().get(scalarIndex(joint, component));
   }

@@ -19,15 +19,20 @@ final class JointValues {
    * @param ofLink of each link the values of its freedoms, at the axes they have
    */
   void putOut(ScalarVector[] ofLink, Program program) {
+    putOut(ofLink, program, 0);
+  }
+
+  /** The same, all places moved by {@code shift}. */
+  void putOut(ScalarVector[] ofLink, Program program, int shift) {
     for (int i = 0; i < ofLink.length; i++) {
       Link link = mechanism.links().get(i);
       if (link.isBall()) {
         ScalarVector values = coordinates.ballToState(link, ofLink[i]);
         for (int k = 0; k < 3; k++) {
-          program.output(link.velocity() + k, values.at(k));
+          program.output(shift + link.velocity() + k, values.at(k));
         }
       } else if (!link.isDriven()) {
-        program.output(link.velocity(), ofLink[i].z());
+        program.output(shift + link.velocity(), ofLink[i].z());
       }
     }
   }

@@ -89,6 +89,35 @@ public record Link(
     return !axes.turns().isEmpty();
   }
 
+  /** Returns the link with more mass fixed in it. */
+  Link carrying(RigidGroups.MassProperties more) {
+    RigidGroups.MassProperties all =
+        new RigidGroups.MassProperties(mass, centerOfMass, inertia).plus(more);
+    return new Link(
+        parent,
+        kind,
+        joint,
+        stateJoint,
+        component,
+        position,
+        velocity,
+        motion,
+        way,
+        inverse,
+        offset,
+        axes,
+        frame,
+        zeroRotation,
+        axis,
+        all.mass(),
+        all.center(),
+        all.inertia(),
+        initialPosition,
+        bodyLabel,
+        jointLabel,
+        title);
+  }
+
   /** Returns the link's own tensor of inertia about its computing origin, kg·m². */
   InertiaTensor inertiaAtOrigin() {
     return RigidGroups.about(mass, centerOfMass, inertia);

@@ -33,6 +33,11 @@ final class LinkKinematics {
     this.velocity = new ScalarVector[links.size()];
   }
 
+  /** Returns what it is about. */
+  Links mechanism() {
+    return mechanism;
+  }
+
   /** Returns a vector of zeros. */
   ScalarVector zero() {
     return ScalarVector.zero(expressions);

@@ -33,6 +33,12 @@ public record Links(
     bodies = List.copyOf(bodies);
   }
 
+  /** Returns the same with other links in the places of these. */
+  Links with(List<Link> others) {
+    return new Links(
+        mechanism, others, bodies, positionCount, velocityCount, gravity, fixedMass, fixedCenter);
+  }
+
   /** Chooses the computing frames of a mechanism. */
   public static Links of(Mechanism mechanism) {
     return new LinkLayout(mechanism).links();

@@ -6,6 +6,7 @@ import java.util.stream.Collectors;
 import org.mechservice.solver.analysis.ExtendedSource;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.closure.LoopTerms;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.compact.CompactSource;
 import org.mechservice.solver.dynamics.UserForcedModel;
@@ -88,14 +89,16 @@ public record CompactClass(
     if (!generated.isEmpty()) {
       source.line("@Override");
       source.open("protected Object bare(CompactModel data, UserForceSource userForces)");
-      if (hasUserForces()) {
+      String given = hasParameters() ? "data.parameterValues()" : "";
+      if (hasLoops()) {
+        source.line("return data.model(userForces, new " + generated + "(" + given + "));");
+      } else if (hasUserForces()) {
         source.line("double[] p = UserForcedModel.inputs(data.mechanism());");
         source.line(
             "return data.watched(UserForcedModel.of(new "
                 + generated
                 + "(p), p, data.mechanism(), userForces));");
       } else {
-        String given = hasParameters() ? "data.parameterValues()" : "";
         source.line("return data.watched(new " + generated + "(" + given + "));");
       }
       source.close().blank();
@@ -144,6 +147,11 @@ public record CompactClass(
     return file.toByteArray();
   }
 
+  /** Of a model with loops the class beside has the terms of its equations alone. */
+  private boolean hasLoops() {
+    return !model.mechanism().closures().isEmpty();
+  }
+
   private boolean hasUserForces() {
     return ModelClass.hasUserForces(model.mechanism());
   }
@@ -170,6 +178,16 @@ public record CompactClass(
     MethodVisitor code = ClassMethods.begin(file, Opcodes.ACC_PROTECTED, "bare", BARE);
     String data = Type.getInternalName(CompactModel.class);
     String model = Type.getDescriptor(Model.class);
+    if (hasLoops()) {
+      code.visitVarInsn(Opcodes.ALOAD, 1);
+      code.visitVarInsn(Opcodes.ALOAD, 2);
+      unforced(code, data);
+      String given =
+          Type.getDescriptor(UserForceSource.class) + Type.getDescriptor(LoopTerms.class);
+      code.visitMethodInsn(Opcodes.INVOKEVIRTUAL, data, "model", "(" + given + ")" + model, false);
+      ClassMethods.end(code, Opcodes.ARETURN);
+      return;
+    }
     if (hasUserForces()) {
       forced(code, data);
     } else {
@@ -207,7 +225,7 @@ public record CompactClass(
         false);
   }
 
-  /** Pushes the generated model. */
+  /** Pushes what was generated, above what is there. */
   private void unforced(MethodVisitor code, String data) {
     code.visitTypeInsn(Opcodes.NEW, internal(generated));
     code.visitInsn(Opcodes.DUP);

@@ -59,10 +59,11 @@ final class ModelBytes {
     }
     plan.directedForces().ifPresent(this::directedForce);
     classFile.visitEnd();
-    return checked();
+    return checked(classFile, plan.simpleName());
   }
 
-  private byte[] checked() {
+  /** Returns the bytes of a class that is not too large. */
+  static byte[] checked(ClassWriter classFile, String simpleName) {
     try {
       byte[] bytes = classFile.toByteArray();
       MethodSizes.requireCompilable(bytes);
@@ -71,7 +72,7 @@ final class ModelBytes {
       throw new ModelBuildException(
           "S-085",
           "the generated class "
-              + plan.simpleName()
+              + simpleName
               + " is too large for a class file ("
               + e.getConstantPoolCount()
               + " constants, the limit is 65535); use fewer bodies");

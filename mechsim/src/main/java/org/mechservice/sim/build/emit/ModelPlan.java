@@ -250,8 +250,13 @@ public final class ModelPlan implements WrittenClass {
 
   /** Returns the solver's classes whose functions are called, internal names in order. */
   SortedSet<String> functionOwners() {
+    return functionOwners(all());
+  }
+
+  /** Returns the same of some programs. */
+  static SortedSet<String> functionOwners(List<Part> parts) {
     SortedSet<String> owners = new TreeSet<>();
-    for (Part part : all()) {
+    for (Part part : parts) {
       int[] uses = part.plan().program().uses();
       for (int id = 0; id < uses.length; id++) {
         Scalar node = part.plan().program().expressions().node(id);

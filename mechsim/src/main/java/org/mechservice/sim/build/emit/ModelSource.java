@@ -16,7 +16,7 @@ import org.mechservice.solver.api.RunSettings;
  * method, array or constant that the scene does not need.
  */
 final class ModelSource {
-  private static final String LEGEND =
+  static final String LEGEND =
       "Names: omega, alpha, a: angular velocity, angular acceleration and acceleration of the"
           + " origin of a body's computing frame; W: alpha x + omega x omega x; f, n: force and"
           + " moment the body needs, all while no joint accelerates. J, H, M: articulated inertia;"

@@ -27,6 +27,7 @@ public final class ModelCompiler {
           "org.mechservice.solver.dynamics",
           "org.mechservice.solver.spatial",
           "org.mechservice.solver.expression",
+          "org.mechservice.solver.closure",
           "org.mechservice.solver.integration",
           "org.mechservice.solver.standalone");
 

@@ -5,9 +5,17 @@ package org.mechservice.solver.kinematics.pair;
  * coordinate. Its value as a position is not defined.
  */
 final class AngularVelocityComponent extends PairFunction {
+  private final int axis;
+
   AngularVelocityComponent(String label, int axis) {
     super(label);
+    this.axis = axis;
     gradient[axis] = 1;
+  }
+
+  @Override
+  public <T> T as(PairForms<T> forms) {
+    return forms.angularVelocity(axis);
   }
 
   @Override

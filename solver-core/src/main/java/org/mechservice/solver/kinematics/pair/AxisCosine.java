@@ -14,6 +14,11 @@ final class AxisCosine extends PairFunction {
   }
 
   @Override
+  public <T> T as(PairForms<T> forms) {
+    return forms.axisCosine(product.axes, atZero);
+  }
+
+  @Override
   public double evaluate(RelativeMotion r) {
     double value = product.evaluate(r) - atZero;
     System.arraycopy(product.gradient, 0, gradient, 0, 3);

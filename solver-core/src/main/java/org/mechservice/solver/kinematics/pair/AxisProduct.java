@@ -8,6 +8,9 @@ import org.mechservice.solver.spatial.Vector3;
 
 /** β = x · R y of a vector x fixed in A and a vector y fixed in B: the stuff of all angles. */
 final class AxisProduct {
+  /** x and y. */
+  final AxisPair axes;
+
   private final double[] x;
   private final double[] y;
 
@@ -20,6 +23,7 @@ final class AxisProduct {
   private double value;
 
   AxisProduct(Vector3 inA, Vector3 inB) {
+    axes = new AxisPair(inA, inB);
     x = new double[] {inA.x(), inA.y(), inA.z()};
     y = new double[] {inB.x(), inB.y(), inB.z()};
   }

@@ -19,6 +19,8 @@ import org.mechservice.solver.spatial.Rotation;
  */
 public final class CutJoint {
   private final Joint joint;
+  private final BodyPoint point1;
+  private final BodyPoint point2;
   private final RelativeMotion relative;
   private final JointFunctions functions;
 
@@ -26,13 +28,12 @@ public final class CutJoint {
   public CutJoint(TreeGeometry tree, Joint joint) {
     this.joint = joint;
     Attachment at = joint.attachment();
+    boolean backwards = runsBackwards(joint);
     BodyPoint parent = new BodyPoint(at.parent(), at.parentPoint());
     BodyPoint child = new BodyPoint(at.child(), at.childPoint());
-    boolean backwards = runsBackwards(joint);
-    relative =
-        backwards
-            ? new RelativeMotion(tree, child, parent)
-            : new RelativeMotion(tree, parent, child);
+    point1 = backwards ? child : parent;
+    point2 = backwards ? parent : child;
+    relative = new RelativeMotion(tree, point1, point2);
     Rotation zero = backwards ? at.zeroRotation().transposed() : at.zeroRotation();
     functions = JointFunctions.of(joint, zero);
   }
@@ -48,6 +49,16 @@ public final class CutJoint {
   /** Returns the joint. */
   public Joint joint() {
     return joint;
+  }
+
+  /** Returns the joint's point on the file's body 1. */
+  public BodyPoint point1() {
+    return point1;
+  }
+
+  /** Returns the joint's point on the file's body 2. */
+  public BodyPoint point2() {
+    return point2;
   }
 
   /** Returns the motion of the file's body 2 as seen from its body 1. */

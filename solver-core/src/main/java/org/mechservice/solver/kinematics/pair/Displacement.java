@@ -5,12 +5,19 @@ import org.mechservice.solver.spatial.Vector3;
 
 /** How far B's point lies from A's point along a vector fixed in A. */
 final class Displacement extends PairFunction {
+  private final Vector3 direction;
   private final double[] axis;
 
   Displacement(String label, Vector3 axis) {
     super(label);
+    direction = axis;
     this.axis = new double[] {axis.x(), axis.y(), axis.z()};
     System.arraycopy(this.axis, 0, gradient, 3, 3);
+  }
+
+  @Override
+  public <T> T as(PairForms<T> forms) {
+    return forms.displacement(direction);
   }
 
   @Override

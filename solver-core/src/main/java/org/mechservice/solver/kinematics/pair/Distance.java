@@ -15,6 +15,11 @@ final class Distance extends PairFunction {
   }
 
   @Override
+  public <T> T as(PairForms<T> forms) {
+    return forms.distance(distance);
+  }
+
+  @Override
   public double evaluate(RelativeMotion r) {
     for (int i = 0; i < 3; i++) {
       gradient[3 + i] = r.position[i] / distance;

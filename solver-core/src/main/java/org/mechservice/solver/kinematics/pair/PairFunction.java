@@ -59,6 +59,9 @@ public abstract class PairFunction {
     return label;
   }
 
+  /** Returns what the function becomes for those who evaluate it in another way. */
+  public abstract <T> T as(PairForms<T> forms);
+
   /** Returns the value at a pose, rad or m, and keeps the gradient. */
   public abstract double evaluate(RelativeMotion r);
 

@@ -20,6 +20,11 @@ final class ScrewGap extends PairFunction {
   }
 
   @Override
+  public <T> T as(PairForms<T> forms) {
+    return forms.screwGap(displacement.as(forms), turn.as(forms), pitch);
+  }
+
+  @Override
   public double evaluate(RelativeMotion r) {
     double gap = displacement.evaluate(r) - pitch * turn.evaluate(r);
     for (int i = 0; i < 6; i++) {

@@ -1,5 +1,7 @@
 package org.mechservice.solver.kinematics.pair;
 
+import java.util.Arrays;
+import java.util.List;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
@@ -54,6 +56,15 @@ final class Tilt extends PairFunction {
         new AxisProduct[] {
           new AxisProduct(a[0], b[0]), new AxisProduct(a[1], b[1]), new AxisProduct(a[2], b[2])
         });
+  }
+
+  @Override
+  public <T> T as(PairForms<T> forms) {
+    return forms.tilt(axes(above), Arrays.stream(sign).boxed().toList(), axes(below));
+  }
+
+  private static List<AxisPair> axes(AxisProduct[] products) {
+    return Arrays.stream(products).map(product -> product.axes).toList();
   }
 
   @Override

@@ -22,6 +22,11 @@ final class Turn extends PairFunction {
   }
 
   @Override
+  public <T> T as(PairForms<T> forms) {
+    return forms.turn(sine.axes, cosine.axes, sense);
+  }
+
+  @Override
   public double evaluate(RelativeMotion r) {
     s = sine.evaluate(r);
     c = cosine.evaluate(r);

@@ -1,0 +1,61 @@
+package org.mechservice.sim.build;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.sim.build.dynamics.Links;
+import org.mechservice.sim.build.dynamics.LoopCode;
+import org.mechservice.sim.build.emit.TermsClass;
+import org.mechservice.sim.scene.FormulationChoice;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.closure.LoopEquations;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/**
+ * The terms of a model with loops, derived: what is expensive and its own, while the solver closes
+ * the loops.
+ */
+final class LoopTermsClass {
+  private LoopTermsClass() {}
+
+  /** Derives the programs that a formulation needs. */
+  static TermsClass derive(Links links, FormulationChoice choice) {
+    Mechanism mechanism = links.mechanism();
+    int rows = new LoopEquations(new TreeGeometry(mechanism)).count();
+    Program loops = LoopCode.loops(links, rows);
+    Program equations = LoopCode.equations(links, rows);
+    Optional<TermsClass.OfResidual> ofResidual =
+        choice.formulation().startsWith("RR")
+            ? Optional.of(
+                new TermsClass.OfResidual(LoopCode.offset(links, rows), LoopCode.residual(links)))
+            : Optional.empty();
+    return new TermsClass(
+        mechanism.name(),
+        !mechanism.parameters().isEmpty(),
+        links.positionCount() + links.velocityCount(),
+        loops,
+        equations,
+        ofResidual,
+        notes(choice, loops, equations, ofResidual));
+  }
+
+  private static List<String> notes(
+      FormulationChoice choice,
+      Program loops,
+      Program equations,
+      Optional<TermsClass.OfResidual> ofResidual) {
+    List<String> notes = new ArrayList<>();
+    notes.add("Formulation " + choice.formulation() + " (" + choice.reason() + ").");
+    notes.add(
+        equations.operationCount()
+            + " additions, multiplications and divisions give the terms of the equations of"
+            + " motion, "
+            + loops.operationCount()
+            + " those of the loops alone.");
+    ofResidual.ifPresent(
+        programs ->
+            notes.add(programs.residual().operationCount() + " give the residual of the tree."));
+    return notes;
+  }
+}

@@ -1,0 +1,34 @@
+package org.mechservice.sim.build.emit;
+
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.sim.symbolic.Program;
+
+/**
+ * What the class of the terms of a model with loops contains ({@link
+ * org.mechservice.solver.closure.LoopTerms}).
+ *
+ * @param modelName the model's name in its file
+ * @param hasParameters whether the class is given the values of parameters
+ * @param stateCount number of states [q; v]
+ * @param loops program of the method of that name
+ * @param equations program of the method of that name
+ * @param ofResidual programs of the recursive residual, if the formulation has one
+ * @param notes further paragraphs of the class comment, for people
+ */
+public record TermsClass(
+    String modelName,
+    boolean hasParameters,
+    int stateCount,
+    Program loops,
+    Program equations,
+    Optional<OfResidual> ofResidual,
+    List<String> notes) {
+  /**
+   * Programs of the recursive residual.
+   *
+   * @param offset program of the method of that name
+   * @param residual program of the method of that name
+   */
+  public record OfResidual(Program offset, Program residual) {}
+}

@@ -1,0 +1,147 @@
+package org.mechservice.sim.build;
+
+import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.OptionalDouble;
+import java.util.Random;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Named;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ResidualModel;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/**
+ * How far code for a mechanism with loops differs from the same closures driven by data: largest
+ * differences over the largest element, nothing where there is no value.
+ *
+ * @param projection accelerations by projection where the loops are closed, at the start
+ * @param reduced residual by projection there
+ * @param penalty accelerations by penalty at a random state: Φ and Φ' push
+ * @param residual of the stabilised equations there, with random multipliers
+ */
+record LoopAgreement(
+    OptionalDouble projection,
+    OptionalDouble reduced,
+    OptionalDouble penalty,
+    OptionalDouble residual) {
+  /** Other operations in another order: rounding times depth and condition. */
+  static final double PROJECTION = 1e-9;
+
+  /** The penalty, 1e7 times the inertia, costs as many digits where equations repeat others. */
+  static final double PENALTY = 1e-7;
+
+  /** Nothing is solved for but γ̂. */
+  static final double REDUCED = 1e-10;
+
+  /** Nothing is solved for: rounding times depth. */
+  static final double RESIDUAL = 1e-12;
+
+  private static final double TIME = 0.4;
+
+  static BuildOptions options(String formulation, String closure, boolean compact) {
+    String integrator = formulation.startsWith("RR") ? "ode15sR" : "DE";
+    RunSettings settings = new RunSettings(0, 3, 0.01, integrator, 1e-5, 1e-5);
+    return new BuildOptions(
+        formulation, closure, compact, EnumSet.of(ColumnGroup.ENERGY), settings);
+  }
+
+  /** Returns mechanisms with loops that close, in the order of their seeds. */
+  static Stream<Named<Mechanism>> scenes() {
+    return IntStream.iterate(1, seed -> seed + 1)
+        .mapToObj(seed -> Named.of("seed " + seed, scene(seed)))
+        .filter(scene -> closes(scene.getPayload()));
+  }
+
+  static Mechanism scene(int seed) {
+    int bodies = 2 + seed % 6;
+    Mechanism tree =
+        seed % 3 == 0
+            ? RandomTrees.driven(seed, bodies)
+            : seed % 3 == 1
+                ? RandomTrees.ofAllJoints(seed, bodies)
+                : RandomTrees.tree(seed, bodies);
+    Mechanism forced = seed % 2 == 0 ? tree : RandomForces.on(tree, seed);
+    return RandomLoops.on(forced, seed, 1 + seed % 2);
+  }
+
+  private static boolean closes(Mechanism mechanism) {
+    return new ClosedMechanism(mechanism, "DSR", Scenes.SETTINGS).isAssembled();
+  }
+
+  static <T> T code(Mechanism mechanism, String formulation, String closure, Class<T> type) {
+    return model(Scenes.model(mechanism), options(formulation, closure, false), type);
+  }
+
+  static <T> T data(Mechanism mechanism, String formulation, String closure, Class<T> type) {
+    return model(Scenes.model(mechanism), options(formulation, closure, true), type);
+  }
+
+  static <T> T model(MechmlModel file, BuildOptions options, Class<T> type) {
+    GeneratedModel generated = ModelFactory.generate(file, options);
+    if (generated.formulationReason().contains("compact form") != options.compact()) {
+      throw new IllegalStateException(generated.formulationReason());
+    }
+    return type.cast(ModelFactory.compile(file, options, generated).newInstance());
+  }
+
+  static LoopAgreement of(Mechanism mechanism) {
+    ResidualModel data = data(mechanism, "RR", "projection", ResidualModel.class);
+    ResidualModel code = code(mechanism, "RR", "projection", ResidualModel.class);
+    double[] closed = new double[data.description().stateCount()];
+    data.initialState(closed);
+    double[] open = RandomTrees.state(3, mechanism);
+    return new LoopAgreement(
+        accelerations(data, code, 0, closed),
+        residuals(data, code, 0, closed),
+        accelerations(
+            data(mechanism, "DSR", "penalty", ExplicitModel.class),
+            code(mechanism, "DSR", "penalty", ExplicitModel.class),
+            TIME,
+            open),
+        residuals(
+            data(mechanism, "RR", "penalty", ResidualModel.class),
+            code(mechanism, "RR", "penalty", ResidualModel.class),
+            TIME,
+            open));
+  }
+
+  private static OptionalDouble accelerations(
+      ExplicitModel data, ExplicitModel code, double t, double[] y) {
+    double[] expected = new double[y.length];
+    double[] actual = new double[y.length];
+    int result = data.derivative(t, y, expected);
+    return compared(result, code.derivative(t, y, actual), actual, expected);
+  }
+
+  /** Of states followed by multipliers, if the equations have some. */
+  private static OptionalDouble residuals(
+      ResidualModel data, ResidualModel code, double t, double[] states) {
+    double[] y = new Random(5).doubles(data.unknownCount(), -2, 2).toArray();
+    System.arraycopy(states, 0, y, 0, states.length);
+    double[] rates = new Random(7).doubles(y.length, -2, 2).toArray();
+    double[] expected = new double[y.length];
+    double[] actual = new double[y.length];
+    int result = data.residual(t, y, rates, expected);
+    return compared(result, code.residual(t, y, rates, actual), actual, expected);
+  }
+
+  private static OptionalDouble compared(
+      int expectedResult, int result, double[] actual, double[] expected) {
+    if (result != expectedResult) {
+      return OptionalDouble.of(Double.POSITIVE_INFINITY);
+    } else if (result != ExplicitModel.REGULAR) {
+      return OptionalDouble.empty();
+    }
+    double scale = Arrays.stream(expected).map(Math::abs).max().orElse(0);
+    double difference = 0;
+    for (int i = 0; i < expected.length; i++) {
+      difference = Math.max(difference, Math.abs(actual[i] - expected[i]));
+    }
+    return OptionalDouble.of(difference == 0 ? 0 : difference / scale);
+  }
+}

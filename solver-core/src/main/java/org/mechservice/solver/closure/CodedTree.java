@@ -1,0 +1,165 @@
+package org.mechservice.solver.closure;
+
+import java.util.Arrays;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.force.UserForceSource;
+
+/**
+ * The equations of a mechanism with loops, evaluated by code that was written for it. The data
+ * serve what is asked for seldom: energies, reactions, derivatives, and the reason where a force
+ * has no direction.
+ *
+ * <p>Nothing counts whole turns here: code is written only where neither a force nor a relation
+ * depends on coordinates of cut joints.
+ */
+final class CodedTree extends ClosedTree {
+  private final LoopTerms terms;
+  private final UserForceSource userForces;
+  private final int m;
+  private final double[] values;
+  private final double[] bias;
+
+  /** Accelerations and residual of the state's velocities alone. */
+  private final double[] acceleration;
+
+  private final double[] residual;
+
+  /** Time and state of the last placement. */
+  private double time;
+
+  private final double[] state;
+
+  /** What the equations returned there, and whether they were evaluated there. */
+  private int result;
+
+  private boolean formed;
+
+  CodedTree(ClosedMechanism closed, UserForceSource userForces, LoopTerms terms) {
+    super(closed.tree(), userForces);
+    this.terms = terms;
+    this.userForces = userForces;
+    m = loops.count();
+    values = new double[LoopTerms.count(m, nv)];
+    bias = new double[nv];
+    acceleration = new double[nv];
+    residual = new double[nv];
+    state = closed.start();
+    // rows have learned here what they measure
+    placeData(closed.startTime(), state);
+  }
+
+  @Override
+  ClosedTree ofData() {
+    return new ClosedTree(tree, userForces);
+  }
+
+  private void remember(double t, double[] y) {
+    time = t;
+    System.arraycopy(y, 0, state, 0, state.length);
+  }
+
+  @Override
+  void placeLoops(double t, double[] y) {
+    place(t, y);
+  }
+
+  @Override
+  void placeRates(double t, double[] y) {
+    place(t, y);
+  }
+
+  @Override
+  void place(double t, double[] y) {
+    remember(t, y);
+    formed = false;
+    terms.loops(t, y, values);
+    loops.take(values, nv);
+  }
+
+  @Override
+  void placeEquations(double t, double[] y) {
+    remember(t, y);
+    form();
+    loops.take(values, nv);
+  }
+
+  private void form() {
+    result = terms.equations(time, state, values);
+    formed = true;
+    System.arraycopy(values, LoopTerms.offsetAt(m, nv), loops.acceleration, 0, m);
+    System.arraycopy(values, LoopTerms.biasAt(m, nv), bias, 0, nv);
+    takeMass(LoopTerms.massAt(m, nv));
+  }
+
+  private void takeMass(int at) {
+    for (int i = 0; i < nv; i++) {
+      for (int j = 0; j <= i; j++) {
+        double element = values[at + i * nv + j];
+        mass[i * nv + j] = element;
+        mass[j * nv + i] = element;
+      }
+    }
+  }
+
+  /** {@inheritDoc} They do not depend on the forces, which may have no direction. */
+  @Override
+  void formMass() {
+    if (!formed) {
+      form();
+    }
+    if (result != ExplicitModel.REGULAR) {
+      motion.sweep(time, state);
+      super.formMass();
+    }
+  }
+
+  @Override
+  boolean formBias(double t) {
+    if (result == ExplicitModel.REGULAR) {
+      return true;
+    }
+    // the data know the reason, or, at the very limit, the value
+    placeData(time, state);
+    boolean regular = super.formBias(t);
+    System.arraycopy(super.bias(), 0, bias, 0, nv);
+    return regular;
+  }
+
+  @Override
+  double[] bias() {
+    return bias;
+  }
+
+  @Override
+  void formGamma(double t) {
+    ofResidual().offset(t, state, values);
+    System.arraycopy(values, LoopTerms.offsetAt(m, nv), loops.acceleration, 0, m);
+  }
+
+  private LoopTerms.OfResidual ofResidual() {
+    return (LoopTerms.OfResidual) terms;
+  }
+
+  @Override
+  boolean formResidual(double t, double[] a, int aAt, double[] target) {
+    System.arraycopy(a, aAt, acceleration, 0, nv);
+    if (ofResidual().residual(t, state, acceleration, residual) != ExplicitModel.REGULAR) {
+      placeData(t, state);
+      return super.formResidual(t, a, aAt, target);
+    }
+    Arrays.fill(target, 0);
+    System.arraycopy(residual, 0, target, 0, nv);
+    return true;
+  }
+
+  @Override
+  void sweepForDerivatives(double t, double[] a, int aAt, double[] target) {
+    placeData(t, state);
+    super.formResidual(t, a, aAt, target);
+  }
+
+  @Override
+  void accepted(double t) {
+    // Nothing counts on from an accepted state.
+  }
+}

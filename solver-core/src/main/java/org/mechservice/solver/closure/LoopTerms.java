@@ -1,0 +1,101 @@
+package org.mechservice.solver.closure;
+
+import org.mechservice.solver.api.ExplicitModel;
+
+/**
+ * The terms of the equations of one mechanism with loops, M v' + b + Jᵀ λ = τ and Φ(q, t) = 0, as
+ * code written for it; how they are solved is left to the closure. Workspace of one thread.
+ *
+ * <p>With m equations of the loops in the order of {@link LoopEquations} and n velocities of the
+ * state, terms stand in one array, one after the other:
+ *
+ * <ul>
+ *   <li>Φ, m numbers, m or rad;
+ *   <li>Φ' = J v + Φ_t, m numbers;
+ *   <li>J by the velocities of the state, m × n row by row;
+ *   <li>the sizes of what the equations measure, m numbers, of those of which the size changes; 0
+ *       for the others;
+ *   <li>γ, m numbers: Φ'' while no joint accelerates but the driven ones;
+ *   <li>b − τ, n numbers, N·m or N;
+ *   <li>M, n × n row by row, of which only the lower triangle and the diagonal are used.
+ * </ul>
+ *
+ * <p>What is zero in every state need not be written.
+ */
+public interface LoopTerms {
+  /** What {@link #equations} returns where all forces have values. */
+  int REGULAR = ExplicitModel.REGULAR;
+
+  /** Returns where J begins. */
+  static int jacobianAt(int m) {
+    return 2 * m;
+  }
+
+  /** Returns where the sizes begin. */
+  static int sizeAt(int m, int n) {
+    return jacobianAt(m) + m * n;
+  }
+
+  /** Returns where γ begins. */
+  static int offsetAt(int m, int n) {
+    return sizeAt(m, n) + m;
+  }
+
+  /** Returns where b − τ begins. */
+  static int biasAt(int m, int n) {
+    return offsetAt(m, n) + m;
+  }
+
+  /** Returns where M begins. */
+  static int massAt(int m, int n) {
+    return biasAt(m, n) + n;
+  }
+
+  /** Returns how many numbers all terms are. */
+  static int count(int m, int n) {
+    return massAt(m, n) + n * n;
+  }
+
+  /**
+   * Writes Φ, Φ', J and the sizes.
+   *
+   * @param t time, s
+   * @param y state [q; v]; need not close the loops; not modified
+   * @param terms overwritten
+   */
+  void loops(double t, double[] y, double[] terms);
+
+  /**
+   * Writes all terms.
+   *
+   * @param t time, s
+   * @param y state [q; v]; not modified
+   * @param terms overwritten
+   * @return {@link #REGULAR}, or what a force returns that has no direction ({@link
+   *     org.mechservice.solver.api.DirectedForces})
+   */
+  int equations(double t, double[] y, double[] terms);
+
+  /** Terms of the recursive residual besides. */
+  interface OfResidual extends LoopTerms {
+    /**
+     * Writes γ.
+     *
+     * @param t time, s
+     * @param y state [q; v]; not modified
+     * @param terms overwritten
+     */
+    void offset(double t, double[] y, double[] terms);
+
+    /**
+     * Writes M v' + b − τ.
+     *
+     * @param t time, s
+     * @param y state [q; v]; not modified
+     * @param a accelerations v', n numbers, rad/s² or m/s²; not modified
+     * @param residual n numbers, N·m or N; overwritten
+     * @return as {@link #equations}
+     */
+    int residual(double t, double[] y, double[] a, double[] residual);
+  }
+}
