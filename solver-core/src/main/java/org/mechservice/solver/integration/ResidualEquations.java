@@ -1,6 +1,7 @@
 package org.mechservice.solver.integration;
 
 import org.mechservice.solver.integration.IntegrationFailure.Cause;
+import org.mechservice.solver.integration.IntegratorSettings.Mode;
 
 /**
  * The equations of a step for F(t, y, y') = 0. The formulas give y' = (ψ + d) / hγ at the new
@@ -20,6 +21,9 @@ final class ResidualEquations extends StepEquations {
   private final Residual residual;
   private final ResidualLinearisation linearisation;
   private final ConsistentStart start;
+
+  /** Whether both derivatives are formed every time. */
+  private boolean asPublished;
 
   /** A small change of a component over a step, relative to its size. */
   private final double smallMove;
@@ -122,6 +126,16 @@ final class ResidualEquations extends StepEquations {
   @Override
   Attempt formDerivatives(double t, double[] y) {
     return linearisation.form(t, y, slope);
+  }
+
+  @Override
+  boolean formsMatrix() {
+    return !asPublished && linearisation.formsMatrix();
+  }
+
+  @Override
+  Attempt formMatrix(double t, double[] y, double hGamma) {
+    return linearisation.formMatrix(t, y, slope, hGamma);
   }
 
   @Override
@@ -265,8 +279,14 @@ final class ResidualEquations extends StepEquations {
   }
 
   @Override
-  IterationRules sparingRules() {
-    return IterationRules.LEARNING;
+  double fastestMotion() {
+    return Double.POSITIVE_INFINITY;
+  }
+
+  @Override
+  IterationRules rules(Mode mode) {
+    asPublished = mode == Mode.FAITHFUL;
+    return asPublished ? IterationRules.PUBLISHED : IterationRules.LEARNING;
   }
 
   @Override
