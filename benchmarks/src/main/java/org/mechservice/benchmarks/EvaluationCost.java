@@ -78,8 +78,8 @@ public final class EvaluationCost {
     line("");
     line(
         "Driven by data: DTR and DSR give y', RR the residual; of RR-JF `jacobian` is the analytic"
-            + " Jacobian and its factors, `iteration` one residual and one solution. `generated` is"
-            + " y' by the code generated for the scene.");
+            + " Jacobian, `factorisation` its factors, `iteration` one residual and one solution."
+            + " `generated` is the same evaluation by the code generated for the scene.");
     line("");
     line("| scene | what | ns | +- | bytes |");
     line("|---|---|---|---|---|");
@@ -135,7 +135,9 @@ public final class EvaluationCost {
 
   private static String what(RunResult result) {
     String name = result.getParams().getBenchmark();
-    return name.contains("GeneratedCode") ? "generated" : name.substring(name.lastIndexOf('.') + 1);
+    return name.contains("GeneratedCode")
+        ? "generated " + result.getParams().getParam("formulation")
+        : name.substring(name.lastIndexOf('.') + 1);
   }
 
   private static String times(RunResult result) {
@@ -153,12 +155,16 @@ public final class EvaluationCost {
     bytes.put("dsr", allocated(evaluations::dsr));
     bytes.put("rr", allocated(evaluations::rr));
     bytes.put("jacobian", allocated(evaluations::jacobian));
+    bytes.put("factorisation", allocated(evaluations::factorisation));
     bytes.put("iteration", allocated(evaluations::iteration));
     if (!scene.startsWith("chain")) {
-      GeneratedCode generated = new GeneratedCode();
-      generated.scene = scene;
-      generated.prepare();
-      bytes.put("generated", allocated(generated::derivative));
+      for (String formulation : List.of("DTR", "DSR", "RR", "RR-JF")) {
+        GeneratedCode generated = new GeneratedCode();
+        generated.scene = scene;
+        generated.formulation = formulation;
+        generated.prepare();
+        bytes.put("generated " + formulation, allocated(generated::evaluation));
+      }
     }
     return bytes;
   }

@@ -23,7 +23,7 @@ public class PeerEvaluations extends Measured {
   /** Generates and loads. */
   @Setup
   public void prepare() {
-    model = (ExplicitModel) Scenes.generated(Scenes.named(scene));
+    model = (ExplicitModel) Scenes.generated(Scenes.named(scene), "DTR");
     y = new double[model.description().stateCount()];
     yDot = new double[y.length];
     model.initialState(y);

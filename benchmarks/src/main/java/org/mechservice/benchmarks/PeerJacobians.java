@@ -25,7 +25,7 @@ public class PeerJacobians extends Measured {
   /** Generates and loads. */
   @Setup
   public void prepare() {
-    TreeStepModel made = (TreeStepModel) Scenes.linearised(Scenes.named(scene));
+    TreeStepModel made = (TreeStepModel) Scenes.generated(Scenes.named(scene), "RR-JF");
     int states = made.description().stateCount();
     y = new double[states];
     yDot = new double[states];

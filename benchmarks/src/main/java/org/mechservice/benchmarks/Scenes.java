@@ -67,19 +67,18 @@ final class Scenes {
     }
   }
 
-  /** Returns the code generated for a scene, at work. */
-  static Model generated(MechmlModel scene) {
-    return generated(scene, "DTR", SETTINGS);
-  }
-
-  /** Returns the same in RR-JF. */
-  static Model linearised(MechmlModel scene) {
-    return generated(scene, "RR-JF", new RunSettings(0, 1, 0.1, "ode15sR", 1e-6, 1e-6));
-  }
-
-  private static Model generated(MechmlModel scene, String formulation, RunSettings settings) {
-    BuildOptions options = new BuildOptions(formulation, Set.of(), settings);
+  /** Returns the code generated for a scene in a formulation, at work. */
+  static Model generated(MechmlModel scene, String formulation) {
+    BuildOptions options = options(formulation);
     return ModelFactory.compile(scene, options, ModelFactory.generate(scene, options))
         .newInstance();
+  }
+
+  /** Returns how a model is built in a formulation, with an integrator that goes with it. */
+  static BuildOptions options(String formulation) {
+    boolean explicit = formulation.startsWith("D");
+    RunSettings settings =
+        explicit ? SETTINGS : new RunSettings(0, 1, 0.1, "ode15sR", 1e-6, 1e-6);
+    return new BuildOptions(formulation, Set.of(), settings);
   }
 }

@@ -65,6 +65,7 @@ class BenchmarksTest {
       assertThat(composite[i] - articulated[i]).isCloseTo(0, within(largest));
     }
     assertThat(evaluations.jacobian()).isTrue();
+    assertThat(evaluations.factorisation()).isTrue();
     for (double residual : evaluations.rr()) {
       assertThat(residual).isCloseTo(0, within(largest));
     }
@@ -74,12 +75,37 @@ class BenchmarksTest {
     return Offset.offset(1e-8 * (1 + largest));
   }
 
-  @Test
-  void generatedCodeIsMeasuredAtTheScenesStart() {
+  @ValueSource(strings = {"DTR", "DSR", "RR", "RR-JF"})
+  @ParameterizedTest
+  void generatedCodeIsMeasuredAtTheScenesStart(String formulation) {
     GeneratedCode generated = new GeneratedCode();
     generated.scene = "pendulum";
+    generated.formulation = formulation;
     generated.prepare();
-    assertThat(generated.derivative()).hasSize(10).doesNotContain(Double.NaN);
+    assertThat(generated.evaluation()).hasSize(10).doesNotContain(Double.NaN);
+  }
+
+  @ValueSource(strings = {"DTR", "DSR", "RR", "RR-JF"})
+  @ParameterizedTest
+  void modelIsReadGeneratedAndCompiledInItsFormulation(String formulation) {
+    ModelBuilding building = new ModelBuilding();
+    building.scene = "pendulum";
+    building.formulation = formulation;
+    building.prepare();
+    assertThat(building.reading().mechanism().joints()).hasSize(5);
+    assertThat(building.generation().formulation()).isEqualTo(formulation);
+    assertThat(building.compilation().description().stateCount()).isEqualTo(10);
+  }
+
+  @Test
+  void jacobiansAndFactorsOfAnImplicitStepAreThere() {
+    ImplicitSteps steps = new ImplicitSteps();
+    steps.scene = "pendulum";
+    steps.prepare();
+    assertThat(steps.jacobianAlongTheTree()).isTrue();
+    assertThat(steps.factorsAlongTheTree()).isTrue();
+    assertThat(steps.jacobianByDifferences()).hasSize(100).doesNotContain(Double.NaN);
+    assertThat(steps.factorsOfDenseMatrix()).isNegative();
   }
 
   @ValueSource(strings = {"pend5", "pend5s", "driver41"})

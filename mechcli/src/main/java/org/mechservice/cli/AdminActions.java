@@ -92,7 +92,10 @@ final class AdminActions {
   /** {@code mech admin drain}. */
   @Command(
       name = "drain",
-      description = "Lets a host or server finish what runs and take nothing new.")
+      description = {
+        "Lets a host or server take nothing new; what runs moves to other hosts or finishes.",
+        "A server is emptied together with the host in its process; other hosts by their names."
+      })
   static final class Drain extends Acting {
     @Parameters(
         arity = "0..1",

@@ -3,18 +3,13 @@ package org.mechservice.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.Callable;
 import org.mechservice.client.JarCache;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.ReattachedRun;
 import org.mechservice.client.RunResult;
 import org.mechservice.client.ServiceException;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.standalone.JsonText;
-import org.mechservice.solver.standalone.ReportText;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -70,40 +65,23 @@ final class FetchCommand implements Callable<Integer> {
   }
 
   private int fetch(ReattachedRun run, ResultFiles files) throws IOException {
+    PrintWriter err = spec.commandLine().getErr();
+    if (!run.id().equals(id)) {
+      err.println(
+          "S-117 run "
+              + id
+              + " has moved and is "
+              + run.id()
+              + " now; the rows before its move were handed to its client, those since then"
+              + " are fetched");
+    }
     RunResult result;
     try {
       result = run.toEnd(files);
     } catch (ServiceException e) {
-      boolean kept = files.rows() > 0 && files.keep().isPresent();
-      String where = kept ? "; rows up to " + files.reached() + " are in " + files : "";
-      err().println(e.getMessage() + where);
+      err.println(e.getMessage() + RunEnd.keptRows(files));
       return ExitStatus.SERVER;
     }
-    Map<String, Object> report = new LinkedHashMap<>(result.report());
-    if (files.rows() > 0) {
-      files.keep().ifPresent(hash -> report.put("resultsSha256", hash));
-    }
-    PrintWriter terminal = spec.commandLine().getOut();
-    if (json) {
-      terminal.println(JsonText.write(report));
-    } else if (!quiet) {
-      terminal.print(ReportText.format(report));
-    }
-    return tell(result.outcome(), files);
-  }
-
-  private int tell(Outcome outcome, ResultFiles files) {
-    if (outcome instanceof Outcome.Failed failed) {
-      err().println(failed.failure().message() + files.whereRowsAre());
-      return ExitStatus.SIMULATION_FAILED;
-    } else if (outcome instanceof Outcome.Stopped) {
-      err().println("S-045 the run was stopped at " + files.reached() + "." + files.whereRowsAre());
-      return ExitStatus.INTERRUPTED;
-    }
-    return ExitStatus.DONE;
-  }
-
-  private PrintWriter err() {
-    return spec.commandLine().getErr();
+    return new RunEnd(spec.commandLine().getOut(), err, json, quiet).tell(result, files);
   }
 }

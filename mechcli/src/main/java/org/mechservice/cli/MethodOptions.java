@@ -44,7 +44,7 @@ final class MethodOptions {
       hideParamSyntax = true,
       description =
           "Columns of the results besides time and joints: joints, accelerations, bodies, energy,"
-              + " constraints, reactions, forces, outputs, separated by commas, or all.")
+              + " constraints, reactions, forces, outputs, momentum, separated by commas, or all.")
   private List<String> columns = List.of();
 
   /** Returns the options given with these added. */

@@ -9,6 +9,7 @@ import java.util.concurrent.Callable;
 import org.mechservice.client.MechSession;
 import org.mechservice.report.ModelReport;
 import org.mechservice.report.measure.Effort;
+import org.mechservice.report.measure.Rerun;
 import org.mechservice.report.paper.PaperReport;
 import org.mechservice.report.suite.SuiteReport;
 import picocli.CommandLine.Command;
@@ -30,10 +31,9 @@ final class ReportCommand implements Callable<Integer> {
 
   @Option(
       names = {"-o", "--output"},
-      required = true,
       paramLabel = "DIR",
       description = "Folder for the pages; a report that was interrupted is taken up again there.")
-  private Path folder = Path.of("");
+  private Optional<Path> output = Optional.empty();
 
   @Option(
       names = "--quick",
@@ -51,31 +51,52 @@ final class ReportCommand implements Callable<Integer> {
       description = "Measure the integrators alone, on problems with verified solutions.")
   private boolean suite;
 
+  @Option(
+      names = "--compare",
+      arity = "2",
+      paramLabel = "RUNS.csv",
+      description = "Compare the runs of two reports of one scene: is the second within noise?")
+  private List<Path> compared = List.of();
+
   @Mixin private ServerOption server = new ServerOption();
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
   public Integer call() throws IOException, InterruptedException {
+    if (!compared.isEmpty()) {
+      return compare();
+    }
     if (models.isEmpty() && paper.isEmpty() && !suite) {
       throw new UsageException(
-          "S-041 report: name a model, --paper with the scenes' folder, or --suite");
+          "S-041 report: name a model, --paper with the scenes' folder, --suite, or --compare with"
+              + " two files");
     }
+    Path folder =
+        output.orElseThrow(
+            () -> new UsageException("S-041 report: name the folder for the pages, -o DIR"));
     if (suite) {
       try (ProgressLine line = new ProgressLine(spec.commandLine().getErr())) {
         tell(new SuiteReport(quick, line).write(folder));
       }
     }
     if (!models.isEmpty() || paper.isPresent()) {
-      reportModels();
+      reportModels(folder);
     }
     return ExitStatus.DONE;
   }
 
-  private void reportModels() throws IOException, InterruptedException {
+  private int compare() throws IOException {
+    Rerun rerun = Rerun.of(compared.get(0), compared.get(1));
+    rerun.lines().forEach(spec.commandLine().getOut()::println);
+    spec.commandLine().getOut().flush();
+    return rerun.agrees() ? ExitStatus.DONE : ExitStatus.SIMULATION_FAILED;
+  }
+
+  private void reportModels(Path folder) throws IOException, InterruptedException {
     try (Service service = Service.open(server)) {
       for (Path model : models) {
-        report(service, model);
+        report(service, model, folder);
       }
       if (paper.isPresent()) {
         try (ProgressLine line = new ProgressLine(spec.commandLine().getErr())) {
@@ -85,7 +106,8 @@ final class ReportCommand implements Callable<Integer> {
     }
   }
 
-  private void report(Service service, Path model) throws IOException, InterruptedException {
+  private void report(Service service, Path model, Path folder)
+      throws IOException, InterruptedException {
     PrintWriter err = spec.commandLine().getErr();
     Effort effort = quick ? Effort.QUICK : Effort.FULL;
     try (MechSession session = service.connection().openSession();

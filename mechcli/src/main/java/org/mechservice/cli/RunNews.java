@@ -2,7 +2,9 @@ package org.mechservice.cli;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.mechservice.client.LocalRun;
 import org.mechservice.client.ModelMessage;
@@ -12,9 +14,20 @@ import org.mechservice.client.RunProgress;
 
 /** What is known of a run while it goes on: told by the server, or asked of the local run. */
 final class RunNews implements RunListener {
+  /** What is said of a run whose host is being emptied. */
+  private static final Set<String> OF_MOVES = Set.of("S-116", "S-117");
+
+  private final Consumer<ModelMessage> moves;
   private final List<ModelMessage> warnings = new CopyOnWriteArrayList<>();
   private volatile Optional<RunProgress> told = Optional.empty();
   private volatile Supplier<Optional<RunProgress>> latest = () -> told;
+
+  /**
+   * @param moves hears at once where the run goes on
+   */
+  RunNews(Consumer<ModelMessage> moves) {
+    this.moves = moves;
+  }
 
   /** Follows a local run, which tells nothing by itself. */
   PreparedRun watch(LocalRun run) {
@@ -29,6 +42,7 @@ final class RunNews implements RunListener {
 
   @Override
   public void onMessages(List<ModelMessage> messages) {
+    messages.stream().filter(message -> OF_MOVES.contains(message.code())).forEach(moves);
     messages.stream()
         .filter(message -> message.severity() == ModelMessage.Severity.WARNING)
         .forEach(warnings::add);

@@ -3,9 +3,7 @@ package org.mechservice.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.mechservice.client.CheckpointStore;
@@ -16,9 +14,6 @@ import org.mechservice.client.RemoteRun;
 import org.mechservice.client.RunResult;
 import org.mechservice.client.ServiceException;
 import org.mechservice.client.SimulationOptions;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.standalone.JsonText;
-import org.mechservice.solver.standalone.ReportText;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -103,7 +98,7 @@ final class SimulateCommand implements Callable<Integer> {
       if (!quiet && !strict) {
         warnings.forEach(warning -> err().println(warning));
       }
-      RunNews news = new RunNews();
+      RunNews news = new RunNews(this::tellMove);
       try (PreparedRun run = prepare(session, options, news);
           ResultFiles files = ResultFiles.open(out)) {
         interrupt.cancels(run);
@@ -117,6 +112,14 @@ final class SimulateCommand implements Callable<Integer> {
   private void tellIdentity(PreparedRun run) {
     if (run instanceof RemoteRun remote && !server.address().isEmpty() && !quiet && !json) {
       err().println("simulation " + remote.id());
+      err().flush();
+    }
+  }
+
+  /** A run that has moved has a new identity. */
+  private void tellMove(ModelMessage message) {
+    if (!quiet && !json) {
+      err().println(message);
       err().flush();
     }
   }
@@ -144,46 +147,15 @@ final class SimulateCommand implements Callable<Integer> {
     } catch (ServiceException e) {
       int status = FailureReport.status(e);
       // Rows that came before a server was lost are good; what bad input left is not.
-      err().println(e.getMessage() + (status == ExitStatus.SERVER ? keptRows(files) : ""));
+      err().println(e.getMessage() + (status == ExitStatus.SERVER ? RunEnd.keptRows(files) : ""));
       return status;
     } finally {
       display.close();
     }
-    Map<String, Object> report = new LinkedHashMap<>(result.report());
-    if (files.rows() > 0) {
-      files.keep().ifPresent(hash -> report.put("resultsSha256", hash));
-    }
-    print(report, news);
-    return tell(result.outcome(), files);
-  }
-
-  /** Keeps the rows that came before the end, and says where. */
-  private static String keptRows(ResultFiles files) throws IOException {
-    boolean kept = files.rows() > 0 && files.keep().isPresent();
-    return kept ? "; rows up to " + files.reached() + " are in " + files : "";
-  }
-
-  /** Prints the report now: after an interrupt the process ends as soon as the run is closed. */
-  private void print(Map<String, Object> report, RunNews news) {
-    PrintWriter out = spec.commandLine().getOut();
-    if (json) {
-      out.println(JsonText.write(report));
-    } else if (!quiet) {
+    if (!json && !quiet) {
       news.warnings().forEach(warning -> err().println(warning));
-      out.print(ReportText.format(report));
     }
-    out.flush();
-  }
-
-  private int tell(Outcome outcome, ResultFiles files) {
-    if (outcome instanceof Outcome.Failed failed) {
-      err().println(failed.failure().message() + files.whereRowsAre());
-      return ExitStatus.SIMULATION_FAILED;
-    } else if (outcome instanceof Outcome.Stopped) {
-      err().println("S-045 stopped on request at " + files.reached() + "." + files.whereRowsAre());
-      return ExitStatus.INTERRUPTED;
-    }
-    return ExitStatus.DONE;
+    return new RunEnd(spec.commandLine().getOut(), err(), json, quiet).tell(result, files);
   }
 
   private PrintWriter err() {

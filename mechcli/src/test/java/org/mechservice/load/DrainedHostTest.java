@@ -1,6 +1,7 @@
 package org.mechservice.load;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.ByteBuffer;
 import java.security.MessageDigest;
@@ -17,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.ModelMessage;
+import org.mechservice.client.ReattachedRun;
 import org.mechservice.client.RemoteRun;
 import org.mechservice.client.RunListener;
 import org.mechservice.client.RunResult;
@@ -224,6 +226,82 @@ class DrainedHostTest {
     assertThat(running("a")).isZero();
     run.close();
     assertThat(digest.bits.digest()).isEqualTo(undisturbed(session("b"), digest.rows()));
+  }
+
+  @Test
+  void runThatHasMovedIsFoundUnderTheIdItHad() throws Exception {
+    host("a", 1);
+    host("b", 2);
+    RemoteRun run = opened(session("a").prepareRemoteRun(LONG, news));
+    run.start();
+    String before = run.id();
+    admin.drain("a");
+    followUntilMoved(run);
+
+    assertThat(run.id()).isNotEqualTo(before);
+    MechConnection other = opened(MechConnection.open(server.url()));
+    try (ReattachedRun found = other.reattach(before)) {
+      assertThat(found.id()).isEqualTo(run.id());
+    }
+    run.close();
+  }
+
+  private void followUntilMoved(RemoteRun run) {
+    while (!news.has("S-117")) {
+      run.nextRow(Duration.ofMillis(50));
+    }
+  }
+
+  private MechServerProcess another(String name) {
+    return opened(MechServerProcess.start(new ServerSettings(name, "127.0.0.1", 0, 1)));
+  }
+
+  @Test
+  void runsOfAServerThatIsEmptiedGoOnAtAnotherThatTheirClientKnows() throws Exception {
+    MechServerProcess first = another("first");
+    MechServerProcess second = another("second");
+    MechAdmin ofFirst = opened(ServiceOrb.client()).connectAdmin(first.url());
+    MechConnection both = opened(MechConnection.open(first.url() + "," + second.url()));
+    MechSession session = opened(both.openSession());
+    session.loadModel(Runs.PENDULUM);
+    RemoteRun run = opened(session.prepareRemoteRun(LONG, news));
+    Watch watch = new Watch(run, () -> ofFirst.drain(""), news, "S-117");
+    String before = run.id();
+    RunResult result = run.toEnd(watch);
+
+    assertThat(result.report().get("where"))
+        .asString()
+        .matches("remote, host second from t=.* s on, before on host first");
+    try (ReattachedRun found = both.reattach(before)) {
+      assertThat(found.id()).isEqualTo(run.id());
+    }
+    ofFirst.undrain("");
+    assertThat(watch.digest.bits.digest()).isEqualTo(undisturbed(session, watch.digest.rows()));
+  }
+
+  @Test
+  void runsOfAServerThatIsEmptiedStayAndSaySoIfTheirClientKnowsNoOther() throws Exception {
+    MechServerProcess only = another("only");
+    MechAdmin ofOnly = opened(ServiceOrb.client()).connectAdmin(only.url());
+    MechSession session = opened(opened(MechConnection.open(only.url())).openSession());
+    session.loadModel(Runs.PENDULUM);
+    RemoteRun run = opened(session.prepareRemoteRun(LONG, news));
+    RunResult result = run.toEnd(new Watch(run, () -> ofOnly.drain(""), news, "S-116"));
+
+    assertThat(result.report().get("where")).isEqualTo("remote, host only");
+    assertThat(news.text("S-116"))
+        .contains("finishes on host only", "server only is being emptied and takes no new");
+  }
+
+  /** It is a process of its own, may serve other servers, and outlives this one. */
+  @Test
+  void hostOfAServerThatIsEmptiedKeepsItsRuns() throws Exception {
+    host("a", 1);
+    admin.drain("");
+    assertThat(admin.listHosts()[0].load.draining).isFalse();
+    assertThatThrownBy(() -> session("a")).hasMessageContaining("is being emptied");
+    admin.undrain("");
+    assertThat(session("a").hostName()).isEqualTo("a");
   }
 
   @Test

@@ -166,6 +166,14 @@ final class Relay implements AutoCloseable {
     cut = true;
   }
 
+  /** Ends the connections there are, of which both sides are told; new ones pass. */
+  void cutConnections() throws IOException {
+    for (Socket socket : sockets) {
+      socket.close();
+    }
+    sockets.removeIf(Socket::isClosed);
+  }
+
   /** Lets new connections pass again; those that were cut stay so. */
   void mend() throws IOException {
     for (Socket socket : sockets) {

@@ -135,21 +135,63 @@ public final class MechConnection implements AutoCloseable {
       server = servers.instead(server, e);
       session = createSession(server, hostName);
     }
-    return new MechSession(this, callsTo(session, server), session, connectSeconds + watch.lap());
+    return opened(server, session, connectSeconds + watch.lap());
+  }
+
+  private MechSession opened(ServerChoice.Chosen server, MechSim session, double seconds) {
+    return new MechSession(this, callsTo(session, server), server.description(), session, seconds);
   }
 
   /**
-   * Takes up a run again by its id, on whichever host it is: one that goes on, or that has ended
-   * and is kept.
+   * Opens a session for a run that leaves its host: at the server that is used or, if that has no
+   * room or is lost, at the next of those this connection knows.
+   *
+   * @throws ServiceException if none has room; what the first one said
+   */
+  MechSession openSessionAnywhere() {
+    Stopwatch watch = new Stopwatch();
+    ServerChoice.Chosen first = servers.chosen();
+    try {
+      return opened(first, createSession(first, ""), watch.lap());
+    } catch (LimitExceededException | ServerLostException refused) {
+      for (ServerChoice.Chosen next : servers.others(first)) {
+        try {
+          return opened(next, createSession(next, ""), watch.lap());
+        } catch (LimitExceededException | ServerLostException e) {
+          refused.addSuppressed(e);
+        }
+      }
+      throw refused;
+    }
+  }
+
+  /**
+   * Takes up a run again by its id, on whichever host of whichever server it is: one that goes on,
+   * or that has ended and is kept. A run that has moved is found by the ids it had, too.
    *
    * @param simId the run's {@linkplain RemoteRun#id identity}
    * @throws NotFoundException if there is no such run, or not any more
    * @throws LimitExceededException if the host takes no more sessions
    */
   public ReattachedRun reattach(String simId) {
-    ServerChoice.Chosen server = servers.chosen();
+    ServerChoice.Chosen first = servers.chosen();
+    try {
+      return reattached(first, simId);
+    } catch (NotFoundException notThere) {
+      for (ServerChoice.Chosen next : servers.others(first)) {
+        try {
+          return reattached(next, simId);
+        } catch (NotFoundException | ServerLostException e) {
+          notThere.addSuppressed(e);
+        }
+      }
+      throw notThere;
+    }
+  }
+
+  private ReattachedRun reattached(ServerChoice.Chosen server, String simId) {
     IMechSimRemote found = server.calls().get(() -> server.server().findSimulation(simId));
-    return new ReattachedRun(simId, callsTo(found, server), leases, found);
+    return new ReattachedRun(callsTo(found, server), leases, found);
   }
 
   /**

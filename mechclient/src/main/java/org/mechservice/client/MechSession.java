@@ -18,6 +18,7 @@ import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NameValueSeqHolder;
+import org.mechservice.idl.OPT_CONTINUES;
 import org.mechservice.idl.RunSetUp;
 import org.mechservice.idl.RuntimeInfo;
 
@@ -28,6 +29,7 @@ import org.mechservice.idl.RuntimeInfo;
 public final class MechSession implements AutoCloseable {
   private final RemoteCalls calls;
   private final MechConnection connection;
+  private final ServiceDescription service;
   private final MechSim session;
   private final LeaseRenewal.Hold hold;
   private final double openSeconds;
@@ -39,9 +41,19 @@ public final class MechSession implements AutoCloseable {
   /** What the session has cost the server when a run was set up last. */
   private ServerTimes soFar = ServerTimes.NONE;
 
-  MechSession(MechConnection connection, RemoteCalls calls, MechSim session, double openSeconds) {
+  /**
+   * @param service the server that opened it
+   * @param openSeconds what opening it took, s
+   */
+  MechSession(
+      MechConnection connection,
+      RemoteCalls calls,
+      ServiceDescription service,
+      MechSim session,
+      double openSeconds) {
     this.connection = connection;
     this.calls = calls;
+    this.service = service;
     this.session = session;
     this.openSeconds = openSeconds;
     hold = connection.leases().hold(session);
@@ -177,7 +189,7 @@ public final class MechSession implements AutoCloseable {
   }
 
   private boolean setsUpInOneCall() {
-    return connection.service().setsUpInOneCall();
+    return service.setsUpInOneCall();
   }
 
   private RemoteRun createRun(
@@ -185,19 +197,26 @@ public final class MechSession implements AutoCloseable {
     ModelFile model = modelLoaded;
     ModelFile[] classes = classesLoaded;
     return new RemoteRun(
-        place(options, callback), () -> elsewhere(model, classes, options, callback), listener);
+        place(options, callback),
+        earlierIds -> elsewhere(model, classes, options, callback, earlierIds),
+        listener);
   }
 
-  /** Sets a run up in a session of its own, on whichever host has room. */
+  /** Sets a run up in a session of its own, on whichever host of whichever server has room. */
   private RunPlace elsewhere(
       ModelFile model,
       ModelFile[] classes,
       SimulationOptions options,
-      @Nullable IMechClient callback) {
-    MechSession other = connection.openSession();
+      @Nullable IMechClient callback,
+      List<String> earlierIds) {
+    MechSession other = connection.openSessionAnywhere();
     try {
       other.load(model, classes);
-      return other.place(options, callback).endingWith(other);
+      SimulationOptions named =
+          other.service.findsMovedRuns()
+              ? options.with(OPT_CONTINUES.value, String.join(",", earlierIds))
+              : options;
+      return other.place(named, callback).endingWith(other);
     } catch (ServiceException e) {
       other.close();
       throw e;
@@ -256,7 +275,7 @@ public final class MechSession implements AutoCloseable {
     Map<String, Object> facts = new LinkedHashMap<>();
     facts.put("modelSha256", factOf(said, "modelSha256"));
     facts.put("formulationReason", factOf(said, "formulationReason"));
-    facts.put("serverVersion", connection.service().version());
+    facts.put("serverVersion", service.version());
     return facts;
   }
 
@@ -383,7 +402,7 @@ public final class MechSession implements AutoCloseable {
     Map<String, Object> facts = new LinkedHashMap<>();
     facts.put("modelSha256", model.sha256());
     facts.put("formulationReason", model.formulationReason());
-    facts.put("serverVersion", connection.service().version());
+    facts.put("serverVersion", service.version());
     return facts;
   }
 

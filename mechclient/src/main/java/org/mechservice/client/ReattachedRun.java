@@ -26,15 +26,15 @@ public final class ReattachedRun implements AutoCloseable {
   private final LeaseRenewal.Hold hold;
   private final RowCursor rows;
 
-  ReattachedRun(String id, RemoteCalls calls, LeaseRenewal leases, IMechSimRemote simulation) {
-    this.id = id;
+  ReattachedRun(RemoteCalls calls, LeaseRenewal leases, IMechSimRemote simulation) {
     this.calls = calls;
+    id = calls.get(simulation::simId);
     this.simulation = simulation;
     rows = RowCursor.open(calls, leases, simulation);
     hold = leases.hold(simulation);
   }
 
-  /** Returns the run's identity at the server. */
+  /** Returns the run's identity at the server, another than it was found by if it has moved. */
   public String id() {
     return id;
   }

@@ -2,6 +2,7 @@ package org.mechservice.client;
 
 import java.io.IOException;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -42,6 +43,7 @@ public final class RemoteRun implements PreparedRun {
   private final Consumer<ModelMessage> listener;
   private final Map<String, String> parameters = new LinkedHashMap<>();
   private final Map<String, Object> facts;
+  private final List<String> earlierIds = new ArrayList<>();
   private Optional<String> moved = Optional.empty();
 
   /** Where the run is; only the thread that takes the rows changes it. */
@@ -72,7 +74,10 @@ public final class RemoteRun implements PreparedRun {
     notice = new DrainNotice(place);
   }
 
-  /** Returns the simulation's identity at the server; a run that has moved has a new one. */
+  /**
+   * Returns the simulation's identity at the server; a run that has moved has a new one, and is
+   * found under those it had, too.
+   */
   public String id() {
     return place.id();
   }
@@ -210,7 +215,9 @@ public final class RemoteRun implements PreparedRun {
       return;
     }
     try {
-      RunPlace to = elsewhere.open();
+      List<String> ids = new ArrayList<>(earlierIds);
+      ids.add(id());
+      RunPlace to = elsewhere.open(ids);
       try {
         move = RunMove.begin(place, to, parameters, until);
       } finally {
@@ -239,6 +246,7 @@ public final class RemoteRun implements PreparedRun {
       return;
     }
     takenElsewhere += from.rows().taken();
+    earlierIds.add(from.id());
     place = arriving.to();
     notice = new DrainNotice(place);
     from.close();

@@ -17,6 +17,9 @@ import org.mechservice.solver.api.Variable;
 
 /** Pulls the rows of a remote run, in order and none twice. */
 final class RowCursor implements AutoCloseable {
+  /** Before a connection that was cut is tried again, ms; after the last, the server is lost. */
+  private static final long[] PAUSES_MILLIS = {0, 200, 800};
+
   private final RemoteCalls calls;
   private final ResultCursor cursor;
   private final LeaseRenewal.Hold hold;
@@ -86,9 +89,7 @@ final class RowCursor implements AutoCloseable {
   }
 
   private ResultBlock pull(int maxRows, int waitMillis) {
-    ResultBlockHolder holder = new ResultBlockHolder();
-    calls.get(() -> cursor.nextBlock(maxRows, waitMillis, holder));
-    ResultBlock block = holder.value;
+    ResultBlock block = pulled(maxRows, waitMillis);
     boolean fits =
         block.values.length == (long) block.rowCount * columns.size()
             && (block.rowCount == 0 || block.firstRow == taken);
@@ -111,6 +112,44 @@ final class RowCursor implements AutoCloseable {
     taken += block.rowCount;
     ended = block.endOfData;
     return block;
+  }
+
+  /**
+   * Pulls a block, over a new connection if the present one is cut. A block that was under way then
+   * is lost and the server's cursor behind it, so this goes back to the first row not taken.
+   */
+  private ResultBlock pulled(int maxRows, int waitMillis) {
+    try {
+      return nextBlock(maxRows, waitMillis);
+    } catch (ServerLostException cut) {
+      return pulledAnew(cut, maxRows, waitMillis);
+    }
+  }
+
+  private ResultBlock pulledAnew(ServerLostException first, int maxRows, int waitMillis) {
+    ServerLostException cut = first;
+    for (long pause : PAUSES_MILLIS) {
+      if (!cut.isConnectionCut()) {
+        break;
+      }
+      try {
+        Thread.sleep(pause);
+        calls.run(() -> cursor.seekRow(taken));
+        return nextBlock(maxRows, waitMillis);
+      } catch (ServerLostException again) {
+        cut = again;
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+        break;
+      }
+    }
+    throw cut;
+  }
+
+  private ResultBlock nextBlock(int maxRows, int waitMillis) {
+    ResultBlockHolder holder = new ResultBlockHolder();
+    calls.get(() -> cursor.nextBlock(maxRows, waitMillis, holder));
+    return holder.value;
   }
 
   @Override

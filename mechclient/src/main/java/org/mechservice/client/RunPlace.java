@@ -1,5 +1,6 @@
 package org.mechservice.client;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.mechservice.idl.IMechSimRemote;
@@ -32,11 +33,12 @@ record RunPlace(
   /** Opens a place for a run on another host. */
   interface Opening {
     /**
-     * Sets the run up wherever its server has room, in a session that ends with it.
+     * Sets the run up wherever a server has room, in a session that ends with it.
      *
+     * @param earlierIds those it has had on other hosts, under which it shall be found
      * @throws ServiceException if no host takes it
      */
-    RunPlace open();
+    RunPlace open(List<String> earlierIds);
   }
 
   /** Returns the same, in a session that ends with the run. */

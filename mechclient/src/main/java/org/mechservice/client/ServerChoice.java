@@ -3,6 +3,7 @@ package org.mechservice.client;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.mechservice.idl.MechServer;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.ServiceUnreachableException;
@@ -62,6 +63,23 @@ final class ServerChoice {
       chosen = firstFrom(gone.index() + 1);
     }
     return chosen;
+  }
+
+  /** Returns the servers beside one that answer, without using them from now on. */
+  List<Chosen> others(Chosen beside) {
+    List<Chosen> others = new ArrayList<>();
+    for (int i = 1; i < addresses.size(); i++) {
+      answering((beside.index() + i) % addresses.size()).ifPresent(others::add);
+    }
+    return others;
+  }
+
+  private Optional<Chosen> answering(int index) {
+    try {
+      return Optional.of(connect(index));
+    } catch (ServerLostException silent) {
+      return Optional.empty();
+    }
   }
 
   private Chosen firstFrom(int start) {

@@ -11,6 +11,13 @@ public final class ServerLostException extends ServiceException {
     this.address = address;
   }
 
+  /**
+   * Returns whether the connection was cut, or there is none; the server may be there all the same.
+   */
+  boolean isConnectionCut() {
+    return code().equals("S-031");
+  }
+
   /** Returns the address that was asked. */
   public String address() {
     return address;

@@ -2,6 +2,7 @@ package org.mechservice.client;
 
 import java.time.Instant;
 import java.util.List;
+import org.mechservice.idl.OPT_CONTINUES;
 import org.mechservice.idl.ServerInfo;
 
 /**
@@ -34,6 +35,11 @@ public record ServiceDescription(
   boolean setsUpInOneCall() {
     String[] parts = apiVersion.split("\\.", -1);
     return parts.length > 1 && parts[1].matches("[1-9]\\d{0,8}");
+  }
+
+  /** Returns whether runs can be found under the ids of those that they go on from. */
+  boolean findsMovedRuns() {
+    return capabilities.contains("option=" + OPT_CONTINUES.value);
   }
 
   static ServiceDescription of(ServerInfo info) {

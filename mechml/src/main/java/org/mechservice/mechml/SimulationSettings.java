@@ -37,7 +37,8 @@ public record SimulationSettings(
           "constraints",
           "reactions",
           "forces",
-          "outputs");
+          "outputs",
+          "momentum");
 
   public SimulationSettings {
     columns = List.copyOf(columns);

@@ -17,6 +17,7 @@ import org.mechservice.client.ServiceException;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.report.measure.Campaign;
 import org.mechservice.report.measure.Effort;
+import org.mechservice.report.measure.FirstRuns;
 import org.mechservice.report.measure.FreshStart;
 import org.mechservice.report.measure.Journal;
 import org.mechservice.report.measure.Judge;
@@ -44,7 +45,6 @@ import org.mechservice.solver.api.RunSettings;
 public final class ModelReport {
   private static final int OUTPUT_INTERVALS = 50;
   private static final int SPECTRUM_SAMPLES = 11;
-  private static final double TYPICAL_TOLERANCE = 1e-5;
 
   private final MechSession session;
   private final Path folder;
@@ -108,7 +108,7 @@ public final class ModelReport {
         shares.putAll(shares(candidates, points, runner));
       }
     }
-    Map<String, Double> fresh = freshStarts(candidates, points, judge);
+    Map<String, FirstRuns> fresh = freshStarts(candidates, points, judge);
     ModelProblem problem = new ModelProblem(model);
     return new SceneFindings(
         model.description().name(),
@@ -196,9 +196,9 @@ public final class ModelReport {
     Map<String, TimeShares> shares = new LinkedHashMap<>();
     for (Candidate candidate : candidates) {
       String name = candidate.method().name();
-      if (completes(points, name, effort.tolerances()[1])) {
-        progress.at("shares of time: " + name, 0.98, Double.NaN);
-        double tolerance = effort.tolerances()[1];
+      double tolerance = effort.typicalTolerance();
+      if (completes(points, name, tolerance)) {
+        progress.at("shares of time: " + name, 0.96, Double.NaN);
         shares.put(name, TimeShares.of(runner, candidate, tolerance, 5 * effort.limitSeconds()));
       }
     }
@@ -211,24 +211,23 @@ public final class ModelReport {
         .anyMatch(point -> point.tolerance() == tolerance && point.completed());
   }
 
-  private Map<String, Double> freshStarts(
+  private Map<String, FirstRuns> freshStarts(
       List<Candidate> candidates, List<Point> points, Judge judge)
       throws IOException, InterruptedException {
-    Map<String, Double> seconds = new LinkedHashMap<>();
     double end = judge.grid().start() + judge.grid().step() * (judge.grid().rows() - 1);
     try (FreshStart fresh = new FreshStart()) {
       for (Candidate candidate : candidates) {
         String name = candidate.method().name();
-        if (completes(points, name, effort.tolerances()[1])) {
-          progress.at("first runs: " + name, 0.99, Double.NaN);
-          BuiltJar jar = session.build(MethodList.options(candidate.method()), true);
-          fresh
-              .seconds(
-                  jar, TYPICAL_TOLERANCE, end, effort.freshStarts(), 10 * effort.limitSeconds())
-              .ifPresent(taken -> seconds.put(name, taken));
+        if (completes(points, name, effort.typicalTolerance())) {
+          fresh.add(name, session.build(MethodList.options(candidate.method()), true));
         }
       }
+      return fresh.run(
+          effort.typicalTolerance(),
+          end,
+          effort.freshStarts(),
+          10 * effort.limitSeconds(),
+          progress);
     }
-    return seconds;
   }
 }

@@ -1,11 +1,14 @@
 package org.mechservice.report;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.mechservice.report.measure.Effort;
+import org.mechservice.report.measure.FirstRuns;
 import org.mechservice.report.measure.Judge;
 import org.mechservice.report.measure.Point;
+import org.mechservice.report.measure.Reference;
 import org.mechservice.report.measure.Spectrum;
 import org.mechservice.report.measure.TimeShares;
 import org.mechservice.report.method.LeftOut;
@@ -25,7 +28,7 @@ import org.mechservice.report.method.Method;
  * @param points all methods at all tolerances; none without a reference
  * @param spectrum along the run
  * @param shares of time, by method name
- * @param freshStarts seconds of a first run in a machine of its own, by method name
+ * @param freshStarts times of first runs in machines of their own, by method name
  * @param effort how much was measured
  * @param csv name of the file with every run
  * @param versions of what took part, and the machine
@@ -42,7 +45,7 @@ public record SceneFindings(
     List<Point> points,
     Optional<Spectrum> spectrum,
     Map<String, TimeShares> shares,
-    Map<String, Double> freshStarts,
+    Map<String, FirstRuns> freshStarts,
     Effort effort,
     String csv,
     List<String> versions) {
@@ -63,5 +66,14 @@ public record SceneFindings(
   /** Returns the floor below which errors mean nothing. */
   public double floor() {
     return judge.reference().map(reference -> reference.worstFloor()).orElse(Double.NaN);
+  }
+
+  /** Returns by how much the scene makes a small change of the start grow at most; 0 if unknown. */
+  public double growth() {
+    return judge
+        .reference()
+        .flatMap(Reference::amplification)
+        .map(factors -> Arrays.stream(factors).max().orElse(0))
+        .orElse(0.0);
   }
 }

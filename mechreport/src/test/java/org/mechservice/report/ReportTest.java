@@ -10,6 +10,10 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.report.RungeKuttaSolver.Fault;
 import org.mechservice.report.measure.Campaign;
 import org.mechservice.report.measure.Effort;
 import org.mechservice.report.measure.Journal;
@@ -33,7 +37,7 @@ import org.mechservice.solver.simulation.RuntimeSolver;
 
 class ReportTest {
   private static final Effort SHORT =
-      new Effort("test", new double[] {1e-3, 1e-5, 1e-7, 1e-9}, 20, 0.1, 20, 0, 0);
+      new Effort("test", new double[] {1e-3, 1e-5, 1e-7, 1e-9}, 20, 3, 0.1, 20, 0, 0);
   private static final RunGrid GRID = RunGrid.uniform(0, 2, 20);
   private static final StateDistance DISTANCE =
       new StateDistance(new PlanarPendulum(0).description());
@@ -90,15 +94,32 @@ class ReportTest {
 
   @Test
   void rungeKuttaMethodWithItsRightCoefficientsRaisesNoDoubt() throws IOException {
-    SceneFindings found = findings(goodJudge(), "RK4", new RungeKuttaSolver(1.0 / 6), 0);
+    SceneFindings found = findings(goodJudge(), "RK4", new RungeKuttaSolver(Fault.NONE), 0);
     assertThat(Doubts.of(found)).isEmpty();
   }
 
+  @ParameterizedTest
+  @CsvSource({
+    "WRONG_WEIGHT, does not converge",
+    "WRONG_STAGE, does not converge",
+    "WRONG_ERROR_CONSTANT, does not keep its tolerance",
+    "LINEAR_DENSE_OUTPUT, is less exact between its steps",
+    "WRONG_SLOPES_IN_DENSE_OUTPUT, is less exact between its steps",
+  })
+  void brokenIntegratorIsExposedByItsFault(Fault fault, String words) throws IOException {
+    SceneFindings found = findings(goodJudge(), "RK4", new RungeKuttaSolver(fault), 0);
+    assertThat(Doubts.of(found)).first().asString().startsWith("DTR RK4 " + words);
+    assertThat(ScenePage.of(found)).contains("class=\"doubt\">DTR RK4 " + words);
+  }
+
   @Test
-  void integratorWithAWrongCoefficientIsExposed() throws IOException {
-    SceneFindings found = findings(goodJudge(), "RK4", new RungeKuttaSolver(0.16), 0);
-    assertThat(Doubts.of(found)).singleElement().asString().startsWith("DTR RK4 does not converge");
-    assertThat(ScenePage.of(found)).contains("class=\"doubt\">DTR RK4 does not converge");
+  void toleranceThatIsNotKeptIsFlaggedInTheTable() throws IOException {
+    String honest = ScenePage.of(findings(goodJudge(), "RK4", new RungeKuttaSolver(Fault.NONE), 0));
+    String careless =
+        ScenePage.of(
+            findings(goodJudge(), "RK4c", new RungeKuttaSolver(Fault.WRONG_ERROR_CONSTANT), 0));
+    assertThat(honest).contains("All 4 runs").doesNotContain("<td class=\"flag\">");
+    assertThat(careless).contains("<b>4 of 4</b> runs", "<td class=\"flag\">");
   }
 
   @Test
@@ -149,6 +170,41 @@ class ReportTest {
     assertThat(ScenePage.of(found)).contains("class=\"doubt\">The reference is doubtful");
   }
 
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-2, 1e-4, 1e-6, 1e-8})
+  void floorOfALooseReferenceIsNoSmallerThanItsError(double tolerance) {
+    RunGrid coarse = RunGrid.uniform(0, 2, 2);
+    ReferenceMaker loose = new ReferenceMaker(DISTANCE, 20, tolerance, tolerance);
+    Reference made = loose.make(List.of(pendulum(0)), coarse.times()).orElseThrow();
+    Reference exact =
+        new ReferenceMaker(DISTANCE, 20).make(List.of(pendulum(0)), coarse.times()).orElseThrow();
+    for (int i = 0; i < made.times().length; i++) {
+      double error = DISTANCE.of(made.states()[i], exact.states()[i]);
+      // Two codes differ by no less than half the worse one's error unless they err alike.
+      assertThat(made.floor()[i] + exact.floor()[i]).isGreaterThanOrEqualTo(error / 2);
+    }
+  }
+
+  @Test
+  void oneLooseCodeIsExposedByTheOther() {
+    RunGrid coarse = RunGrid.uniform(0, 2, 2);
+    ReferenceMaker maker = new ReferenceMaker(DISTANCE, 20, 1e-12, 0.1);
+    Judge judge = Judge.of(Optional.empty(), List.of(pendulum(0)), maker, DISTANCE, coarse);
+    assertThat(judge.doubt()).startsWith("The reference is doubtful");
+  }
+
+  @Test
+  void formulationsThatDifferInTheirEquationsMakeADoubtfulReference() {
+    Judge judge =
+        Judge.of(
+            Optional.empty(),
+            List.of(pendulum(0), pendulum(1e-3)),
+            new ReferenceMaker(DISTANCE, 20),
+            DISTANCE,
+            GRID);
+    assertThat(judge.doubt()).startsWith("The reference is doubtful");
+  }
+
   @Test
   void publishedReferenceOfAnotherSceneIsExposed() {
     double[] times = {0, 1, 2};
@@ -174,7 +230,7 @@ class ReportTest {
   @Test
   void journalIsTakenUpAgainForTheSamePurposeAndNoOther() throws IOException {
     Path file = folder.resolve("kept.csv");
-    findings(goodJudge(), "kept", new RungeKuttaSolver(1.0 / 6), 0);
+    findings(goodJudge(), "kept", new RungeKuttaSolver(Fault.NONE), 0);
     int runs = Journal.read(file).size();
     assertThat(runs).isPositive();
     try (Journal again = Journal.open(file, "test")) {

@@ -277,24 +277,31 @@ final class MechAdminServant implements MechAdminOperations {
       tell(
           drain ? "drained" : "undrained",
           drain ? "the server takes no new sessions" : "the server takes new sessions again");
+      // Other hosts outlive the server and may serve others: they are emptied by their own names.
+      directory.all().stream().filter(KnownHost::own).forEach(host -> setDraining(host, drain));
       return;
     }
-    boolean done =
-        ask(
-                require(hostName),
-                host -> {
-                  if (drain) {
-                    host.drain();
-                  } else {
-                    host.undrain();
-                  }
-                  return true;
-                })
-            .value()
-            .isPresent();
-    if (!done) {
+    KnownHost host = require(hostName);
+    if (!host.reachable() || !setDraining(host, drain)) {
       throw silent(hostName);
     }
+  }
+
+  private boolean setDraining(KnownHost known, boolean drain) {
+    return directory
+        .calls()
+        .ask(
+            known.host(),
+            host -> {
+              if (drain) {
+                host.drain();
+              } else {
+                host.undrain();
+              }
+              return true;
+            })
+        .value()
+        .isPresent();
   }
 
   @Override

@@ -122,6 +122,7 @@ public final class MechServerProcess implements AutoCloseable {
 
   private void shutDown(long graceSeconds) {
     server.setDraining(true);
+    ownHost.ifPresent(SimHost::drain);
     Thread thread =
         new Thread(
             () -> {

@@ -39,7 +39,8 @@ final class MechServerServant implements MechServerOperations {
     "integrator=switching",
     "jar=model",
     "jar=standalone",
-    "import=urdf"
+    "import=urdf",
+    "option=continues"
   };
 
   private final String name;

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
@@ -30,39 +31,62 @@ import org.omg.CORBA.UserException;
  */
 @Tag("soak")
 class CancelLatencyTest {
-  private static final int RUNS = 60;
   private static final long SEED = 20031014;
 
   /** What the service promises. */
   private static final double LONGEST_SECONDS = 0.1;
 
+  /** The third factors matrices of 2000 unknowns, which takes seconds. */
+  private static final List<Case> CASES =
+      List.of(
+          new Case("pendulum/pendulum.xml", "ode113", 60, 100),
+          new Case("extremes/fourbar_redundant.xml", "ode15s", 60, 100),
+          new Case("extremes/fourbar_redundant.xml", "ode15sR", 60, 100),
+          new Case("pendulum/pendulum.xml", "ode15s", 60, 100),
+          new Case("extremes/chain_1000.xml", "ode15s", 15, 4000));
+
+  /**
+   * Runs to be cancelled.
+   *
+   * @param model below examples
+   * @param runs how many
+   * @param latest most milliseconds from the start of a run to its cancel
+   */
+  private record Case(String model, String integrator, int runs, int latest) {
+    NameValue[] options() {
+      return new NameValue[] {
+        new NameValue(OPT_INTEGRATOR.value, integrator),
+        new NameValue(OPT_REL_TOL.value, "1e-10"),
+        new NameValue(OPT_T_END.value, "1e6"),
+        new NameValue(OPT_T_STEP.value, "1e3")
+      };
+    }
+  }
+
   @Test
-  void longRunsEndSoonAfterTheyAreCancelled() throws Exception {
+  void runsEndSoonAfterTheyAreCancelled() throws Exception {
     StringBuilder rows = new StringBuilder();
+    double longest = 0;
     try (MechServerProcess server =
-            MechServerProcess.start(new ServerSettings("cancel", "127.0.0.1", 0, 1));
+            MechServerProcess.start(new ServerSettings("cancel", "127.0.0.1", 0, 2));
         ServiceOrb client = ServiceOrb.client()) {
       MechSim session = client.connect(server.url()).createSession("soak", "", null);
-      String[][] cases = {
-        {"pendulum/pendulum.xml", "ode113"},
-        {"extremes/fourbar_redundant.xml", "ode15s"},
-        {"extremes/fourbar_redundant.xml", "ode15sR"},
-        {"pendulum/pendulum.xml", "ode15s"}
-      };
-      for (String[] one : cases) {
-        double[] seconds = measured(session, one[0], one[1]);
-        double median = seconds[seconds.length / 2];
+      IMechSimRemote beside = simulation(session, CASES.get(0));
+      beside.start();
+      for (Case one : CASES) {
+        double[] seconds = measured(session, one);
+        longest = Math.max(longest, seconds[seconds.length - 1]);
         rows.append(
             String.format(
                 Locale.ROOT,
                 "| %s | %s | %d | %.1f ms | %.1f ms |%n",
-                one[0],
-                one[1],
+                one.model(),
+                one.integrator(),
                 seconds.length,
-                1e3 * median,
+                1e3 * seconds[seconds.length / 2],
                 1e3 * seconds[seconds.length - 1]));
-        assertThat(median).as("%s, %s", one[0], one[1]).isLessThan(LONGEST_SECONDS);
       }
+      beside.destroy();
     }
     Files.writeString(
         Path.of("../docs/reports/service-cancel.md"),
@@ -71,7 +95,7 @@ class CancelLatencyTest {
             """
             # How soon a cancelled run has ended
 
-            Measured on %s by `mvn verify -Psoak`: JDK %s, %d processors, load average %.1f, loopback. Long runs are cancelled at random moments (seed %d), which in stiff ones are mostly inside Newton iterations and Jacobians. The time is counted from the client's call of `cancel` to the first `getProgress` that says cancelled. That a run makes no evaluation after the one in which it was cancelled is a test of its own, which counts them.
+            Measured on %s by `mvn verify -Psoak`: JDK %s, %d processors, load average %.1f, loopback. Long runs are cancelled at random moments (seed %d), which in stiff ones are mostly inside Newton iterations and Jacobians, in the chain of 1000 bars inside differences and factorisations of matrices of 2000 unknowns; another run goes on beside them all the time. The time is counted from the client's call of `cancel` to the answer of a `getProgress` that says cancelled. A solver that is deep in one evaluation or factorisation is waited for 50 ms, then its run has ended without it. That a run makes no evaluation after the one in which it was cancelled is a test of its own, which counts them.
 
             | model | integrator | runs | median | longest |
             |---|---|---|---|---|
@@ -82,43 +106,37 @@ class CancelLatencyTest {
             ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage(),
             SEED,
             rows));
+    assertThat(longest).isLessThan(LONGEST_SECONDS);
   }
 
   /** Returns the times of all runs in ascending order, s. */
-  private static double[] measured(MechSim session, String model, String integrator)
-      throws Exception {
-    Path file = Path.of("../examples", model);
-    session.loadModel(
-        new ModelFile(file.getFileName().toString(), Files.readAllBytes(file)), new ModelFile[0]);
+  private static double[] measured(MechSim session, Case one) throws Exception {
     Random random = new Random(SEED);
-    double[] seconds = new double[RUNS];
-    for (int i = 0; i < RUNS; i++) {
-      seconds[i] = cancelled(session, integrator, random.nextInt(100));
+    double[] seconds = new double[one.runs()];
+    for (int i = 0; i < seconds.length; i++) {
+      seconds[i] = cancelled(simulation(session, one), random.nextInt(one.latest()));
     }
     Arrays.sort(seconds);
     return seconds;
   }
 
-  private static double cancelled(MechSim session, String integrator, int afterMillis)
+  private static IMechSimRemote simulation(MechSim session, Case one) throws Exception {
+    Path file = Path.of("../examples", one.model());
+    session.loadModel(
+        new ModelFile(file.getFileName().toString(), Files.readAllBytes(file)), new ModelFile[0]);
+    return session.createSimulation(one.options(), null);
+  }
+
+  private static double cancelled(IMechSimRemote run, int afterMillis)
       throws UserException, InterruptedException {
-    NameValue[] options = {
-      new NameValue(OPT_INTEGRATOR.value, integrator),
-      new NameValue(OPT_REL_TOL.value, "1e-10"),
-      new NameValue(OPT_T_END.value, "1e6"),
-      new NameValue(OPT_T_STEP.value, "1e3")
-    };
-    IMechSimRemote run = session.createSimulation(options, null);
     run.start();
-    while (run.getProgress().stepsDone == 0) {
+    while (run.getProgress().state != SimState.SIM_RUNNING) {
       Thread.sleep(1);
     }
     Thread.sleep(afterMillis);
     long asked = System.nanoTime();
     run.cancel();
     SimState state = run.getProgress().state;
-    while (state == SimState.SIM_RUNNING) {
-      state = run.getProgress().state;
-    }
     double seconds = (System.nanoTime() - asked) * 1e-9;
     assertThat(state).isEqualTo(SimState.SIM_CANCELLED);
     run.destroy();

@@ -2,16 +2,25 @@ package org.mechservice.report.measure;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
 import org.mechservice.report.method.Candidate;
 
 /**
  * All methods at all tolerances: first each once, for its error, then timed in rounds, every point
  * once per round, so that whatever slows the machine down hits all alike.
+ *
+ * <p>A run is stopped after the effort's limit, and earlier where it takes {@link Effort#SENSELESS}
+ * times what the fastest method takes at the same tolerance. Such a point is a failure that says so.
  */
 public final class Campaign {
   private static final String NOT_RUN = "not run: it did not finish at a looser tolerance";
+  private static final String BUDGET = "stopped by the budget: ";
 
   private final MethodRunner runner;
   private final Journal journal;
@@ -32,71 +41,142 @@ public final class Campaign {
     time(candidates);
   }
 
+  /** Tolerance by tolerance, so that it is known what the fastest method takes there. */
   private void findErrors(List<Candidate> candidates) throws IOException {
     int points = candidates.size() * effort.tolerances().length;
     int done = 0;
-    for (Candidate candidate : candidates) {
-      boolean hopeless = false;
-      for (double tolerance : effort.tolerances()) {
-        progress.at("errors: " + candidate.method(), 0.3 * done++ / points, Double.NaN);
-        List<MeasuredRun> before = journal.runs(candidate.method().name(), tolerance);
-        MeasuredRun first =
-            before.isEmpty() ? first(candidate, tolerance, hopeless) : before.get(0);
-        if (before.isEmpty()) {
+    double spent = 0;
+    Set<Candidate> hopeless = new HashSet<>();
+    for (double tolerance : effort.tolerances()) {
+      List<MeasuredRun> firsts = new ArrayList<>();
+      for (Candidate candidate : candidates) {
+        double left = spent == 0 ? Double.NaN : spent / done * (points - done + wholeRounds(points));
+        progress.at("errors: " + candidate.method(), 0.3 * done / points, left);
+        MeasuredRun first = first(candidate, tolerance, hopeless, fastest(firsts));
+        firsts.add(first);
+        spent += first.seconds();
+        done++;
+      }
+      Optional<MeasuredRun> fastest = fastest(firsts);
+      for (int i = 0; i < firsts.size(); i++) {
+        MeasuredRun first = sensible(firsts.get(i), fastest);
+        if (kept(candidates.get(i), tolerance).isEmpty()) {
           journal.add(first);
         }
-        hopeless |= tooLong(first);
+        if (first.cause().startsWith(MethodRunner.NOT_FINISHED) || first.cause().equals(NOT_RUN)) {
+          // What did not end in time will not do so at a tighter tolerance either.
+          hopeless.add(candidates.get(i));
+        }
       }
     }
   }
 
-  /** What did not end in time will not do so at a tighter tolerance either. */
-  private MeasuredRun first(Candidate candidate, double tolerance, boolean hopeless) {
-    return hopeless
-        ? MeasuredRun.notRun(candidate.method().name(), tolerance, NOT_RUN)
-        : runner.run(candidate, tolerance, 0, effort.limitSeconds());
+  private double wholeRounds(int points) {
+    return (double) effort.fewestRepeats() * points;
   }
 
-  private static boolean tooLong(MeasuredRun run) {
-    return run.cause().startsWith("not finished") || run.cause().equals(NOT_RUN);
+  private Optional<MeasuredRun> kept(Candidate candidate, double tolerance) {
+    return journal.runs(candidate.method().name(), tolerance).stream().findFirst();
   }
 
-  /** Lets the JIT compiler finish with every method before any is timed. */
+  private MeasuredRun first(
+      Candidate candidate, double tolerance, Set<Candidate> hopeless, Optional<MeasuredRun> best) {
+    Optional<MeasuredRun> kept = kept(candidate, tolerance);
+    if (kept.isPresent()) {
+      return kept.get();
+    }
+    if (hopeless.contains(candidate)) {
+      return MeasuredRun.notRun(candidate.method().name(), tolerance, NOT_RUN);
+    }
+    double sense = best.map(Campaign::mostSeconds).orElse(Double.POSITIVE_INFINITY);
+    MeasuredRun run =
+        runner.run(candidate, tolerance, 0, Math.min(effort.limitSeconds(), sense));
+    boolean beyondSense =
+        sense < effort.limitSeconds() && run.cause().startsWith(MethodRunner.NOT_FINISHED);
+    return beyondSense ? run.failed(BUDGET + run.cause() + compared(best.orElseThrow())) : run;
+  }
+
+  private static Optional<MeasuredRun> fastest(List<MeasuredRun> runs) {
+    return runs.stream()
+        .filter(MeasuredRun::completed)
+        .min(Comparator.comparingDouble(MeasuredRun::seconds));
+  }
+
+  private static double mostSeconds(MeasuredRun fastest) {
+    return Math.max(Effort.CHEAP_SECONDS, Effort.SENSELESS * fastest.seconds());
+  }
+
+  private static String compared(MeasuredRun fastest) {
+    return String.format(
+        Locale.ROOT, "; %s takes %.3g s at this tolerance", fastest.method(), fastest.seconds());
+  }
+
+  /** A run that ended before a far faster method was known. */
+  private static MeasuredRun sensible(MeasuredRun run, Optional<MeasuredRun> fastest) {
+    if (fastest.isEmpty() || !run.completed() || run.seconds() <= mostSeconds(fastest.get())) {
+      return run;
+    }
+    String took = String.format(Locale.ROOT, "not timed, a run takes %.3g s", run.seconds());
+    return run.failed(BUDGET + took + compared(fastest.get()));
+  }
+
+  /** In the same order as later the timed runs, so that the compiler sees the same. */
   private void warmUp(List<Candidate> candidates) {
-    for (Candidate candidate : candidates) {
-      progress.at("warming up: " + candidate.method(), 0.3, Double.NaN);
-      long end = System.nanoTime() + (long) (effort.warmSeconds() * 1e9);
-      boolean works = true;
-      while (works && System.nanoTime() < end) {
-        double limit = effort.limitSeconds();
-        works = runner.run(candidate, effort.tolerances()[0], 0, limit).completed();
+    List<Due> due = due(candidates);
+    if (!due.isEmpty() && effort.warmSeconds() > 0 && toDo(due) > 0) {
+      double limit = 5 * effort.limitSeconds();
+      WarmUp.until(
+          () ->
+              due.stream()
+                  .mapToDouble(d -> runner.run(d.candidate(), d.tolerance(), 0, limit).seconds())
+                  .sum(),
+          effort.warmSeconds(),
+          progress,
+          toDo(due));
+    }
+  }
+
+  /** Returns the time of all timed runs that are not in the journal yet, s. */
+  private double toDo(List<Due> due) {
+    double seconds = 0;
+    for (Due point : due) {
+      for (int round = 1; round <= point.repeats(); round++) {
+        seconds += isDone(point, round) ? 0 : point.seconds();
       }
     }
+    return seconds;
   }
 
   private record Due(Candidate candidate, double tolerance, double seconds, int repeats) {}
 
   private void time(List<Candidate> candidates) throws IOException {
     List<Due> due = due(candidates);
-    double total = due.stream().mapToDouble(point -> point.seconds() * point.repeats()).sum();
+    double left = toDo(due);
+    double total = left;
     long started = System.nanoTime();
-    double spent = 0;
     for (int round = 1; round <= Effort.REPEATS; round++) {
-      for (Due point : due) {
+      for (Due point : turned(due, round)) {
         if (round > point.repeats() || isDone(point, round)) {
           continue;
         }
         double elapsed = (System.nanoTime() - started) * 1e-9;
-        double left = spent > 0 ? elapsed * (total - spent) / spent : total;
+        double rate = left < 0.95 * total ? elapsed / (total - left) : 1;
         progress.at(
             "timing, round " + round + " of " + Effort.REPEATS + ": " + point.candidate().method(),
-            0.3 + 0.7 * spent / Math.max(total, 1e-9),
-            left);
+            0.3 + 0.65 * (1 - left / total),
+            rate * left);
         double limit = 5 * effort.limitSeconds();
         journal.add(runner.run(point.candidate(), point.tolerance(), round, limit));
-        spent += point.seconds();
+        left -= point.seconds();
       }
     }
+  }
+
+  /** Every round begins at another point, so that none always follows the same one's garbage. */
+  private static List<Due> turned(List<Due> due, int round) {
+    List<Due> turned = new ArrayList<>(due);
+    Collections.rotate(turned, round * due.size() / Effort.REPEATS);
+    return turned;
   }
 
   private boolean isDone(Due point, int round) {
@@ -109,7 +189,7 @@ public final class Campaign {
     List<Due> points = new ArrayList<>();
     for (Candidate candidate : candidates) {
       for (double tolerance : effort.tolerances()) {
-        MeasuredRun first = journal.runs(candidate.method().name(), tolerance).get(0);
+        MeasuredRun first = kept(candidate, tolerance).orElseThrow();
         if (first.completed()) {
           points.add(new Due(candidate, tolerance, first.seconds(), Effort.REPEATS));
         }
@@ -127,7 +207,7 @@ public final class Campaign {
       Due point = cheapestFirst.get(i);
       double share = left / (cheapestFirst.size() - i);
       int repeats = (int) Math.min(Effort.REPEATS, share / point.seconds());
-      repeats = Math.max(Effort.FEWEST_REPEATS, repeats);
+      repeats = Math.max(effort.fewestRepeats(), repeats);
       left -= repeats * point.seconds();
       due.add(new Due(point.candidate(), point.tolerance(), point.seconds(), repeats));
     }

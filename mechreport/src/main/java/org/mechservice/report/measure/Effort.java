@@ -1,5 +1,6 @@
 package org.mechservice.report.measure;
 
+import java.util.Arrays;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
@@ -9,32 +10,52 @@ import java.util.stream.IntStream;
  * @param name for the page
  * @param tolerances relative tolerances, loosest first
  * @param limitSeconds processor time after which a single run is stopped, s
- * @param timingSeconds for all timed runs together, s
+ * @param fewestRepeats timed runs of a point that takes long
+ * @param timingSeconds for all timed runs together, s, as far as {@code fewestRepeats} allows
  * @param referenceSeconds for one solution of the reference, s
- * @param warmSeconds per method before it is timed, s
- * @param freshStarts runs in a fresh JVM per method
+ * @param warmSeconds of rounds over all points that are compared with those before them, to see
+ *     whether all is warm, s; 0 for no warm-up
+ * @param freshStarts first runs in a Java machine of their own, per method
  */
 @SuppressWarnings("ArrayRecordComponent") // constants, not changed
 public record Effort(
     String name,
     double[] tolerances,
     double limitSeconds,
+    int fewestRepeats,
     double timingSeconds,
     double referenceSeconds,
     double warmSeconds,
     int freshStarts) {
-  /** Timed runs per point, as far as {@code timingSeconds} allows. */
+  /** Timed runs per point at most. */
   public static final int REPEATS = 11;
 
-  /** Timed runs of a point that takes long. */
-  public static final int FEWEST_REPEATS = 3;
+  /**
+   * A run so many times slower than the fastest method at its tolerance tells nothing by its exact
+   * time.
+   */
+  public static final double SENSELESS = 100;
+
+  /** What takes less, s, is measured to the end however slow it is beside the others. */
+  public static final double CHEAP_SECONDS = 1;
+
+  private static final double TYPICAL = 1e-5;
 
   /** Under a minute. */
   public static final Effort QUICK =
-      new Effort("quick", new double[] {1e-3, 1e-5, 1e-7, 1e-9}, 1, 12, 4, 0.15, 1);
+      new Effort("quick", new double[] {1e-3, 1e-5, 1e-7, 1e-9}, 1, 3, 12, 4, 1, 1);
 
-  /** Tolerances from 1e-3 to 1e-12. */
-  public static final Effort FULL = new Effort("full", powers(3, 12), 20, 300, 120, 0.5, 3);
+  /** Tolerances from 1e-3 to 1e-12, every point timed eleven times whatever that takes. */
+  public static final Effort FULL =
+      new Effort("full", powers(3, 12), 20, REPEATS, Double.POSITIVE_INFINITY, 120, 3, 5);
+
+  /** Returns the tolerance that first runs and shares of time are measured at: 1e-5, or the next. */
+  public double typicalTolerance() {
+    return Arrays.stream(tolerances)
+        .filter(tolerance -> tolerance <= TYPICAL)
+        .max()
+        .orElse(tolerances[tolerances.length - 1]);
+  }
 
   /** Returns 1e-from … 1e-to. */
   public static double[] powers(int from, int to) {

@@ -1,5 +1,6 @@
 package org.mechservice.report.measure;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
@@ -66,19 +67,29 @@ public final class EqualError {
     if (usable.size() < 2) {
       return OptionalDouble.empty();
     }
-    double meanX = 0;
-    double meanY = 0;
-    for (Point point : usable) {
-      meanX += Math.log((double) point.first().steps()) / usable.size();
-      meanY += Math.log(point.error()) / usable.size();
-    }
+    double[] steps =
+        usable.stream().mapToDouble(p -> Math.log((double) p.first().steps())).toArray();
+    double[] errors = usable.stream().mapToDouble(p -> Math.log(p.error())).toArray();
+    double slope = slope(steps, errors);
+    return Double.isNaN(slope) ? OptionalDouble.empty() : OptionalDouble.of(-slope);
+  }
+
+  /**
+   * Returns the slope of a straight line through points, by least squares.
+   *
+   * @param x at least two
+   * @param y as many
+   * @return NaN if all x are equal
+   */
+  public static double slope(double[] x, double[] y) {
+    double meanX = Arrays.stream(x).average().orElseThrow();
+    double meanY = Arrays.stream(y).average().orElseThrow();
     double xx = 0;
     double xy = 0;
-    for (Point point : usable) {
-      double x = Math.log((double) point.first().steps()) - meanX;
-      xx += x * x;
-      xy += x * (Math.log(point.error()) - meanY);
+    for (int i = 0; i < x.length; i++) {
+      xx += (x[i] - meanX) * (x[i] - meanX);
+      xy += (x[i] - meanX) * (y[i] - meanY);
     }
-    return xx > 0 ? OptionalDouble.of(-xy / xx) : OptionalDouble.empty();
+    return xx > 0 ? xy / xx : Double.NaN;
   }
 }

@@ -90,11 +90,16 @@ public record MeasuredRun(
 
   /** Returns the same run where nobody knows its errors. */
   public MeasuredRun withoutErrors() {
+    return failed(cause);
+  }
+
+  /** Returns the same run as one that does not count, for a cause. */
+  MeasuredRun failed(String why) {
     return new MeasuredRun(
         method,
         tolerance,
         round,
-        cause,
+        why,
         seconds,
         bytes,
         steps,

@@ -31,6 +31,9 @@ public final class MethodRunner implements AutoCloseable {
 
   private static final long LOOK_MILLIS = 20;
 
+  /** What the cause of a run begins with that used its time up. */
+  static final String NOT_FINISHED = "not finished within ";
+
   private final Reference reference;
   private final StateDistance distance;
   private final RunGrid grid;
@@ -174,7 +177,7 @@ public final class MethodRunner implements AutoCloseable {
       return failed.failure().message();
     }
     return outcome instanceof Outcome.Stopped
-        ? String.format(java.util.Locale.ROOT, "not finished within %.3g s", limitSeconds)
+        ? NOT_FINISHED + String.format(java.util.Locale.ROOT, "%.3g s", limitSeconds)
         : "";
   }
 

@@ -1,6 +1,8 @@
 package org.mechservice.report.measure;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 
 /**
@@ -11,9 +13,17 @@ import java.util.List;
  * @param lowSeconds lower quartile, s
  * @param highSeconds upper quartile, s
  * @param repeats number of timed runs
+ * @param drift median of the later half of the timed runs over that of the earlier half: 1 where
+ *     the method was warm; NaN for fewer than four
  */
 public record Point(
-    MeasuredRun first, double seconds, double lowSeconds, double highSeconds, int repeats) {
+    MeasuredRun first,
+    double seconds,
+    double lowSeconds,
+    double highSeconds,
+    int repeats,
+    double drift) {
+  private static final int HALVES = 4;
 
   /** Returns the points of a journal, in the order they were first run. */
   public static List<Point> of(List<MeasuredRun> runs) {
@@ -26,22 +36,39 @@ public record Point(
     return points;
   }
 
+  /** In the order of the rounds. */
   private static double[] timesOf(MeasuredRun first, List<MeasuredRun> runs) {
     return runs.stream()
         .filter(run -> run.round() > 0 && run.method().equals(first.method()))
         .filter(run -> run.tolerance() == first.tolerance())
+        .sorted(Comparator.comparingInt(MeasuredRun::round))
         .mapToDouble(MeasuredRun::seconds)
-        .sorted()
         .toArray();
   }
 
-  private static Point of(MeasuredRun first, double[] sorted) {
+  private static Point of(MeasuredRun first, double[] seconds) {
+    double[] sorted = sorted(seconds, 0, seconds.length);
     return new Point(
         first,
         quantile(sorted, 0.5),
         quantile(sorted, 0.25),
         quantile(sorted, 0.75),
-        sorted.length);
+        sorted.length,
+        drift(seconds));
+  }
+
+  private static double drift(double[] seconds) {
+    int half = seconds.length / 2;
+    return seconds.length < HALVES
+        ? Double.NaN
+        : quantile(sorted(seconds, seconds.length - half, seconds.length), 0.5)
+            / quantile(sorted(seconds, 0, half), 0.5);
+  }
+
+  private static double[] sorted(double[] values, int from, int to) {
+    double[] part = Arrays.copyOfRange(values, from, to);
+    Arrays.sort(part);
+    return part;
   }
 
   private static double quantile(double[] sorted, double part) {
@@ -62,6 +89,16 @@ public record Point(
   /** Returns the largest error over time. */
   public double error() {
     return first.errors().largest();
+  }
+
+  /** Returns by how much of their median half of the times differ: the quartiles' distance. */
+  public double spread() {
+    return (highSeconds - lowSeconds) / seconds;
+  }
+
+  /** Returns whether times cannot be told from another point's: their quartiles overlap. */
+  public boolean overlaps(Point other) {
+    return lowSeconds <= other.highSeconds && other.lowSeconds <= highSeconds;
   }
 
   /** Returns whether the end was reached. */

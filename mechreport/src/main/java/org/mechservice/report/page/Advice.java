@@ -65,24 +65,17 @@ final class Advice {
       String line =
           String.format(
               Locale.ROOT,
-              "<b>Error %s:</b> <b>%s</b> at tolerance %s, %s, %d evaluations (error %s).",
+              "<b>Error %s:</b> <b>%s</b> at tolerance %s, %s (quartiles %s – %s), %d evaluations,"
+                  + " error %s.",
               Html.tolerance(choice.error()),
               choice.method().name(),
               Html.tolerance(point.tolerance()),
               Html.seconds(point.seconds()),
+              Html.seconds(point.lowSeconds()),
+              Html.seconds(point.highSeconds()),
               point.first().evaluations(),
               Html.error(point.error()));
-      String next =
-          choice
-              .runnerUp()
-              .map(
-                  second ->
-                      String.format(
-                          Locale.ROOT,
-                          " Next: %s, %s.",
-                          second.first().method(),
-                          Html.factor(second.seconds() / point.seconds())))
-              .orElse("");
+      String next = choice.runnerUp().map(second -> next(point, second)).orElse("");
       sentences.add(
           line
               + next
@@ -96,6 +89,16 @@ final class Advice {
               + "</code>");
     }
     return sentences;
+  }
+
+  /** The next best, and whether it is worse beyond doubt. */
+  private static String next(Point best, Point second) {
+    return String.format(
+        Locale.ROOT,
+        " Next: %s, %s%s.",
+        second.first().method(),
+        Html.factor(second.seconds() / best.seconds()),
+        best.overlaps(second) ? ", which the spread of the times does not tell apart" : "");
   }
 
   /** Returns what the spectrum says; empty if it is of no importance to this scene. */

@@ -30,4 +30,13 @@ final class CurveStyles {
     int mark = Math.max(0, INTEGRATORS.indexOf(method.integrator()));
     return new CurveStyle(colour, mark, FAILURE_WIDTH * (colour % FAILURES_BESIDE_EACH_OTHER));
   }
+
+  /** Returns a table's cell with a method's mark and name. */
+  String name(Method method) {
+    return "<td class=\"name\" data-m=\""
+        + Html.escape(method.name())
+        + "\">"
+        + of(method).swatch()
+        + Html.escape(method.name());
+  }
 }

@@ -3,6 +3,7 @@ package org.mechservice.report.page;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.report.SceneFindings;
+import org.mechservice.report.measure.EqualError;
 import org.mechservice.report.measure.Point;
 import org.mechservice.report.method.Method;
 
@@ -21,6 +22,17 @@ public final class Doubts {
 
   private static final double MANY_DECADES = 3;
 
+  /** From so many methods on, what the others do tells what the scene is like. */
+  private static final int MANY_METHODS = 3;
+
+  /**
+   * How fast the error between steps may grow against that at the end, in powers of ten per power
+   * of ten of the tolerance. Dense output whose order is half the method's has 0.5.
+   */
+  private static final double MOST_BETWEEN_STEPS = 0.35;
+
+  private static final double WORSE_BETWEEN_STEPS = 30;
+
   private Doubts() {}
 
   /** Returns all doubts about a scene's report, the gravest first. */
@@ -35,6 +47,14 @@ public final class Doubts {
             .toList();
     if (straying.size() > 1 && straying.size() == found.methods().size()) {
       return allStray(doubts, found);
+    }
+    for (Method method : found.methods()) {
+      List<Point> points = found.pointsOf(method.name());
+      if (worseBetweenSteps(points, found.floor())) {
+        doubts.add(betweenSteps(method, lastCompleted(points)));
+      } else if (!straying.contains(method) && careless(method, found)) {
+        doubts.add(careless(method, points, found));
+      }
     }
     for (Method method : straying) {
       List<Point> points = found.pointsOf(method.name());
@@ -90,6 +110,79 @@ public final class Doubts {
     boolean accurate = last.error() <= MOST_OPTIMISTIC * last.tolerance();
     double response = Math.log10(first.error() / last.error()) / decades;
     return accurate || response >= LEAST_RESPONSE;
+  }
+
+  /** Errors at steps' ends that fall faster than those of the rows between: dense output. */
+  private static boolean worseBetweenSteps(List<Point> points, double floor) {
+    List<Point> told =
+        points.stream()
+            .filter(Point::completed)
+            .filter(point -> point.first().errors().atEnd() > floor)
+            .filter(point -> point.error() < 1)
+            .toList();
+    if (told.size() < MANY_METHODS) {
+      return false;
+    }
+    double[] x = told.stream().mapToDouble(p -> -Math.log10(p.tolerance())).toArray();
+    double[] y = told.stream().mapToDouble(p -> Math.log10(excess(p))).toArray();
+    return x[x.length - 1] - x[0] >= MANY_DECADES
+        && excess(told.get(told.size() - 1)) > WORSE_BETWEEN_STEPS
+        && EqualError.slope(x, y) > MOST_BETWEEN_STEPS;
+  }
+
+  private static double excess(Point point) {
+    return point.error() / point.first().errors().atEnd();
+  }
+
+  private static String betweenSteps(Method method, Point last) {
+    return method.name()
+        + " is less exact between its steps than at their ends: at tolerance "
+        + Html.tolerance(last.tolerance())
+        + " its error over time is "
+        + Html.factor(excess(last))
+        + " that at the end, and the more the tighter the tolerance. Its dense output is wrong.";
+  }
+
+  /** Whether a method's errors stand out from its tolerances as no other method's do. */
+  private static boolean careless(Method method, SceneFindings found) {
+    double own = middleRatio(found.pointsOf(method.name()), found.floor());
+    return own > MOST_OPTIMISTIC * usualRatio(method, found);
+  }
+
+  private static String careless(Method method, List<Point> points, SceneFindings found) {
+    return method.name()
+        + " does not keep its tolerance: its errors are "
+        + Html.factor(middleRatio(points, found.floor()))
+        + " the tolerance asked for, where "
+        + Html.factor(usualRatio(method, found))
+        + " is usual in this scene.";
+  }
+
+  /** What the other methods do, and by how much the scene makes errors grow. */
+  private static double usualRatio(Method method, SceneFindings found) {
+    double usual = Math.max(1, found.growth());
+    if (found.methods().size() < MANY_METHODS) {
+      return usual;
+    }
+    double[] others =
+        found.methods().stream()
+            .filter(other -> !other.equals(method))
+            .mapToDouble(other -> middleRatio(found.pointsOf(other.name()), found.floor()))
+            .filter(ratio -> ratio > 0)
+            .sorted()
+            .toArray();
+    return others.length == 0 ? usual : Math.max(usual, others[others.length / 2]);
+  }
+
+  /** Median of error over tolerance, of errors that can be told; 0 if there is none. */
+  private static double middleRatio(List<Point> points, double floor) {
+    double[] ratios =
+        points.stream()
+            .filter(point -> point.completed() && point.error() > NEAR_FLOOR * floor)
+            .mapToDouble(point -> point.error() / point.tolerance())
+            .sorted()
+            .toArray();
+    return ratios.length == 0 ? 0 : ratios[ratios.length / 2];
   }
 
   private static Point firstCompleted(List<Point> points) {

@@ -69,7 +69,9 @@ final class LogLogChart {
   LogLogChart add(Curve curve) {
     curves.add(curve);
     for (Mark mark : curve.marks()) {
+      includeX(mark.low());
       includeX(mark.x());
+      includeX(mark.high());
       includeY(mark.y());
     }
     for (Mark mark : curve.failures()) {

@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import org.mechservice.report.SceneFindings;
 import org.mechservice.report.measure.EqualError;
+import org.mechservice.report.measure.FirstRuns;
 import org.mechservice.report.measure.Point;
 import org.mechservice.report.measure.TimeShares;
 import org.mechservice.report.method.Method;
@@ -40,12 +41,14 @@ final class MethodTables {
     StringBuilder html = new StringBuilder();
     html.append("<section><h2>Run time at equal error</h2>");
     html.append("<p class=\"note\">The best in seconds, the others as its multiples; interpolated");
-    html.append(" between points. – : the error is not reached.</p><table><tr><th>method");
+    html.append(" between points. – : the error is not reached. ");
+    html.append(HowMeasured.spread(found.points())).append(": ratios nearer to 1 than that mean");
+    html.append(" nothing.</p><table><tr><th>method");
     for (double error : errors) {
       html.append("<th>").append(Html.tolerance(error));
     }
     for (Method method : found.methods()) {
-      html.append("<tr>").append(name(method));
+      html.append("<tr>").append(styles.name(method));
       for (int i = 0; i < errors.length; i++) {
         html.append(cell(cost(method, errors[i]), best[i]));
       }
@@ -76,29 +79,36 @@ final class MethodTables {
     return best;
   }
 
-  private String name(Method method) {
-    return "<td class=\"name\" data-m=\""
-        + Html.escape(method.name())
-        + "\">"
-        + styles.of(method).swatch()
-        + Html.escape(method.name());
-  }
-
   /** What is known of each method as a whole. */
   String methods() {
+    String at = Html.tolerance(found.effort().typicalTolerance());
     StringBuilder html = new StringBuilder();
-    html.append("<section><h2>Methods</h2><table><tr><th>method");
-    html.append("<th>order observed<th>first run in a fresh JVM, tolerance 1e-5");
-    html.append("<th>where the time goes");
+    html.append("<section><h2>Methods</h2>");
+    html.append("<p class=\"note\">First runs and shares of time at tolerance ").append(at);
+    html.append("; of first runs the median, least and most, start of Java included. Order: how");
+    html.append(" fast the error falls with the number of steps.</p><table><tr><th>method");
+    html.append("<th>order observed<th>first run in a fresh JVM<th>where the time goes, warm");
     for (Method method : found.methods()) {
       OptionalDouble order = EqualError.order(found.pointsOf(method.name()), found.floor());
-      Double fresh = found.freshStarts().get(method.name());
-      html.append("<tr>").append(name(method));
+      FirstRuns fresh = found.freshStarts().get(method.name());
+      html.append("<tr>").append(styles.name(method));
       html.append("<td>").append(order(order));
-      html.append("<td>").append(fresh == null ? "–" : Html.seconds(fresh));
+      html.append("<td>").append(fresh == null ? "–" : firstRuns(fresh));
       html.append("<td>").append(bar(found.shares().get(method.name())));
     }
     return html.append("</table>").append(partLegend()).append("</section>").toString();
+  }
+
+  private static String firstRuns(FirstRuns runs) {
+    String median = Html.seconds(runs.seconds());
+    return runs.count() == 1
+        ? median
+        : String.format(
+            Locale.ROOT,
+            "%s <span class=\"none\">(%.2f – %.2f s)</span>",
+            median,
+            runs.least(),
+            runs.most());
   }
 
   /** An error that falls without more steps tells nothing of the order. */
@@ -172,7 +182,7 @@ final class MethodTables {
     html.append("<th>time<th>quartiles<th>runs<th>allocated");
     for (Method method : found.methods()) {
       for (Point point : found.pointsOf(method.name())) {
-        html.append("\n<tr>").append(name(method));
+        html.append("\n<tr>").append(styles.name(method));
         html.append(row(point, loops, energy, implicit));
       }
     }

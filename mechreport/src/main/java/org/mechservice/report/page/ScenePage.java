@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import org.mechservice.report.SceneFindings;
 import org.mechservice.report.measure.Effort;
-import org.mechservice.report.measure.Judge;
 import org.mechservice.report.measure.Point;
 import org.mechservice.report.measure.Reference;
 import org.mechservice.report.measure.Spectrum;
@@ -18,6 +17,9 @@ import org.mechservice.report.method.Method;
 
 /** The page of one scene. What does not concern the scene is not on it. */
 public final class ScenePage {
+  /** Labels on a curve beyond which they cover each other. */
+  private static final int MOST_LABELS = 5;
+
   private final SceneFindings found;
   private final CurveStyles styles;
   private final StringBuilder page = new StringBuilder();
@@ -51,7 +53,7 @@ public final class ScenePage {
       add(new MethodTables(found, styles).points());
     }
     leftOut();
-    measured();
+    add(new HowMeasured(found).html());
   }
 
   private void add(String html) {
@@ -68,14 +70,23 @@ public final class ScenePage {
     add(
         String.format(
             Locale.ROOT,
-            "<p class=\"sub\">%s · %d degrees of freedom · %s · %s s · %d methods%s · %s</p>",
+            "<p class=\"sub\">%s · %d degree%s of freedom · %s · %s · %d methods%s · %s</p>",
             Html.escape(found.file()),
             found.freedoms(),
+            found.freedoms() == 1 ? "" : "s",
             loops,
-            Html.number(end),
+            interval(end),
             found.methods().size(),
             found.effort().equals(Effort.QUICK) ? " · quick report" : "",
             Html.escape(found.versions().get(0))));
+  }
+
+  /** A run of which only the beginning can be judged says so at once. */
+  private String interval(double end) {
+    String judged = Html.number(end) + " s";
+    return end < found.endOfFile()
+        ? "the first " + judged + " of " + Html.number(found.endOfFile()) + " s (see below)"
+        : judged;
   }
 
   private void recommendation() {
@@ -94,8 +105,9 @@ public final class ScenePage {
     add("<section><h2>Error against run time</h2>");
     add(legend());
     add(
-        "<p class=\"note\">The number at a point is the exponent of the tolerance asked for; the"
-            + " line through it spans the quartiles of its times where that is wider than the mark."
+        "<p class=\"note\">The number at a point is the exponent of the tolerance asked for (3: 1e-3); the"
+            + " line through it spans the quartiles of its times where that is wider than the mark. "
+            + HowMeasured.definition(found)
             + "</p>");
     add(timeChart());
     add("<h2>Error against evaluations</h2>");
@@ -109,6 +121,7 @@ public final class ScenePage {
         "<p class=\"note\">On the line the error is the tolerance; between the dotted lines (0.01"
             + " to 100) the tolerance is honest.</p>");
     add(honesty());
+    add(new HonestyTable(found, styles).html());
     add("</section>");
   }
 
@@ -170,9 +183,11 @@ public final class ScenePage {
     return new LogLogChart.Curve(styles.of(method), marks, failures);
   }
 
-  /** The exponent of the tolerance asked for. */
-  private static String label(Point point) {
-    return String.format(Locale.ROOT, "%.0f", -Math.log10(point.tolerance()));
+  /** The exponent of the tolerance asked for; of many, every third. */
+  private String label(Point point) {
+    long exponent = Math.round(-Math.log10(point.tolerance()));
+    boolean crowded = found.effort().tolerances().length > MOST_LABELS;
+    return crowded && exponent % 3 != 0 ? "" : Long.toString(exponent);
   }
 
   private String hover(Method method, Point point) {
@@ -290,47 +305,5 @@ public final class ScenePage {
               + Html.escape(same.get(0).reason()));
     }
     add("</table></details>");
-  }
-
-  private void measured() {
-    Judge judge = found.judge();
-    add("<details open><summary>How this was measured</summary><ul>");
-    judge.said().forEach(said -> add("<li>" + Html.escape(said)));
-    judge
-        .reference()
-        .flatMap(Reference::amplification)
-        .ifPresent(
-            factors ->
-                add(
-                    "<li>A small change of the start has grown "
-                        + Html.factor(factors[factors.length - 1])
-                        + " at the end."));
-    add(
-        "<li>Error: the largest |x − x<sub>ref</sub>| / (1 + |x<sub>ref</sub>|) of all positions"
-            + " and velocities in SI units, over all times of the reference ("
-            + judge.reference().map(reference -> reference.times().length).orElse(0)
-            + "). The same for every method.");
-    add(
-        "<li>Tolerances: relative as stated, absolute a hundredth of it. Intervals and output the"
-            + " same for all.");
-    add(
-        String.format(
-            Locale.ROOT,
-            "<li>Time: processor time of the run's thread, median of up to %d runs (never fewer"
-                + " than %d; the tables say how many) after %.2g s of warm-up per method; every"
-                + " round runs every point once. Spread: quartiles. Runs were stopped after %.3g"
-                + " s.",
-            Effort.REPEATS,
-            Effort.FEWEST_REPEATS,
-            found.effort().warmSeconds(),
-            found.effort().limitSeconds()));
-    add("<li>" + String.join(" · ", found.versions().stream().map(Html::escape).toList()));
-    add(
-        "<li>Every single run: <a href=\""
-            + Html.escape(found.csv())
-            + "\">"
-            + Html.escape(found.csv())
-            + "</a>");
-    add("</ul></details>");
   }
 }

@@ -66,22 +66,22 @@ final class HipparchusRunner {
     double t1 = equations.number(problem.t1);
     double[] span = {0, t1 - t0};
     AdaptiveStepsizeIntegrator integrator = maker(name).apply(span, tolerances);
-    Watched watched = new Watched(equations, System.nanoTime() + (long) (limit * 1e9));
+    Deadline deadline = new Deadline(limit);
+    Watched watched = new Watched(equations, deadline);
     long[] steps = new long[1];
     integrator.addStepHandler(interpolator -> steps[0]++);
     String cause = "";
     double error = Double.NaN;
-    long started = System.nanoTime();
     try {
       ODEStateAndDerivative end =
           integrator.integrate(watched, new ODEState(t0, SuiteProblem.numbers(problem.y0)), t1);
       error = problem.error(end.getPrimaryState());
     } catch (TooLong e) {
-      cause = "not finished in time";
+      cause = deadline.cause();
     } catch (MathRuntimeException e) {
       cause = String.valueOf(e.getMessage());
     }
-    double seconds = (System.nanoTime() - started) * 1e-9;
+    double seconds = deadline.seconds();
     return new SuiteRun(
         problem.id, name, tolerance, error, watched.evaluations, steps[0], seconds, cause);
   }
@@ -101,10 +101,10 @@ final class HipparchusRunner {
 
   private static final class Watched implements OrdinaryDifferentialEquation {
     private final SuiteEquations equations;
-    private final long deadline;
+    private final Deadline deadline;
     private long evaluations;
 
-    Watched(SuiteEquations equations, long deadline) {
+    Watched(SuiteEquations equations, Deadline deadline) {
       this.equations = equations;
       this.deadline = deadline;
     }
@@ -116,7 +116,7 @@ final class HipparchusRunner {
 
     @Override
     public double[] computeDerivatives(double t, double[] y) {
-      if (System.nanoTime() > deadline) {
+      if (deadline.isOver()) {
         throw new TooLong();
       }
       evaluations++;

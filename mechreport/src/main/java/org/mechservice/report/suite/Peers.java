@@ -15,6 +15,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.mechservice.report.measure.Progress;
 
 /**
  * Integrators of SciPy and SUNDIALS on the same problems, where Python has them. Its equations are
@@ -22,6 +23,8 @@ import java.util.stream.Collectors;
  */
 final class Peers {
   private static final String SCRIPT = "/org/mechservice/report/suite/peers.py";
+
+  private static final int FIELDS = 7;
 
   private final List<SuiteRun> runs = new ArrayList<>();
   private String version = "";
@@ -36,8 +39,13 @@ final class Peers {
     return version;
   }
 
-  /** Runs the peers; whatever they cannot solve in time is left out. */
-  static Peers of(List<SuiteProblem> problems, double[] tolerances, double limit)
+  /**
+   * Runs the peers.
+   *
+   * @param limit of the processor time of one run, s
+   */
+  static Peers of(
+      List<SuiteProblem> problems, double[] tolerances, double limit, Progress progress)
       throws IOException {
     Peers peers = new Peers();
     Path script = Files.createTempFile("mech-peers", ".py");
@@ -46,14 +54,19 @@ final class Peers {
         throw new IllegalStateException("resource " + SCRIPT + " is missing");
       }
       Files.write(script, in.readAllBytes());
-      peers.run(script, problems, tolerances, limit);
+      peers.run(script, problems, tolerances, limit, progress);
     } finally {
       Files.delete(script);
     }
     return peers;
   }
 
-  private void run(Path script, List<SuiteProblem> problems, double[] tolerances, double limit)
+  private void run(
+      Path script,
+      List<SuiteProblem> problems,
+      double[] tolerances,
+      double limit,
+      Progress progress)
       throws IOException {
     Process python;
     try {
@@ -81,12 +94,27 @@ final class Peers {
             new InputStreamReader(python.getInputStream(), StandardCharsets.UTF_8))) {
       String first = in.readLine();
       version = first == null ? "" : first;
-      in.lines().forEach(this::add);
+      long started = System.nanoTime();
+      for (String line = in.readLine(); line != null; line = in.readLine()) {
+        add(line);
+        double done = 1 + order(problems, line);
+        double elapsed = (System.nanoTime() - started) * 1e-9;
+        progress.at(
+            "peers", 0.5 + 0.5 * done / problems.size(), elapsed / done * (problems.size() - done));
+      }
     }
   }
 
+  private static int order(List<SuiteProblem> problems, String line) {
+    int order = 0;
+    while (order < problems.size() - 1 && !line.startsWith(problems.get(order).id + ",")) {
+      order++;
+    }
+    return order;
+  }
+
   private void add(String line) {
-    String[] fields = line.split(",", -1);
+    String[] fields = line.split(",", FIELDS);
     runs.add(
         new SuiteRun(
             fields[0],
@@ -96,7 +124,7 @@ final class Peers {
             Long.parseLong(fields[4]),
             Long.parseLong(fields[5]),
             Double.NaN,
-            ""));
+            fields[FIELDS - 1]));
   }
 
   private static String input(List<SuiteProblem> problems) {

@@ -64,8 +64,10 @@ final class SuitePage {
     html.append(
         "</table><p class=\"note\">Geometric means over the problems and the errors 1e-3 to");
     html.append(
-        " 1e-8 that both reach. Times: warm, of those whose equations are evaluated by the");
-    html.append(" same Java.</p></section>");
+        " 1e-8 that both reach. Times: of those whose equations are evaluated by the same Java;");
+    html.append(" processor time, median of ").append(SuiteRunner.REPEATS);
+    html.append(" warm runs in turns (one run where it takes over ");
+    html.append(format("%.0f", SuiteRunner.LONG)).append(" s).</p></section>");
   }
 
   private Set<String> solvers(boolean stiff) {

@@ -13,6 +13,7 @@ import org.mechservice.report.measure.Progress;
 public final class SuiteReport {
   private final double[] tolerances;
   private final double limitSeconds;
+  private final double peerSeconds;
   private final Progress progress;
 
   /**
@@ -21,6 +22,7 @@ public final class SuiteReport {
   public SuiteReport(boolean quick, Progress progress) {
     tolerances = quick ? new double[] {1e-3, 1e-6, 1e-9} : Effort.powers(3, 12);
     limitSeconds = quick ? 1 : 10;
+    peerSeconds = quick ? 1 : 3;
     this.progress = progress;
   }
 
@@ -33,15 +35,15 @@ public final class SuiteReport {
     Files.createDirectories(folder);
     List<SuiteProblem> problems = SuiteProblem.all();
     List<SuiteRun> runs = new ArrayList<>();
+    long started = System.nanoTime();
     for (int i = 0; i < problems.size(); i++) {
       SuiteProblem problem = problems.get(i);
-      progress.at(problem.id, 0.5 * i / problems.size(), Double.NaN);
-      for (String name : SuiteRunner.integrators(problem)) {
-        runs.addAll(SuiteRunner.runs(problem, name, tolerances, limitSeconds));
-      }
+      double elapsed = (System.nanoTime() - started) * 1e-9;
+      double left = i == 0 ? Double.NaN : 2 * elapsed / i * (problems.size() - 0.5 * i);
+      progress.at(problem.id, 0.5 * i / problems.size(), left);
+      runs.addAll(SuiteRunner.all(problem, tolerances, limitSeconds));
     }
-    progress.at("peers", 0.5, Double.NaN);
-    Peers peers = Peers.of(problems, tolerances, limitSeconds);
+    Peers peers = Peers.of(problems, tolerances, peerSeconds, progress);
     runs.addAll(peers.runs());
     Path page = folder.resolve("integrators.html");
     Files.writeString(page, SuitePage.of(problems, runs, peers.version()), StandardCharsets.UTF_8);

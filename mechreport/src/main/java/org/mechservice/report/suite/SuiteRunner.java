@@ -5,6 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
+import org.mechservice.report.measure.Progress;
+import org.mechservice.report.measure.WarmUp;
 import org.mechservice.solver.integration.De;
 import org.mechservice.solver.integration.Integrator;
 import org.mechservice.solver.integration.IntegratorSettings;
@@ -22,10 +24,13 @@ final class SuiteRunner {
   private SuiteRunner() {}
 
   /** Runs whose time is taken, of which the median counts. */
-  private static final int REPEATS = 5;
+  static final int REPEATS = 11;
 
-  /** A run that takes longer, s, is warm by itself and is not repeated. */
-  private static final double LONG = 0.05;
+  /** A run that takes longer, s, is timed by its first run alone. */
+  static final double LONG = 1;
+
+  /** Rounds of this time, s, are compared with those before them, to see whether all is warm. */
+  private static final double WARM = 0.3;
 
   /** Returns the names of the integrators that take a problem, our own first. */
   static List<String> integrators(SuiteProblem problem) {
@@ -38,26 +43,47 @@ final class SuiteRunner {
     return names;
   }
 
-  /** Runs a problem with an integrator at all tolerances. */
-  static List<SuiteRun> runs(SuiteProblem problem, String name, double[] tolerances, double limit) {
+  /**
+   * Runs a problem with all integrators at all tolerances: each once, for its error, then warm in
+   * rounds, every run once per round.
+   */
+  static List<SuiteRun> all(SuiteProblem problem, double[] tolerances, double limit) {
     List<SuiteRun> runs = new ArrayList<>();
-    for (double tolerance : tolerances) {
-      runs.add(timed(problem, name, tolerance, limit));
+    for (String name : integrators(problem)) {
+      runs.addAll(runs(problem, name, tolerances, limit));
+    }
+    List<SuiteRun> repeated =
+        runs.stream().filter(run -> run.cause().isEmpty() && run.seconds() <= LONG).toList();
+    double[][] seconds = new double[repeated.size()][REPEATS];
+    WarmUp.until(
+        () -> repeated.stream().mapToDouble(run -> again(problem, run, limit)).sum(),
+        WARM,
+        Progress.SILENT,
+        0);
+    for (int round = 0; round < REPEATS; round++) {
+      for (int i = 0; i < repeated.size(); i++) {
+        seconds[i][round] = again(problem, repeated.get(i), limit);
+      }
+    }
+    for (int i = 0; i < repeated.size(); i++) {
+      Arrays.sort(seconds[i]);
+      int place = runs.indexOf(repeated.get(i));
+      runs.set(place, runs.get(place).taking(seconds[i][REPEATS / 2]));
     }
     return runs;
   }
 
-  private static SuiteRun timed(SuiteProblem problem, String name, double tolerance, double limit) {
-    SuiteRun first = run(problem, name, tolerance, limit);
-    if (!first.cause().isEmpty() || first.seconds() > LONG) {
-      return first;
+  private static double again(SuiteProblem problem, SuiteRun first, double limit) {
+    return run(problem, first.solver(), first.tolerance(), 5 * limit).seconds();
+  }
+
+  /** Runs a problem with an integrator at all tolerances, each once. */
+  static List<SuiteRun> runs(SuiteProblem problem, String name, double[] tolerances, double limit) {
+    List<SuiteRun> runs = new ArrayList<>();
+    for (double tolerance : tolerances) {
+      runs.add(run(problem, name, tolerance, limit));
     }
-    double[] seconds = new double[REPEATS];
-    for (int i = 0; i < REPEATS; i++) {
-      seconds[i] = run(problem, name, tolerance, limit).seconds();
-    }
-    Arrays.sort(seconds);
-    return first.taking(seconds[REPEATS / 2]);
+    return runs;
   }
 
   private static SuiteRun run(SuiteProblem problem, String name, double tolerance, double limit) {
@@ -65,10 +91,8 @@ final class SuiteRunner {
       return HipparchusRunner.run(problem, name, tolerance, limit);
     }
     SuiteEquations equations = new SuiteEquations(problem);
-    long started = System.nanoTime();
-    long deadline = System.nanoTime() + (long) (limit * 1e9);
-    Integrator integrator =
-        create(name, settings(problem, tolerance, () -> System.nanoTime() > deadline));
+    Deadline deadline = new Deadline(limit);
+    Integrator integrator = create(name, settings(problem, tolerance, deadline::isOver));
     double t0 = SuiteProblem.numbers(List.of(problem.t0))[0];
     double t1 = equations.number(problem.t1);
     double[] y = SuiteProblem.numbers(problem.y0);
@@ -78,9 +102,9 @@ final class SuiteRunner {
     }
     long evaluations = integrator.statistics().evaluations();
     long steps = integrator.statistics().steps();
-    double seconds = (System.nanoTime() - started) * 1e-9;
+    double seconds = deadline.seconds();
     if (result != StepResult.REACHED_END) {
-      String cause = result == StepResult.STOPPED ? "not finished in time" : cause(integrator);
+      String cause = result == StepResult.STOPPED ? deadline.cause() : cause(integrator);
       return new SuiteRun(
           problem.id, name, tolerance, Double.NaN, evaluations, steps, seconds, cause);
     }

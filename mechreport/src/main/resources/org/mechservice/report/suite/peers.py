@@ -17,9 +17,15 @@ except ImportError:
 NAMES = {name: getattr(math, name) for name in ("sin", "cos", "exp", "sqrt", "log", "asin", "pi")}
 TOLERANCES = [float(text) for text in sys.argv[1].split(",")]
 LIMIT = float(sys.argv[2])
+TOO_LONG = "not finished within %g s" % LIMIT
+NOT_RUN = "not run: it did not finish at a looser tolerance"
 
 
 class TooLong(Exception):
+    pass
+
+
+class Failed(Exception):
     pass
 
 
@@ -36,14 +42,16 @@ def right_hand_side(problem):
         lines += [f"    M[{m['i']}, {m['j']}] = {m['expr']}" for m in problem["mass"]]
         lines += ["    r = solve(M, r)"]
     lines += ["    return r"]
-    given.update(zeros=numpy.zeros, solve=numpy.linalg.solve, clock=time.perf_counter, TooLong=TooLong)
+    given.update(zeros=numpy.zeros, solve=numpy.linalg.solve, clock=time.process_time, TooLong=TooLong)
     exec("\n".join(lines), given)
     return given["f"]
 
 
 def scipy_end(method, f, span, start, rtol, atol):
     solution = solve_ivp(f, span, start, method=method, rtol=rtol, atol=atol)
-    return (solution.y[:, -1], len(solution.t) - 1) if solution.success else None
+    if not solution.success:
+        raise Failed(solution.message)
+    return solution.y[:, -1], len(solution.t) - 1
 
 
 def cvode_end(method, f, span, start, rtol, atol):
@@ -53,7 +61,9 @@ def cvode_end(method, f, span, start, rtol, atol):
     solver = CVODE(rhs, method=method, rtol=rtol, atol=atol, max_num_steps=1_000_000)
     # Two times: output at every internal step; the last is the end.
     solution = solver.solve(numpy.array(span), numpy.array(start))
-    return (solution.y[-1, :], len(solution.t) - 1) if solution.success else None
+    if not solution.success:
+        raise Failed(solution.message)
+    return solution.y[-1, :], len(solution.t) - 1
 
 
 def run(problem, solve, method, rtol):
@@ -62,9 +72,10 @@ def run(problem, solve, method, rtol):
     expected = numpy.array([float(text) for text in problem["reference"]])
     start = [float(text) for text in problem["y0"]]
     count = [0]
-    began = time.perf_counter()
+    began = time.process_time()
+    error, steps, cause = math.nan, 0, ""
     try:
-        end = solve(
+        y, steps = solve(
             method,
             lambda t, y: f(t, y, count, began + LIMIT),
             (float(eval(problem["t0"], dict(NAMES))), problem["end"]),
@@ -72,13 +83,12 @@ def run(problem, solve, method, rtol):
             rtol,
             rtol * scale,
         )
-    except (TooLong, OverflowError, ValueError, ZeroDivisionError, numpy.linalg.LinAlgError):
-        return None
-    if end is None:
-        return None
-    y, steps = end
-    error = max(abs(y[i] - expected[i]) / (abs(expected[i]) + scale[i]) for i in problem["scored"])
-    return error, count[0], steps
+        error = max(abs(y[i] - expected[i]) / (abs(expected[i]) + scale[i]) for i in problem["scored"])
+    except TooLong:
+        cause = TOO_LONG
+    except (Failed, RuntimeError, ArithmeticError, ValueError, numpy.linalg.LinAlgError) as reason:
+        cause = str(reason).replace("\n", " ") or type(reason).__name__
+    return error, count[0], steps, cause
 
 
 def peers(klass):
@@ -96,11 +106,12 @@ def main():
     print("SciPy " + scipy.__version__ + sundials, flush=True)
     for problem in json.load(sys.stdin):
         for name, solve, method in peers(problem["klass"]):
+            hopeless = False
             for rtol in TOLERANCES:
-                result = run(problem, solve, method, rtol)
-                if result is not None:
-                    fields = [problem["id"], name, rtol, *result]
-                    print(",".join(str(field) for field in fields), flush=True)
+                result = (math.nan, 0, 0, NOT_RUN) if hopeless else run(problem, solve, method, rtol)
+                hopeless = hopeless or result[3] == TOO_LONG
+                fields = [problem["id"], name, rtol, *result]
+                print(",".join("NaN" if field != field else str(field) for field in fields), flush=True)
 
 
 main()

@@ -1,5 +1,6 @@
 package org.mechservice.sim.build;
 
+import java.util.Optional;
 import java.util.Set;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunSettings;
@@ -12,15 +13,28 @@ import org.mechservice.solver.api.RunSettings;
  * @param compact whether the model is to carry data instead of generated code
  * @param columns column groups it must be able to put out
  * @param settings the settings it carries as its defaults, with {@code auto} already resolved
+ * @param integratorReason why {@code auto} is that integrator; empty if it was asked for, or
+ *     decides along the run
  */
 public record BuildOptions(
     String formulation,
     String closure,
     boolean compact,
     Set<ColumnGroup> columns,
-    RunSettings settings) {
+    RunSettings settings,
+    Optional<String> integratorReason) {
   public BuildOptions {
     columns = Set.copyOf(columns);
+  }
+
+  /** With an integrator that was asked for. */
+  public BuildOptions(
+      String formulation,
+      String closure,
+      boolean compact,
+      Set<ColumnGroup> columns,
+      RunSettings settings) {
+    this(formulation, closure, compact, columns, settings, Optional.empty());
   }
 
   /** Generated code wherever there is some, loops closed as suits them. */

@@ -11,14 +11,12 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
-import org.mechservice.sim.build.jar.Sha256;
 import org.mechservice.sim.build.javac.SolverClasses;
-import org.mechservice.solver.pack.KeptClasses;
 
 /**
  * The runtime JAR as the build has packed it, which takes longer than a small simulation. With it
- * goes a list: the hash of the solver's files it was made from, and the classes in it. A solver
- * that was compiled since has another hash; then the JAR is not used.
+ * goes a list: the fingerprint of the solver's files it was made from, and the classes in it. A
+ * solver that was compiled since has another fingerprint; then the JAR is not used.
  */
 public final class BuiltRuntime {
   private static final String JAR = "runtime.jar";
@@ -34,17 +32,13 @@ public final class BuiltRuntime {
         return Optional.empty();
       }
       List<String> lines = new String(list.readAllBytes(), StandardCharsets.UTF_8).lines().toList();
-      return lines.isEmpty() || !lines.get(0).equals(solverSha256())
+      return lines.isEmpty() || !lines.get(0).equals(SolverClasses.fingerprint())
           ? Optional.empty()
           : Optional.of(
               RuntimeJar.of(jar.readAllBytes(), new HashSet<>(lines.subList(1, lines.size()))));
     } catch (IOException e) {
       throw new UncheckedIOException("the runtime JAR of the build cannot be read", e);
     }
-  }
-
-  private static String solverSha256() {
-    return Sha256.of(KeptClasses.write(SolverClasses.files()));
   }
 
   /**
@@ -61,7 +55,7 @@ public final class BuiltRuntime {
     RuntimeJar made = RuntimeJar.pack();
     List<String> lines = new ArrayList<>(made.classes());
     Collections.sort(lines);
-    lines.add(0, solverSha256());
+    lines.add(0, SolverClasses.fingerprint());
     try {
       Files.createDirectories(folder);
       Files.write(folder.resolve(JAR), made.jar().bytes());

@@ -4,6 +4,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.SimulationTask;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.compact.CompactModel;
@@ -26,6 +27,7 @@ final class DataColumns {
             case REACTIONS -> !model.mechanism().joints().isEmpty();
             case FORCES -> !hasForces;
             case OUTPUTS -> !model.outputs().isEmpty();
+            case MOMENTUM -> model.settings().task() instanceof SimulationTask.Dynamic;
             case JOINTS, ACCELERATIONS, BODIES, ENERGY -> false;
           };
       if (some && options.columns().contains(group)) {

@@ -87,16 +87,14 @@ public final class GeneratedModel {
 
   /** Returns the model with forces of users that do nothing. */
   ModelSource withoutUserClasses() {
-    if (written instanceof CompactClass compact) {
-      CompactModel data = compact.model();
-      String closure = data.mechanism().closures().isEmpty() ? "none" : "projection";
-      CompactModel integrated =
-          compact.task().isEmpty()
-              ? data
-              : new CompactModel(data.mechanism(), "DSR", closure, data.settings());
-      return new ForceFree(integrated);
-    }
-    throw new IllegalStateException("no code is generated for classes of users");
+    CompactClass compact = written instanceof CompactClass all ? all : columns.orElseThrow();
+    CompactModel data = compact.model();
+    String closure = data.mechanism().closures().isEmpty() ? "none" : "projection";
+    CompactModel integrated =
+        compact.task().isEmpty()
+            ? data
+            : new CompactModel(data.mechanism(), "DSR", closure, data.settings());
+    return new ForceFree(integrated);
   }
 
   /** Makes models that know everything but the forces of users. */

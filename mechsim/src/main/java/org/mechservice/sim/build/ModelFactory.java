@@ -33,6 +33,7 @@ import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /**
  * The way from a mechanism to code: generate, compile, pack. Thread-safe; every step is a pure
@@ -58,9 +59,14 @@ public final class ModelFactory {
     }
     String integrator = options.settings().integrator();
     StandaloneMain.requireIntegrator(integrator);
-    FormulationChoice choice =
+    FormulationChoice resolved =
         FormulationChoice.of(
             options.formulation(), options.closure(), options.settings(), mechanism);
+    FormulationChoice choice =
+        options
+            .integratorReason()
+            .map(why -> resolved.because("; auto: " + integrator + ", since at the start " + why))
+            .orElse(resolved);
     List<String> notGenerated = GenerationLimits.notGenerated(mechanism, choice);
     return options.compact() || !notGenerated.isEmpty()
         ? compact(model, options, choice, notGenerated)
@@ -158,13 +164,13 @@ public final class ModelFactory {
             residual,
             derivatives,
             EnergyEquations.derive(links),
-            options.columns().contains(ColumnGroup.BODIES)
+            options.columns().contains(ColumnGroup.BODIES) && !ModelClass.hasUserForces(mechanism)
                 ? Optional.of(PoseEquations.derive(links))
                 : Optional.empty(),
             PowerEquations.power(links),
             forceValues(links, options),
             notes(choice, derivative, residual, derivatives, leftOut));
-    Set<ColumnGroup> further = DataColumns.of(model, options, true);
+    Set<ColumnGroup> further = DataColumns.of(model, options, !ModelClass.hasUserForces(mechanism));
     return new GeneratedModel(
         ModelPlan.of(written),
         further.isEmpty() && !needsData(model.watchedMechanism())
@@ -177,21 +183,34 @@ public final class ModelFactory {
                     Optional.empty())),
         mechanism.name(),
         choice.formulation(),
-        choice.reason(),
+        choice.reason() + calledForces(mechanism),
         derivative.operationCount(),
         leftOut);
   }
 
-  /** Parameters and what happens along a run are kept as data beside the code. */
+  /** Says which forces are classes of users: code calls them, it does not contain them. */
+  private static String calledForces(Mechanism mechanism) {
+    String names =
+        mechanism.forces().stream()
+            .filter(UserForceElement.class::isInstance)
+            .map(force -> "\"" + force.name() + "\"")
+            .collect(Collectors.joining(", "));
+    return names.isEmpty() ? "" : "; every evaluation calls the classes of forces " + names;
+  }
+
+  /** Parameters, user forces and what happens along a run are kept as data beside the code. */
   private static boolean needsData(Mechanism mechanism) {
     return !mechanism.parameters().isEmpty()
+        || ModelClass.hasUserForces(mechanism)
         || !mechanism.events().isEmpty()
         || !mechanism.timeJumps(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY).isEmpty();
   }
 
   private static Optional<ModelClass.ForceValues> forceValues(Links links, BuildOptions options) {
     List<Variable> columns = ForceColumns.of(links.mechanism());
-    return columns.isEmpty() || !options.columns().contains(ColumnGroup.FORCES)
+    return columns.isEmpty()
+            || ModelClass.hasUserForces(links.mechanism())
+            || !options.columns().contains(ColumnGroup.FORCES)
         ? Optional.empty()
         : Optional.of(new ModelClass.ForceValues(columns, PowerEquations.values(links)));
   }

@@ -23,7 +23,7 @@ final class SolverFiles {
 
   /** Returns one of the files, or null if there is no such file. */
   static byte @Nullable [] lean(String path) {
-    byte[] file = SolverClasses.files().get(path);
+    byte[] file = SolverClasses.file(path);
     return file == null ? null : lean(path, file);
   }
 

@@ -54,6 +54,11 @@ public record FormulationChoice(String formulation, String closure, String reaso
         : closed(asked, closure, settings, mechanism);
   }
 
+  /** Returns the same choice with more to say. */
+  public FormulationChoice because(String more) {
+    return new FormulationChoice(formulation, closure, reason + more);
+  }
+
   private static FormulationChoice open(
       String asked, String closure, String integrator, Mechanism mechanism) {
     if (!closure.equals("auto") && !closure.equals(OPEN)) {

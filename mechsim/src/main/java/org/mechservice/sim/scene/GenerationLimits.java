@@ -36,6 +36,7 @@ public final class GenerationLimits {
         "forces written as classes",
         mechanism.forces().stream()
             .filter(UserForceElement.class::isInstance)
+            .filter(force -> !mechanism.closures().isEmpty())
             .map(ForceElement::name));
     add(
         beyond,

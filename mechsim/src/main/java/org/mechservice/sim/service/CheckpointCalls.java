@@ -45,7 +45,7 @@ record CheckpointCalls(SimulationRun run) {
 
   /** Whoever stops or holds a run finds it saved where it stands. */
   private boolean stands() {
-    return run.ended() || run.state() == SimState.SIM_PAUSED;
+    return (run.ended() && !run.computes()) || run.state() == SimState.SIM_PAUSED;
   }
 
   private boolean isSavedWhereItStands(RunCheckpoints checkpoints) {

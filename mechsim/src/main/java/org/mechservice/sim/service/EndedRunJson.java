@@ -33,6 +33,9 @@ final class EndedRunJson {
     json.addProperty("fileName", identity.fileName());
     json.addProperty("modelText", identity.modelText());
     json.addProperty("createdAt", identity.createdAt());
+    JsonArray earlier = new JsonArray();
+    identity.earlierIds().forEach(earlier::add);
+    json.add("earlierIds", earlier);
     json.add("columns", variables(run.columns().variables()));
     JsonArray groups = new JsonArray();
     run.columns().groups().forEach(groups::add);
@@ -152,7 +155,13 @@ final class EndedRunJson {
         string(json, "modelName"),
         string(json, "fileName"),
         string(json, "modelText"),
-        json.get("createdAt").getAsLong());
+        json.get("createdAt").getAsLong(),
+        earlierIds(json.getAsJsonArray("earlierIds")));
+  }
+
+  /** Files written before runs moved have none. */
+  private static List<String> earlierIds(@Nullable JsonArray ids) {
+    return ids == null ? List.of() : ids.asList().stream().map(JsonElement::getAsString).toList();
   }
 
   private static String string(JsonObject json, String name) {

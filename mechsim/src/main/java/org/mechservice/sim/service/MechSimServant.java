@@ -120,7 +120,7 @@ final class MechSimServant implements MechSimOperations {
   private void generateAhead(LoadedModel read) {
     SimulationSettings settings = read.model().settings();
     try {
-      RunOptions asInFile = RunOptions.parse(new NameValue[0], settings);
+      RunOptions asInFile = RunOptions.parse(new NameValue[0], settings).suiting(read.model().mechanism());
       library.generated(read, asInFile.forRun(settings), times);
     } catch (InvalidOption | NotAvailable | IllegalArgumentException e) {
       LOG.debug("the model cannot be run as its file says", e);
@@ -140,6 +140,11 @@ final class MechSimServant implements MechSimOperations {
     } catch (MechmlException e) {
       throw Refusal.model(e.diagnostics());
     }
+  }
+
+  private static RunOptions suiting(NameValue[] options, LoadedModel model)
+      throws InvalidOption, NotAvailable {
+    return RunOptions.parse(options, model.model().settings()).suiting(model.model().mechanism());
   }
 
   @Override
@@ -169,7 +174,7 @@ final class MechSimServant implements MechSimOperations {
   public ModelFile generatedSource(NameValue[] options)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
     LoadedModel model = requireModel(options);
-    RunOptions asked = RunOptions.parse(options, model.model().settings());
+    RunOptions asked = suiting(options, model);
     GeneratedModel generated =
         Built.orRefused(() -> library.generated(model, asked.forJar(), times));
     return new ModelFile(
@@ -217,7 +222,7 @@ final class MechSimServant implements MechSimOperations {
     admission.requirePlace(session);
     LoadedModel source = requireModel(options);
     SimulationSettings ofFile = source.model().settings();
-    RunOptions asked = RunOptions.parse(options, ofFile);
+    RunOptions asked = suiting(options, source);
     requireNoWarnings(source, asked);
     CompiledModel compiled =
         Built.orRefused(() -> library.compiled(source, asked.forRun(ofFile), times));
@@ -228,7 +233,7 @@ final class MechSimServant implements MechSimOperations {
     RunTask task = Built.orRefused(() -> runs.task(compiled, request, memory));
     RunColumns columns = Built.orRefused(() -> runs.columns(task.model(), request));
     RunFacts facts = RunFacts.of(session.host().hostName(), source, compiled.generated(), times);
-    SimulationRun run = runs.create(task, columns, source, facts, session);
+    SimulationRun run = runs.create(task, columns, source, facts, session, asked.earlierIds());
     IMechSimRemote reference = session.add(run, client);
     session.said(run, messages(source, compiled.generated(), asked));
     return new Created(run, reference, compiled.generated().formulationReason());
@@ -280,7 +285,7 @@ final class MechSimServant implements MechSimOperations {
   public byte[] compileToJar(NameValue[] options, JarInfoHolder info)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
     LoadedModel source = requireModel(options);
-    RunOptions asked = RunOptions.parse(options, source.model().settings());
+    RunOptions asked = suiting(options, source);
     requireNoWarnings(source, asked);
     BuildOptions build = asked.forJar();
     CompiledModel compiled = Built.orRefused(() -> library.compiled(source, build, times));

@@ -3,6 +3,7 @@ package org.mechservice.sim.service;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.UUID;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.sim.build.CompiledModel;
@@ -69,10 +70,16 @@ final class RunFactory {
    * Makes a simulation.
    *
    * @param session whose it is
+   * @param earlierIds of the runs that it goes on from
    * @throws LimitExceeded if its rows would be more than the host or its disk takes
    */
   SimulationRun create(
-      RunTask task, RunColumns columns, LoadedModel source, RunFacts facts, Session session)
+      RunTask task,
+      RunColumns columns,
+      LoadedModel source,
+      RunFacts facts,
+      Session session,
+      List<String> earlierIds)
       throws LimitExceeded {
     requireRoomForRows(task.settings(), columns.count());
     RunIdentity identity =
@@ -84,7 +91,8 @@ final class RunFactory {
             task.description().name(),
             source.fileName(),
             source.text(),
-            System.currentTimeMillis());
+            System.currentTimeMillis(),
+            earlierIds);
     RunPlan plan = new RunPlan(identity, task, columns, facts);
     return new SimulationRun(plan, queue, store, session::stateChanged);
   }

@@ -1,5 +1,7 @@
 package org.mechservice.sim.service;
 
+import java.util.List;
+
 /**
  * What a run is called and whose it is.
  *
@@ -11,6 +13,7 @@ package org.mechservice.sim.service;
  * @param fileName name of the model's file
  * @param modelText the model's file; empty if it is not kept
  * @param createdAt UTC, ms since 1970-01-01
+ * @param earlierIds of the runs on other hosts that it goes on from
  */
 record RunIdentity(
     String simId,
@@ -20,10 +23,21 @@ record RunIdentity(
     String modelName,
     String fileName,
     String modelText,
-    long createdAt) {
+    long createdAt,
+    List<String> earlierIds) {
+
+  RunIdentity {
+    earlierIds = List.copyOf(earlierIds);
+  }
+
+  /** Returns whether who asks for an id means this run. */
+  boolean answersTo(String id) {
+    return simId.equals(id) || earlierIds.contains(id);
+  }
 
   /** Returns the same without the model's text. */
   RunIdentity withoutText() {
-    return new RunIdentity(simId, sessionId, hostName, owner, modelName, fileName, "", createdAt);
+    return new RunIdentity(
+        simId, sessionId, hostName, owner, modelName, fileName, "", createdAt, earlierIds);
   }
 }

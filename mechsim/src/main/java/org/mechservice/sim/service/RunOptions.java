@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeSet;
@@ -18,6 +19,7 @@ import org.mechservice.idl.OPT_ABS_TOL;
 import org.mechservice.idl.OPT_CLOSURE;
 import org.mechservice.idl.OPT_COLUMNS;
 import org.mechservice.idl.OPT_COMPACT;
+import org.mechservice.idl.OPT_CONTINUES;
 import org.mechservice.idl.OPT_FORMULATION;
 import org.mechservice.idl.OPT_INTEGRATOR;
 import org.mechservice.idl.OPT_MAX_DRIFT;
@@ -33,8 +35,10 @@ import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.sim.build.BuildOptions;
 import org.mechservice.sim.build.BuiltColumns;
+import org.mechservice.sim.scene.IntegratorChoice;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.mechanism.Mechanism;
 
 /**
  * How a model is to be built and run: what its file says, overridden by the options of a request.
@@ -46,7 +50,10 @@ import org.mechservice.solver.api.RunSettings;
  * @param settings of the run, with the integrator resolved
  * @param standalone whether a JAR is to carry the solver
  * @param strict whether warnings are errors
+ * @param automatic whether the integrator was left to us
+ * @param integratorReason why it is the one in the settings; empty if nothing is to be said
  * @param maxDrift drift of the energy balance, over the energy scale, that ends a run
+ * @param earlierIds of the runs that a run goes on from
  */
 record RunOptions(
     String formulation,
@@ -56,7 +63,10 @@ record RunOptions(
     RunSettings settings,
     boolean standalone,
     boolean strict,
-    OptionalDouble maxDrift) {
+    boolean automatic,
+    Optional<String> integratorReason,
+    OptionalDouble maxDrift,
+    List<String> earlierIds) {
   /** What {@code auto} means for explicit formulations: ode113, and ode15s where it gets stiff. */
   private static final String EXPLICIT_INTEGRATOR = "switching";
 
@@ -85,10 +95,12 @@ record RunOptions(
               OPT_STANDALONE.value,
               OPT_STRICT.value,
               OPT_MAX_DRIFT.value,
-              OPT_COMPACT.value));
+              OPT_COMPACT.value,
+              OPT_CONTINUES.value));
 
   RunOptions {
     columns = Set.copyOf(columns);
+    earlierIds = List.copyOf(earlierIds);
   }
 
   /**
@@ -112,7 +124,43 @@ record RunOptions(
         settings(given, ofFile),
         flag(given, OPT_STANDALONE.value),
         flag(given, OPT_STRICT.value),
-        maxDrift(given));
+        integrated
+            && given.getOrDefault(OPT_INTEGRATOR.value, ofFile.run().integrator()).equals(AUTO),
+        Optional.empty(),
+        maxDrift(given),
+        earlierIds(given));
+  }
+
+  private static List<String> earlierIds(Map<String, String> given) throws InvalidOption {
+    String ids = given.getOrDefault(OPT_CONTINUES.value, "");
+    if (ids.isEmpty()) {
+      return List.of();
+    }
+    if (!ids.matches("[-0-9a-f]{1,64}(,[-0-9a-f]{1,64}){0,99}")) {
+      throw Refusal.option(
+          OPT_CONTINUES.value, "\"" + ids + "\" are no ids of runs, separated by commas");
+    }
+    return List.of(ids.split(",", -1));
+  }
+
+  /** Returns the same options with the integrator that suits a scene, if it was left to us. */
+  RunOptions suiting(Mechanism mechanism) {
+    if (!automatic) {
+      return this;
+    }
+    IntegratorChoice choice = IntegratorChoice.of(formulation, mechanism, settings);
+    return new RunOptions(
+        formulation,
+        closure,
+        compact,
+        columns,
+        withIntegrator(settings, choice.integrator()),
+        standalone,
+        strict,
+        true,
+        choice.reason(),
+        maxDrift,
+        earlierIds);
   }
 
   private static Map<String, String> byName(NameValue[] options) throws InvalidOption {
@@ -205,6 +253,22 @@ record RunOptions(
             + "\", which is no column group; there are "
             + known
             + " and all");
+  }
+
+  private static RunSettings withIntegrator(RunSettings run, String integrator) {
+    return new RunSettings(
+        run.tStart(),
+        run.tEnd(),
+        run.tStep(),
+        integrator,
+        run.relativeTolerance(),
+        run.absoluteTolerance(),
+        run.maxStep(),
+        run.initialStep(),
+        run.maxOrder(),
+        run.angleTolerance(),
+        run.velocityTolerance(),
+        run.angularVelocityTolerance());
   }
 
   private static String automatic(String formulation) {
@@ -306,7 +370,7 @@ record RunOptions(
 
   /** Returns what a model is to be built for that carries these settings as its own. */
   BuildOptions forJar() {
-    return new BuildOptions(formulation, closure, compact, columns, settings);
+    return new BuildOptions(formulation, closure, compact, columns, settings, integratorReason);
   }
 
   /**
@@ -332,6 +396,7 @@ record RunOptions(
             file.maxOrder(),
             file.angleTolerance(),
             file.velocityTolerance(),
-            file.angularVelocityTolerance()));
+            file.angularVelocityTolerance()),
+        integratorReason);
   }
 }

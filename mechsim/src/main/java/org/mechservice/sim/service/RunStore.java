@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Predicate;
 import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.Progress;
 import org.mechservice.idl.SimState;
@@ -160,7 +161,14 @@ final class RunStore implements AutoCloseable {
   /** Returns a run that is kept; one whose time is over is not, although it may not be deleted. */
   Optional<KeptRun> find(String simId) {
     return Optional.ofNullable(kept.get(simId))
+        .or(() -> continuing(simId))
         .filter(run -> run.until() > System.currentTimeMillis());
+  }
+
+  private Optional<KeptRun> continuing(String earlierId) {
+    return kept.values().stream()
+        .filter(kept -> kept.run().identity().earlierIds().contains(earlierId))
+        .findFirst();
   }
 
   /** Deletes a run whose client does not need it any more, remembering that there was one. */
@@ -190,10 +198,16 @@ final class RunStore implements AutoCloseable {
     }
   }
 
-  /** Deletes what has been kept long enough. */
-  void expire() {
+  /**
+   * Deletes what has been kept long enough.
+   *
+   * @param takenUp whether a client reads a run just now, which then stays until it is let go
+   */
+  void expire(Predicate<String> takenUp) {
     long now = System.currentTimeMillis();
-    kept.values().stream().filter(run -> run.until() < now).forEach(this::drop);
+    kept.values().stream()
+        .filter(run -> run.until() < now && !takenUp.test(run.run().identity().simId()))
+        .forEach(this::drop);
   }
 
   private void drop(KeptRun run) {

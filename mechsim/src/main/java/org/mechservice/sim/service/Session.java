@@ -49,7 +49,7 @@ final class Session {
   private final ClientNotifier notifier;
   private final Map<SimulationRun, Hosted> simulations = new HashMap<>();
   private final List<ActiveObject> own = new ArrayList<>();
-  private final List<HostedServant> takenUp = new ArrayList<>();
+  private final List<EndedRunServant> takenUp = new ArrayList<>();
   private volatile long renewedAt = System.nanoTime();
   private boolean ended;
 
@@ -151,6 +151,11 @@ final class Session {
     return IMechSimRemoteHelper.unchecked_narrow(object.reference());
   }
 
+  /** Returns whether it has taken up a run. */
+  synchronized boolean hasTakenUp(String simId) {
+    return takenUp.stream().anyMatch(servant -> servant.simId().equals(simId));
+  }
+
   /**
    * Opens a cursor over all columns of a simulation of this session.
    *
@@ -167,10 +172,10 @@ final class Session {
     return hosted.servant().openAllResults();
   }
 
-  /** Returns the reference of a simulation of this session. */
+  /** Returns the reference of a simulation of this session, by its id or an earlier one. */
   synchronized Optional<IMechSimRemote> find(String simId) {
     return simulations.entrySet().stream()
-        .filter(entry -> entry.getKey().simId().equals(simId))
+        .filter(entry -> entry.getKey().identity().answersTo(simId))
         .map(entry -> IMechSimRemoteHelper.unchecked_narrow(entry.getValue().object().reference()))
         .findFirst();
   }
@@ -292,7 +297,7 @@ final class Session {
   }
 
   private void end(Consumer<SimulationRun> each) {
-    List<HostedServant> others;
+    List<EndedRunServant> others;
     synchronized (this) {
       ended = true;
       own.forEach(ActiveObject::close);

@@ -92,7 +92,11 @@ public final class SessionTable implements AutoCloseable {
         clock.scheduleWithFixedDelay(this::tick, TICK_MILLIS, TICK_MILLIS, TimeUnit.MILLISECONDS);
     unused =
         clock.scheduleWithFixedDelay(
-            store::expire, EXPIRY_SECONDS, EXPIRY_SECONDS, TimeUnit.SECONDS);
+            () -> store.expire(this::isTakenUp), EXPIRY_SECONDS, EXPIRY_SECONDS, TimeUnit.SECONDS);
+  }
+
+  private boolean isTakenUp(String simId) {
+    return allSessions().stream().anyMatch(session -> session.hasTakenUp(simId));
   }
 
   private static ThreadFactory named(String name) {
@@ -271,7 +275,7 @@ public final class SessionTable implements AutoCloseable {
   private void kill(Session session, SimulationRun run, String reason) {
     String text = "cancelled by the operator: " + reason;
     session.said(run, new Diagnostic[] {Wire.information("S-018", text)});
-    run.cancel();
+    run.stop();
     host.journal()
         .tell(
             Happening.warning("sim-killed", "S-018", text)

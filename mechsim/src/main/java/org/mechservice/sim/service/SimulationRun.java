@@ -1,11 +1,9 @@
 package org.mechservice.sim.service;
 
 import java.io.IOException;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.InvalidState;
@@ -16,7 +14,6 @@ import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.TunableParameter;
@@ -26,40 +23,36 @@ import org.mechservice.solver.api.Variable;
  * One simulation from its creation to its end: runs once, in a thread of the {@link RunQueue}, and
  * leaves its rows in a {@link ResultSpool}. Thread-safe.
  */
-final class SimulationRun implements Runnable, ResultSink {
+final class SimulationRun implements Runnable {
   /** Hears of changes of state, in the thread that makes them; must not block. */
   interface Listener {
     void stateChanged(SimulationRun run, SimState state, String text);
   }
 
-  private static final long HOLD_CHECK_MILLIS = 20;
-
-  /** How long who asks for the state waits for the end of a step. */
-  private static final long STATE_MILLIS = 500;
+  /**
+   * How long who cancels waits for the solver, which looks at its control at every evaluation. An
+   * evaluation or a factorisation that takes longer goes on for nobody.
+   */
+  private static final long CANCEL_MILLIS = 50;
 
   private final RunPlan plan;
   private final RunQueue queue;
   private final RunStore store;
   private final Listener listener;
-  private final ResultSpool spool;
+  private final RunRows rows;
   private final RunControl control = new RunControl();
   private final RunCurves curves = new RunCurves();
-  private final RunColumnsWatch watch;
-  private final double[] lastState;
-  private final Object stateWatch = new Object();
+  private final RunClock clock = new RunClock();
 
   private RunTask task;
   private final Map<String, String> parameters = new TreeMap<>();
   private SimState phase = SimState.SIM_CREATED;
-  private double lastTime;
   private String text = "";
-  private long startedAt;
-  private long endedAt;
-  private long startedNanos;
-  private long endedNanos;
   private @Nullable RunBudget budget;
   private @Nullable RunLimitException limitReached;
   private Optional<RunVerdict> verdict = Optional.empty();
+  private boolean computing;
+  private boolean concluded;
   private boolean destroyed;
   private boolean left;
   private boolean holdTold;
@@ -70,12 +63,9 @@ final class SimulationRun implements Runnable, ResultSink {
     this.queue = queue;
     this.store = store;
     this.listener = listener;
-    spool = store.newRows(plan.identity().simId(), plan.columns().count());
-    watch = new RunColumnsWatch(plan.columns());
-    lastState = new double[plan.task().description().stateCount()];
-    lastTime = settings().tStart();
+    ResultSpool spool = store.newRows(plan.identity().simId(), plan.columns().count());
     task = plan.task();
-    task.initialState(lastState);
+    rows = new RunRows(task, plan.columns(), spool, control);
     task.checkpointsOfRun().ifPresent(checkpoints -> checkpoints.countRowsWith(spool::rows));
   }
 
@@ -92,7 +82,7 @@ final class SimulationRun implements Runnable, ResultSink {
   }
 
   ResultSpool spool() {
-    return spool;
+    return rows.spool();
   }
 
   List<Variable> states() {
@@ -128,7 +118,7 @@ final class SimulationRun implements Runnable, ResultSink {
     Map<String, String> all = new TreeMap<>(parameters);
     all.putAll(values);
     task = plan.task().with(all);
-    task.initialState(lastState);
+    rows.begin(task);
     parameters.putAll(values);
   }
 
@@ -162,36 +152,18 @@ final class SimulationRun implements Runnable, ResultSink {
     queue.submit(this);
   }
 
-  /** Holds the run after its current step. */
-  void pause() throws InvalidState, InterruptedException {
-    requireStarted("paused");
-    control.pause();
-    awaitHeld();
+  /** Returns what clients hold it and let it go on with. */
+  SteeringCalls steering() {
+    return new SteeringCalls(this, control);
   }
 
-  /** Lets the run go on to its end. */
-  void resume() throws InvalidState {
-    requireStarted("resumed");
-    control.resume();
-  }
-
-  /** Takes one accepted step, starting the run if need be, and holds it again. */
-  void stepOnce() throws InvalidState, LimitExceeded, InterruptedException {
-    control.step();
-    startIfNew();
-    awaitHeld();
-  }
-
-  /** Lets the run go on, starting it if need be, until a step reaches a time, s. */
-  void runTo(double time) throws InvalidState, LimitExceeded {
-    if (!Double.isFinite(time)) {
-      throw Refusal.state(state(), "runTo needs a finite time; " + time + " is none");
-    }
-    control.resumeTo(time);
-    startIfNew();
-  }
-
-  private synchronized void startIfNew() throws InvalidState, LimitExceeded {
+  /**
+   * Starts the run if it was not started before.
+   *
+   * @throws InvalidState if it has ended
+   * @throws LimitExceeded if too many wait already
+   */
+  synchronized void startIfNew() throws InvalidState, LimitExceeded {
     if (phase == SimState.SIM_CREATED) {
       start();
     } else {
@@ -199,7 +171,13 @@ final class SimulationRun implements Runnable, ResultSink {
     }
   }
 
-  private synchronized void requireStarted(String what) throws InvalidState {
+  /**
+   * Makes sure that the run is under way.
+   *
+   * @param what is done to it, as a participle
+   * @throws InvalidState if it was not started or has ended
+   */
+  synchronized void requireStarted(String what) throws InvalidState {
     if (phase == SimState.SIM_CREATED) {
       throw Refusal.state(phase, "the simulation has not been started: it cannot be " + what);
     }
@@ -208,17 +186,8 @@ final class SimulationRun implements Runnable, ResultSink {
     }
   }
 
-  private void awaitHeld() throws InterruptedException {
-    long slices = MAX_WAIT_MILLIS.value / HOLD_CHECK_MILLIS;
-    for (long i = 0; i < slices && !ended(); i++) {
-      if (control.awaitHeld(HOLD_CHECK_MILLIS)) {
-        return;
-      }
-    }
-  }
-
   /** Stops the run within one evaluation; one that has not begun never will. Idempotent. */
-  void cancel() {
+  void stop() {
     control.stop();
     synchronized (this) {
       boolean waits = phase == SimState.SIM_QUEUED && queue.withdraw(this);
@@ -228,9 +197,37 @@ final class SimulationRun implements Runnable, ResultSink {
     }
   }
 
-  /** Cancels the run and deletes its rows as soon as nobody writes them. */
+  /**
+   * Stops the run; when this returns, it has ended, with the rows it had put out. A solver that is
+   * deep in one evaluation is not waited for. Idempotent.
+   */
+  void cancel() throws InterruptedException {
+    stop();
+    if (!awaitEnd(CANCEL_MILLIS) && computes()) {
+      conclude(new RunVerdict(Optional.empty(), new Outcome.Stopped()));
+    }
+    // What is left is to bring rows and report to disk.
+    awaitEnd(MAX_WAIT_MILLIS.value);
+  }
+
+  private synchronized boolean awaitEnd(long millis) throws InterruptedException {
+    long deadline = System.nanoTime() + millis * 1_000_000;
+    long wait = millis;
+    while (!ended() && wait > 0) {
+      wait(wait);
+      wait = (deadline - System.nanoTime()) / 1_000_000;
+    }
+    return ended();
+  }
+
+  /** Returns whether the solver is at work, if only to find that the run has ended meanwhile. */
+  synchronized boolean computes() {
+    return computing;
+  }
+
+  /** Stops the run and deletes its rows as soon as nobody writes them. */
   void destroy() {
-    cancel();
+    stop();
     synchronized (this) {
       destroyed = true;
       if (ended()) {
@@ -240,21 +237,21 @@ final class SimulationRun implements Runnable, ResultSink {
   }
 
   private void giveUp() {
-    if (startedAt != 0) {
-      store.delete(afterwards(), spool);
+    if (clock.startedAt() != 0) {
+      store.delete(afterwards(), spool());
     } else {
-      spool.delete();
+      spool().delete();
     }
   }
 
   /** Ends the run like {@link #destroy}, but what it has put out is kept for a while. */
   void leave() {
-    cancel();
+    stop();
     synchronized (this) {
-      if (ended() && startedAt != 0) {
-        store.keep(afterwards(), spool);
+      if (ended() && clock.startedAt() != 0) {
+        store.keep(afterwards(), spool());
       } else if (ended()) {
-        spool.delete();
+        spool().delete();
       } else {
         left = true;
       }
@@ -280,16 +277,11 @@ final class SimulationRun implements Runnable, ResultSink {
       if (ended()) {
         return;
       }
-      startedAt = System.currentTimeMillis();
-      startedNanos = System.nanoTime();
+      clock.start();
       budget = new RunBudget(task);
       become(SimState.SIM_RUNNING, "running");
     }
-    RunVerdict result = kept(compute());
-    synchronized (this) {
-      verdict = Optional.of(result);
-      finish(result.state(), result.text(lastTime));
-    }
+    conclude(compute());
   }
 
   private RunVerdict compute() {
@@ -298,18 +290,41 @@ final class SimulationRun implements Runnable, ResultSink {
     } catch (IOException e) {
       return new RunVerdict(Optional.empty(), new Outcome.Stopped()).failed(e, control);
     }
-    RunVerdict result = RunVerdict.of(task(), simId(), this, control);
+    setComputing(true);
+    try {
+      return RunVerdict.of(task(), simId(), rows, control);
+    } finally {
+      setComputing(false);
+    }
+  }
+
+  private synchronized void setComputing(boolean does) {
+    computing = does;
+  }
+
+  /** Ends the run as its solver says, or as who cancels it says if the solver is late. */
+  private void conclude(RunVerdict computed) {
+    RunVerdict result;
     synchronized (this) {
-      endedAt = System.currentTimeMillis();
-      endedNanos = System.nanoTime();
-      return limitReached == null ? result : result.stoppedAt(limitReached, control);
+      if (concluded) {
+        return;
+      }
+      concluded = true;
+      rows.close();
+      clock.end();
+      result = limitReached == null ? computed : computed.stoppedAt(limitReached, control);
+    }
+    RunVerdict kept = kept(result);
+    synchronized (this) {
+      verdict = Optional.of(kept);
+      finish(kept.state(), kept.text(rows.lastTime()));
     }
   }
 
   /** A run has not ended well before its rows and its report are where they shall stay. */
   private RunVerdict kept(RunVerdict result) {
     try {
-      store.ended(afterwards(result), spool);
+      store.ended(afterwards(result), spool());
       return result;
     } catch (IOException e) {
       return result.failed(e, control);
@@ -317,18 +332,16 @@ final class SimulationRun implements Runnable, ResultSink {
   }
 
   private void finish(SimState end, String how) {
-    if (endedAt == 0) {
-      endedAt = System.currentTimeMillis();
-      endedNanos = System.nanoTime();
-    }
+    clock.end();
     // In this order: who has read the last row finds the state and the events of the end.
     become(end, how);
-    spool.end();
+    spool().end();
     if (destroyed) {
       giveUp();
     } else if (left) {
-      store.keep(afterwards(), spool);
+      store.keep(afterwards(), spool());
     }
+    notifyAll();
   }
 
   private void become(SimState next, String how) {
@@ -337,43 +350,13 @@ final class SimulationRun implements Runnable, ResultSink {
     listener.stateChanged(this, next, how);
   }
 
-  @Override
-  public void begin(List<Variable> columns) throws IOException {
-    if (columns.size() != spool.columns()) {
-      throw new IOException(
-          "the solver puts out " + columns.size() + " columns, expected " + spool.columns());
-    }
-  }
-
-  @Override
-  public void row(double[] values) throws IOException {
-    synchronized (this) {
-      lastTime = values[0];
-      System.arraycopy(values, 1, lastState, 0, lastState.length);
-    }
-    watch.row(values);
-    spool.append(values);
-  }
-
   /**
-   * Returns the state at the last step, also of a run that is held; of the last row if the run has
-   * ended, is computed in a process of its own or is in a long step; of the start before it begins.
+   * Returns the state reached, as {@link RunRows#lastState} does.
    *
    * @param time simulated time at 0, s; overwritten
    */
   double[] lastState(double[] time) throws InterruptedException {
-    double[] reached = new double[lastState.length];
-    synchronized (stateWatch) {
-      OptionalDouble at = control.state(reached, STATE_MILLIS);
-      if (at.isPresent()) {
-        time[0] = at.getAsDouble();
-        return reached;
-      }
-    }
-    synchronized (this) {
-      time[0] = lastTime;
-      return lastState.clone();
-    }
+    return rows.lastState(time);
   }
 
   /** Returns the report as JSON; empty until the run has ended, and if it never began. */
@@ -386,27 +369,7 @@ final class SimulationRun implements Runnable, ResultSink {
   }
 
   private Map<String, Object> brokenOff() {
-    Map<String, Object> map = new LinkedHashMap<>();
-    map.put("scene", plan.identity().modelName());
-    map.put("outcome", "failed");
-    map.put("formulation", plan.task().description().formulation());
-    map.put("integrator", settings().integrator());
-    map.put("relativeTolerance", settings().relativeTolerance());
-    map.put("absoluteTolerance", settings().absoluteTolerance());
-    map.put("steps", control.steps());
-    map.put("rows", spool.rows());
-    map.put("simulatedTime", reached() - settings().tStart());
-    map.put("wallTime", wallSeconds());
-    return map;
-  }
-
-  private double reached() {
-    return Double.isNaN(control.time()) ? settings().tStart() : control.time();
-  }
-
-  private double wallSeconds() {
-    long end = endedNanos == 0 ? System.nanoTime() : endedNanos;
-    return startedNanos == 0 ? 0 : (end - startedNanos) * 1e-9;
+    return BrokenOffReport.of(plan, control, spool().rows(), clock.wallSeconds());
   }
 
   /** Returns why the run failed, if it did. */
@@ -428,9 +391,9 @@ final class SimulationRun implements Runnable, ResultSink {
         plan.columns(),
         states(),
         last,
-        startedAt,
-        endedAt,
-        known.map(ended -> ended.text(lastTime)).orElse(text),
+        clock.startedAt(),
+        clock.endedAt(),
+        known.map(ended -> ended.text(rows.lastTime())).orElse(text),
         known.map(this::report).orElse(""),
         known.flatMap(RunVerdict::failure).map(Wire::failure),
         curves.all());
@@ -439,19 +402,20 @@ final class SimulationRun implements Runnable, ResultSink {
   /** Returns how far the run is. */
   synchronized Progress progress() {
     double start = settings().tStart();
-    double wall = wallSeconds();
+    double wall = clock.wallSeconds();
+    double reached = BrokenOffReport.timeReached(plan, control);
     return new Progress(
         simId(),
         state(),
         phase == SimState.SIM_QUEUED ? queue.positionOf(this) : 0,
-        reached(),
+        reached,
         start,
         settings().tEnd(),
         control.steps(),
         control.stepSize(),
         control.order(),
-        wall > 0 ? (reached() - start) / wall : 0,
-        spool.rows());
+        wall > 0 ? (reached - start) / wall : 0,
+        spool().rows());
   }
 
   /**
@@ -469,8 +433,8 @@ final class SimulationRun implements Runnable, ResultSink {
         who.owner(),
         progress(),
         who.createdAt(),
-        startedAt,
-        endedAt,
+        clock.startedAt(),
+        clock.endedAt(),
         leaseEnd,
         text);
   }
@@ -491,7 +455,7 @@ final class SimulationRun implements Runnable, ResultSink {
     boolean progressed = phase == SimState.SIM_RUNNING && steps != stepsTold;
     stepsTold = steps;
     if (progressed) {
-      curves.sample(control, watch.energyDrift(), watch.residual());
+      curves.sample(control, rows.watch().energyDrift(), rows.watch().residual());
     }
     return progressed;
   }

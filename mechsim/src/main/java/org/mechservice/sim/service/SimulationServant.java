@@ -41,7 +41,7 @@ final class SimulationServant implements HostedServant {
   @Override
   public void pause() throws InvalidState {
     try {
-      run.pause();
+      run.steering().pause();
     } catch (InterruptedException e) {
       throw closing();
     }
@@ -49,13 +49,13 @@ final class SimulationServant implements HostedServant {
 
   @Override
   public void resume() throws InvalidState {
-    run.resume();
+    run.steering().resume();
   }
 
   @Override
   public void stepOnce() throws InvalidState {
     try {
-      run.stepOnce();
+      run.steering().stepOnce();
     } catch (InterruptedException e) {
       throw closing();
     } catch (LimitExceeded e) {
@@ -76,7 +76,7 @@ final class SimulationServant implements HostedServant {
   @Override
   public void runTo(double untilTime) throws InvalidState {
     try {
-      run.runTo(untilTime);
+      run.steering().runTo(untilTime);
     } catch (LimitExceeded e) {
       throw tooManyWait(e);
     }
@@ -84,7 +84,11 @@ final class SimulationServant implements HostedServant {
 
   @Override
   public void cancel() {
-    run.cancel();
+    try {
+      run.cancel();
+    } catch (InterruptedException e) {
+      throw closing();
+    }
   }
 
   @Override

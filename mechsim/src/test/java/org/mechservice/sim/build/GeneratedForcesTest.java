@@ -80,7 +80,8 @@ class GeneratedForcesTest {
     columns.values(ColumnGroup.FORCES, TIME, y, values, 0);
     double[] energy = new double[2];
     ((Energies) model).energy(TIME, y, energy);
-    double[] power = {((PowerInput) model).power(TIME, y)};
+    PowerInput input = (PowerInput) model;
+    double[] power = {input.power(TIME, y), input.turnover(TIME, y)};
     return Stream.of(yDot, values, energy, power).flatMapToDouble(Arrays::stream).toArray();
   }
 
@@ -107,6 +108,10 @@ class GeneratedForcesTest {
     assertClose(
         new double[] {((PowerInput) model).power(TIME, y)},
         new double[] {reference.power(TIME, y)},
+        1e-9);
+    assertClose(
+        new double[] {((PowerInput) model).turnover(TIME, y)},
+        new double[] {reference.turnover(TIME, y)},
         1e-9);
     assertValues(model, reference, y);
   }

@@ -4,13 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class CheckReportsTest {
   private final CheckReports reports = new CheckReports();
 
   private static RunIdentity run(String simId, String text) {
-    return new RunIdentity(simId, "session", "host", "ann", "model", "model.xml", text, 0);
+    return new RunIdentity(
+        simId, "session", "host", "ann", "model", "model.xml", text, 0, List.of());
   }
 
   private static String model(String name) throws Exception {

@@ -15,12 +15,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.IMechSimRemoteHelper;
+import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.InvalidState;
+import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NotFound;
+import org.mechservice.idl.OPT_CONTINUES;
+import org.mechservice.idl.Progress;
 import org.mechservice.idl.SimState;
 import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.SimHost;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.api.Variable;
 import org.omg.CORBA.DoubleHolder;
 
 /** What a host with a spool folder has written outlives its process. */
@@ -63,6 +68,52 @@ class SpoolRestartTest {
           .isEqualTo(rows);
       assertThatThrownBy(run::start).isInstanceOf(InvalidState.class);
     }
+  }
+
+  @Test
+  void runThatHasMovedHereIsFoundUnderItsEarlierIdsAlsoAfterARestart() throws Exception {
+    NameValue moved = new NameValue(OPT_CONTINUES.value, "0a-1,0b-2");
+    String simId;
+    try (HostedClient before = on(folder, SimHost.installedSolver())) {
+      IMechSimRemote run = before.simulation(moved);
+      run.start();
+      HostedClient.rows(run.openResults(ALL), 0);
+      simId = run.simId();
+      assertThat(found(before, "0b-2").simId()).isEqualTo(simId);
+    }
+    try (HostedClient after = on(folder, SimHost.installedSolver())) {
+      assertThat(found(after, "0a-1").simId()).isEqualTo(simId);
+      assertThatThrownBy(() -> found(after, "0a")).isInstanceOf(NotFound.class);
+      assertThatThrownBy(
+              () -> after.simulation(new NameValue(OPT_CONTINUES.value, "0a-1, everything")))
+          .isInstanceOf(InvalidOption.class);
+    }
+  }
+
+  @Test
+  void runThatIsBeingReadOutlivesItsRetention() throws Exception {
+    RunStore store = new RunStore(Optional.of(folder), inForce("retention", 0));
+    RunIdentity identity =
+        new RunIdentity("0a", "session", "here", "ann", "m", "m.xml", "", 0, List.of());
+    RunColumns columns = new RunColumns(List.of(new Variable("t", "s")), List.of());
+    ResultSpool rows = store.newRows("0a", 1);
+    rows.append(new double[] {1});
+    Progress done = new Progress("0a", SimState.SIM_DONE, 0, 1, 0, 1, 1, 1, 1, 1, 1);
+    EndedRun run =
+        new EndedRun(
+            identity, columns, List.of(), done, 1, 1, "done", "{}", Optional.empty(), List.of());
+    store.ended(run, rows);
+    store.keep(run, rows);
+
+    store.expire(simId -> simId.equals("0a"));
+    assertThat(rows.read(0, 1)).containsExactly(1);
+    store.expire(simId -> false);
+    assertThatThrownBy(() -> rows.read(0, 1)).hasMessageContaining("deleted");
+    store.close();
+  }
+
+  private static LimitsInForce inForce(String name, long value) {
+    return new LimitsInForce(HostLimits.DEFAULT.with(name, value));
   }
 
   @Test

@@ -2,11 +2,14 @@ package org.mechservice.solver.analysis;
 
 import java.util.Arrays;
 import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.MomentumBalance;
 import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.compact.CompactModel;
@@ -18,10 +21,14 @@ import org.mechservice.solver.force.UserForceSource;
  * by one sweep over the mechanism, the same for every formulation.
  */
 public final class FurtherColumns implements ResultColumns {
+  private static final Set<ColumnGroup> NEED_BALANCE =
+      EnumSet.of(ColumnGroup.CONSTRAINTS, ColumnGroup.REACTIONS, ColumnGroup.FORCES);
+
   private final ExplicitModel model;
   private final EquationsOfMotion equations;
   private final Map<ColumnGroup, ColumnValues> groups = new EnumMap<>(ColumnGroup.class);
   private final boolean needsBalance;
+  private final Optional<MomentumBalance> momentum;
   private final double[] yDot;
 
   /**
@@ -29,7 +36,7 @@ public final class FurtherColumns implements ResultColumns {
    *
    * @param model gives the accelerations, and the groups that are not asked for here
    * @param data its mechanism and outputs
-   * @param asked groups among constraints, reactions, forces and outputs
+   * @param asked groups among constraints, reactions, forces, outputs and momentum
    * @param userForces makes the forces that users have written
    */
   public FurtherColumns(
@@ -39,7 +46,11 @@ public final class FurtherColumns implements ResultColumns {
     for (ColumnGroup group : asked) {
       groups.put(group, values(group, data));
     }
-    needsBalance = asked.stream().anyMatch(group -> group != ColumnGroup.OUTPUTS);
+    needsBalance = asked.stream().anyMatch(NEED_BALANCE::contains);
+    momentum =
+        groups.get(ColumnGroup.MOMENTUM) instanceof MomentumBalance balance
+            ? Optional.of(balance)
+            : Optional.empty();
     yDot = new double[equations.nq + equations.nv];
   }
 
@@ -49,6 +60,7 @@ public final class FurtherColumns implements ResultColumns {
       case REACTIONS -> new ReactionColumns(equations);
       case FORCES -> new ForceColumns(equations);
       case OUTPUTS -> new OutputColumns(equations.motion, data.outputs());
+      case MOMENTUM -> new MomentumColumns(model, equations.motion);
       default -> throw new IllegalArgumentException(group + " are columns of the model itself");
     };
   }
@@ -75,6 +87,11 @@ public final class FurtherColumns implements ResultColumns {
     } else {
       Arrays.fill(values, at, at + own.columns().size(), Double.NaN);
     }
+  }
+
+  @Override
+  public Optional<MomentumBalance> momentum() {
+    return momentum;
   }
 
   /** Returns whether the state has accelerations and forces. */

@@ -26,7 +26,9 @@ public enum ColumnGroup {
   /** Values of the applied forces ({@link ResultColumns}). */
   FORCES,
   /** What the user asked for by expression ({@link ResultColumns}). */
-  OUTPUTS;
+  OUTPUTS,
+  /** Momentum of the whole and the impulse that has acted on it ({@link MomentumBalance}). */
+  MOMENTUM;
 
   /** Returns the group's name on the command line. */
   public String label() {

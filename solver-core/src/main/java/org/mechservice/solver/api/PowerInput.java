@@ -12,6 +12,17 @@ public interface PowerInput {
   double power(double t, double[] y);
 
   /**
+   * Returns the sum of the sizes of the same powers, each taken by itself, W: what flows through
+   * the mechanism where the sum of the powers is small.
+   *
+   * @param t time, s
+   * @param y state [q; v]; not modified
+   */
+  default double turnover(double t, double[] y) {
+    return Math.abs(power(t, y));
+  }
+
+  /**
    * Returns whether {@link #power} leaves nothing out. It does where loops contain motions that are
    * prescribed in time: their forces are multipliers, which no state tells.
    */

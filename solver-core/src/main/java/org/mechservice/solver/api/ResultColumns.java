@@ -1,6 +1,7 @@
 package org.mechservice.solver.api;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * A model that was built with further groups of result columns: residuals and multipliers of
@@ -31,4 +32,9 @@ public interface ResultColumns {
    * @param at where they begin
    */
   void values(ColumnGroup group, double t, double[] y, double[] values, int at);
+
+  /** Returns the balance of momentum that a run is to follow, if its columns are among these. */
+  default Optional<MomentumBalance> momentum() {
+    return Optional.empty();
+  }
 }

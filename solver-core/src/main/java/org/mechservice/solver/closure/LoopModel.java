@@ -153,6 +153,13 @@ abstract class LoopModel
   }
 
   @Override
+  public final double turnover(double t, double[] y) {
+    work.motion.sweep(t, y);
+    work.applyForces(t);
+    return work.forces.turnover();
+  }
+
+  @Override
   public final boolean holdsAllPower() {
     return !closed.isMovedByTime();
   }

@@ -47,7 +47,8 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
     iteration = new TreeIteration(tree, pattern, jacobian);
   }
 
-  private static int[] coupledLinks(ForceSet forces) {
+  /** Returns the pairs of links that forces couple, two numbers each. */
+  static int[] coupledLinks(ForceSet forces) {
     List<Integer> links = new ArrayList<>();
     forces.couplings(
         (on, by) -> {

@@ -1,5 +1,8 @@
 package org.mechservice.solver.dynamics;
 
+import static org.mechservice.solver.spatial.Blocks.addCross;
+import static org.mechservice.solver.spatial.Blocks.dot;
+
 import java.util.Arrays;
 import java.util.List;
 import org.mechservice.solver.kinematics.TreeGeometry;
@@ -193,5 +196,70 @@ public final class MassiveRods {
       }
     }
     return energy;
+  }
+
+  /**
+   * Adds the momentum of all rods after a sweep: m/2 (v_A + v_B), and m/6 (2 r_A × v_A + r_A × v_B +
+   * r_B × v_A + 2 r_B × v_B).
+   *
+   * @param point from which r counts, m
+   * @param sum [linear; angular], world axes, N·s, N·m·s; added to
+   * @param sizes of the shares, linear and angular; added to
+   */
+  void addMomentum(TreeMotion motion, double[] point, double[] sum, double[] sizes) {
+    for (int rod = 0; rod < rods.length; rod++) {
+      motion.points.velocity(linkA[rod], endA, 3 * rod, a, 0);
+      motion.points.velocity(linkB[rod], endB, 3 * rod, b, 0);
+      addShare(motion, rod, point, sum, sizes);
+    }
+  }
+
+  /**
+   * Adds the rates of the same, with accelerations in place of velocities, after an acceleration
+   * sweep; the sizes count the weights too.
+   */
+  void addMomentumRate(TreeMotion motion, double[] point, double[] sum, double[] sizes) {
+    for (int rod = 0; rod < rods.length; rod++) {
+      motion.points.acceleration(linkA[rod], endA, 3 * rod, a, 0);
+      motion.points.acceleration(linkB[rod], endB, 3 * rod, b, 0);
+      addShare(motion, rod, point, sum, sizes);
+      double weight = rods[rod].rodMass() * Math.sqrt(dot(tree.gravity, 0, tree.gravity, 0));
+      sizes[0] += weight;
+      sizes[1] += weight * Math.sqrt(dot(force, 0, force, 0));
+    }
+  }
+
+  /** Adds a rod's share for what {@code a} and {@code b} are of its ends; leaves r_B in force. */
+  private void addShare(
+      TreeMotion motion, int rod, double[] point, double[] sum, double[] sizes) {
+    double sixth = rods[rod].rodMass() / 6;
+    Arrays.fill(wrench, 0);
+    for (int i = 0; i < 3; i++) {
+      wrench[i] = 3 * sixth * (a[i] + b[i]);
+    }
+    addMoment(motion, linkA[rod], endA, 3 * rod, point, sixth, a, b);
+    addMoment(motion, linkB[rod], endB, 3 * rod, point, sixth, b, a);
+    for (int i = 0; i < 6; i++) {
+      sum[i] += wrench[i];
+    }
+    sizes[0] += Math.sqrt(dot(wrench, 0, wrench, 0));
+    sizes[1] += Math.sqrt(dot(wrench, 3, wrench, 3));
+  }
+
+  private void addMoment(
+      TreeMotion motion,
+      int link,
+      double[] end,
+      int at,
+      double[] point,
+      double sixth,
+      double[] own,
+      double[] other) {
+    motion.points.position(link, end, at, force, 0);
+    for (int i = 0; i < 3; i++) {
+      force[i] -= point[i];
+      unit[i] = sixth * (2 * own[i] + other[i]);
+    }
+    addCross(force, 0, unit, 0, wrench, 3);
   }
 }

@@ -183,15 +183,26 @@ public abstract class OpenTreeModel
 
   @Override
   public final double power(double t, double[] y) {
+    double driving = drivingPower(t, y);
+    return loads.forces().power() + driving;
+  }
+
+  @Override
+  public final double turnover(double t, double[] y) {
+    double driving = drivingPower(t, y);
+    return loads.forces().turnover() + Math.abs(driving);
+  }
+
+  /** Evaluates the loads, and returns the power of the prescribed motions, W. */
+  private double drivingPower(double t, double[] y) {
     motion.sweep(t, y);
     loads.evaluate(t);
-    double power = loads.forces().power();
     if (driven.isEmpty()) {
-      return power;
+      return 0;
     }
     accelerate(accelerations, 0);
     drivingForces(driven.forces());
-    return power + driven.power(motion);
+    return driven.power(motion);
   }
 
   @Override

@@ -162,6 +162,18 @@ public final class ResidualJacobian {
     rods.addMass(motion, mass);
   }
 
+  /**
+   * Sets all derivatives to zero, M among them: forces then give theirs alone. Accelerations need
+   * not be swept.
+   */
+  void evaluateNothing() {
+    clear();
+    full = false;
+    for (int link = 0; link < tree.linkCount; link++) {
+      formColumns(link);
+    }
+  }
+
   private void setMass(int place, int j) {
     double value = dot6(motion.subspace, 6 * j, inertiaWrench);
     int other = pattern.placeOf[j];

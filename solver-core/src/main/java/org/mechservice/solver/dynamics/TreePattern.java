@@ -161,6 +161,25 @@ public final class TreePattern {
     return Arrays.stream(rows).mapToInt(BitSet::cardinality).sum();
   }
 
+  /** Returns a pattern in the places of this one with room for the elements of another too. */
+  TreePattern joined(TreePattern other) {
+    IntStream.Builder elements = IntStream.builder();
+    addElements(this, elements);
+    addElements(other, elements);
+    int[] none = new int[size];
+    Arrays.fill(none, -1);
+    return new TreePattern(velocityAt, none, elements.build().toArray());
+  }
+
+  private void addElements(TreePattern from, IntStream.Builder elements) {
+    for (int row = 0; row < size; row++) {
+      for (int e = from.rowStart[row]; e < from.rowStart[row + 1]; e++) {
+        elements.add(placeOf[from.velocityAt[row]]);
+        elements.add(placeOf[from.velocityAt[from.column[e]]]);
+      }
+    }
+  }
+
   /** Returns the number of velocities. */
   public int size() {
     return size;

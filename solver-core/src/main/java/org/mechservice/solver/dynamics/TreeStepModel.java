@@ -14,8 +14,9 @@ import org.mechservice.solver.kinematics.StateCoordinates;
  */
 public abstract class TreeStepModel implements LinearisedModel, RunNotes {
   private final int positionCount;
-  private final TreeSquare byVelocity;
-  private final TreeSquare byPosition;
+  final TreeMatrix mass;
+  final TreeSquare byVelocity;
+  final TreeSquare byPosition;
   private final TreeIteration iteration;
 
   /** What {@link #derivatives} writes; elements it never writes are zero. */
@@ -41,7 +42,7 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
       parent[place] = places[2 * place + 1];
     }
     TreePattern pattern = new TreePattern(velocityAt, parent, numbers(coupled));
-    TreeMatrix mass = new TreeMatrix(pattern);
+    mass = new TreeMatrix(pattern);
     byVelocity = new TreeSquare(pattern);
     byPosition = new TreeSquare(pattern);
     StateCoordinates coordinates = new StateCoordinates(typesOf(types));

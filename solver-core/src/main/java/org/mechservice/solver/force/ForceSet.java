@@ -153,6 +153,15 @@ public final class ForceSet {
     return sum;
   }
 
+  /** Returns the sum of the sizes of the same powers, each force's by itself, W. */
+  public double turnover() {
+    double sum = 0;
+    for (AppliedForce force : forces) {
+      sum += Math.abs(force.power());
+    }
+    return sum;
+  }
+
   /** Returns what the forces can put out, {@code <force>.<value>}, in file order. */
   public List<Variable> columns() {
     List<Variable> columns = new ArrayList<>();

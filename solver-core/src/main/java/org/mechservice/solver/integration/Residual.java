@@ -31,6 +31,11 @@ final class Residual {
     return breakpoints;
   }
 
+  /** Returns whether ∂F/∂y' moves with states that need nobody to complete them. */
+  boolean massMatrixMoves() {
+    return system.massMatrixMoves() && !manifold.completes();
+  }
+
   /** Returns whether the stop signal is given. */
   boolean stopped() {
     return stop.getAsBoolean();

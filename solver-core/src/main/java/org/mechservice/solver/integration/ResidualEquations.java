@@ -41,6 +41,17 @@ final class ResidualEquations extends StepEquations {
 
   private final double[] valueAtStart;
 
+  /** The step tried last: its prediction, hγ and end, which is not a number before the first. */
+  private BackwardDifferences tried = new BackwardDifferences(0);
+
+  private double triedHGamma;
+  private double triedEnd = Double.NaN;
+
+  /** The accepted point that derivatives were formed from last, and how far beyond it, signed. */
+  private double formedFrom;
+
+  private double lead;
+
   /** Whether F at the start is known from a call that was stopped. */
   private boolean valueKnown;
 
@@ -95,6 +106,7 @@ final class ResidualEquations extends StepEquations {
     linearisation.abandon();
     start.abandon();
     valueKnown = false;
+    triedEnd = Double.NaN;
   }
 
   @Override
@@ -123,14 +135,35 @@ final class ResidualEquations extends StepEquations {
     };
   }
 
+  /**
+   * Where a mass matrix moves with the state, its change over the step is what slows the iteration:
+   * once a step has failed to converge, the derivatives are formed at its prediction, as in Brenan,
+   * Campbell and Petzold 1996, ch. 5. Where others complete the state, that can only be done at
+   * accepted points.
+   */
   @Override
   Attempt formDerivatives(double t, double[] y) {
-    return linearisation.form(t, y, slope);
+    boolean atPrediction = residual.massMatrixMoves() && Double.isFinite(triedEnd);
+    formedFrom = t;
+    lead = atPrediction ? triedEnd - t : 0;
+    if (lead == 0) {
+      return linearisation.form(t, y, slope);
+    }
+    for (int l = 0; l < ahead.length; l++) {
+      ahead[l] = tried.psi[l] / triedHGamma;
+    }
+    return linearisation.form(triedEnd, tried.predicted, ahead);
+  }
+
+  /** Formed for a step more than twice as long as the one that has failed now. */
+  @Override
+  boolean formedTooFarAhead() {
+    return Math.abs(lead) > 2 * Math.abs(triedEnd - formedFrom);
   }
 
   @Override
   boolean formsMatrix() {
-    return !asPublished && linearisation.formsMatrix();
+    return !asPublished && !residual.massMatrixMoves() && linearisation.formsMatrix();
   }
 
   @Override
@@ -155,6 +188,9 @@ final class ResidualEquations extends StepEquations {
 
   @Override
   boolean evaluate(double t, double hGamma, BackwardDifferences differences, double[] r) {
+    tried = differences;
+    triedHGamma = hGamma;
+    triedEnd = t;
     double[] psi = differences.psi;
     double[] correction = differences.correction;
     for (int l = 0; l < iterateSlope.length; l++) {
@@ -286,6 +322,9 @@ final class ResidualEquations extends StepEquations {
   @Override
   IterationRules rules(Mode mode) {
     asPublished = mode == Mode.FAITHFUL;
+    if (residual.massMatrixMoves()) {
+      return IterationRules.MEASURING;
+    }
     return asPublished ? IterationRules.PUBLISHED : IterationRules.LEARNING;
   }
 

@@ -30,6 +30,11 @@ public interface ResidualSystem {
     return Component.DIFFERENTIAL;
   }
 
+  /** Returns whether ∂F/∂y' changes with the state, as the mass matrix of a mechanism does. */
+  default boolean massMatrixMoves() {
+    return false;
+  }
+
   /** What a component of a residual system is to the error test and the convergence test. */
   enum Component {
     /** Its derivative appears in F; it is held to the tolerance. */

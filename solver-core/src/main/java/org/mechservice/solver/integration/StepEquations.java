@@ -89,6 +89,11 @@ abstract class StepEquations {
    */
   abstract Attempt findStart(double t, double[] y, double[] slope);
 
+  /** Returns whether the derivatives belong to a step much longer than the one tried last. */
+  boolean formedTooFarAhead() {
+    return false;
+  }
+
   /** Returns what to call a failure of {@link #findStart}. */
   abstract Cause causeAtStart(Attempt attempt);
 
@@ -373,7 +378,7 @@ abstract class StepEquations {
       outdate();
       return true;
     }
-    if (current && all) {
+    if (current && all && !formedTooFarAhead()) {
       return false;
     }
     all = current || !formsMatrix();

@@ -93,32 +93,6 @@ public final class Mechanism {
       List<LoopClosure> closures,
       List<ForceElement> forces,
       List<Parameter> parameters) {
-    this(
-        name,
-        root,
-        gravity,
-        bodies,
-        joints,
-        motions,
-        startRoles,
-        closures,
-        forces,
-        parameters,
-        List.of());
-  }
-
-  private Mechanism(
-      String name,
-      Root root,
-      Vector3 gravity,
-      List<Body> bodies,
-      List<Joint> joints,
-      List<PrescribedMotion> motions,
-      List<StartRole> startRoles,
-      List<LoopClosure> closures,
-      List<ForceElement> forces,
-      List<Parameter> parameters,
-      List<Event> events) {
     this.name = name;
     this.root = root;
     this.gravity = gravity;
@@ -129,7 +103,7 @@ public final class Mechanism {
     this.closures = List.copyOf(closures);
     this.forces = List.copyOf(forces);
     this.parameters = List.copyOf(parameters);
-    this.events = List.copyOf(events);
+    this.events = List.of();
     this.jointOfBody = jointOfBody(this.bodies, this.joints);
     this.outward = outward(this.bodies, this.joints, jointOfBody);
     this.motionOfJoint = motionOfJoint(this.joints, this.motions);
@@ -142,6 +116,26 @@ public final class Mechanism {
       positionOffset[i + 1] = positionOffset[i] + (free ? type.positionCount() : 0);
       velocityOffset[i + 1] = velocityOffset[i] + (free ? type.velocityCount() : 0);
     }
+  }
+
+  /** The same bodies, joints, loops and forces with other numbers and events. */
+  private Mechanism(Mechanism like, List<Parameter> parameters, List<Event> events) {
+    this.name = like.name;
+    this.root = like.root;
+    this.gravity = like.gravity;
+    this.bodies = like.bodies;
+    this.joints = like.joints;
+    this.motions = like.motions;
+    this.startRoles = like.startRoles;
+    this.closures = like.closures;
+    this.forces = like.forces;
+    this.parameters = List.copyOf(parameters);
+    this.events = List.copyOf(events);
+    this.jointOfBody = like.jointOfBody;
+    this.outward = like.outward;
+    this.motionOfJoint = like.motionOfJoint;
+    this.positionOffset = like.positionOffset;
+    this.velocityOffset = like.velocityOffset;
   }
 
   private void requireRoles() {
@@ -308,18 +302,7 @@ public final class Mechanism {
 
   /** Returns the same mechanism with other events along its simulation. */
   public Mechanism withEvents(List<Event> other) {
-    return new Mechanism(
-        name,
-        root,
-        gravity,
-        bodies,
-        joints,
-        motions,
-        startRoles,
-        closures,
-        forces,
-        parameters,
-        other);
+    return new Mechanism(this, parameters, other);
   }
 
   /**
@@ -332,18 +315,7 @@ public final class Mechanism {
     for (Parameter parameter : parameters) {
       changed.add(parameter.with(values[changed.size()]));
     }
-    return new Mechanism(
-        name,
-        root,
-        gravity,
-        bodies,
-        joints,
-        motions,
-        startRoles,
-        closures,
-        forces,
-        changed,
-        events);
+    return new Mechanism(this, changed, events);
   }
 
   /** Returns whether a joint's coordinates follow a prescribed motion and are no states. */

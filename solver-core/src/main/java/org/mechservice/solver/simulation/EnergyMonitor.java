@@ -55,9 +55,11 @@ final class EnergyMonitor {
    * Takes note of the energy in a state.
    *
    * @param work put in since the start, J
+   * @param turnover what was put in and what was taken out since the start, added up, J
    * @param unmeasured whether work is done that is not in {@code work}
    */
-  void observe(Energies model, double t, double[] y, double work, boolean unmeasured) {
+  void observe(
+      Energies model, double t, double[] y, double work, double turnover, boolean unmeasured) {
     model.energy(t, y, energy);
     workUnknown |= unmeasured;
     double total = energy[0] + energy[1] - work;
@@ -71,6 +73,7 @@ final class EnergyMonitor {
     rounding = ROUNDING * sizes;
     drift = Math.max(drift, latest);
     scale = Math.max(scale, Math.max(energy[0], Math.abs(energy[1] - initialPotential)));
+    scale = Math.max(scale, turnover / 2);
   }
 
   /** Returns the kinetic energy last observed, J. */
@@ -91,7 +94,11 @@ final class EnergyMonitor {
     return started && !workUnknown ? OptionalDouble.of(drift) : OptionalDouble.empty();
   }
 
-  /** Returns the larger of largest kinetic energy and largest change of potential energy, J. */
+  /**
+   * Returns the largest of kinetic energy, change of potential energy, and the mean of what forces
+   * have put in and taken out, J. Without the last a block that friction holds, and that creeps, has
+   * no scale: all that is pulled in is rubbed away.
+   */
   OptionalDouble scale() {
     return started && !workUnknown ? OptionalDouble.of(scale) : OptionalDouble.empty();
   }

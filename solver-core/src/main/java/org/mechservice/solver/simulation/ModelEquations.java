@@ -99,12 +99,17 @@ public abstract class ModelEquations implements UnitGroups, PiecewiseSystem, Sav
   @Override
   public final void transfer(StateTransfer state) {
     if (model instanceof ModelState own) {
-      double[] numbers = new double[own.stateLength()];
-      own.saveState(numbers);
-      state.numbers(numbers);
-      if (state.restoring()) {
-        own.restoreState(numbers);
-      }
+      transfer(own, state);
+    }
+  }
+
+  /** Carries over what has a state of its own. */
+  static void transfer(ModelState own, StateTransfer state) {
+    double[] numbers = new double[own.stateLength()];
+    own.saveState(numbers);
+    state.numbers(numbers);
+    if (state.restoring()) {
+      own.restoreState(numbers);
     }
   }
 

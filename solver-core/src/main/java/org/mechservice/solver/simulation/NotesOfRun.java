@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.MomentumBalance;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.RunNotes.Note;
 import org.mechservice.solver.integration.Integrator;
@@ -15,11 +16,18 @@ final class NotesOfRun {
   private final RowWriter rows;
   private final RunEvents events;
   private final Integrator integrator;
+  private final Optional<MomentumBalance> momentum;
 
   /** What the model had noted when the run that is taken up was saved. */
   private final List<Note> notedBefore = new ArrayList<>();
 
-  NotesOfRun(ExplicitModel model, RowWriter rows, RunEvents events, Integrator integrator) {
+  NotesOfRun(
+      ExplicitModel model,
+      RowWriter rows,
+      RunEvents events,
+      Integrator integrator,
+      Optional<MomentumBalance> momentum) {
+    this.momentum = momentum;
     this.model = model;
     this.rows = rows;
     this.events = events;
@@ -32,6 +40,7 @@ final class NotesOfRun {
     notes.addAll(rows.notes());
     notes.addAll(events.notes());
     notes.addAll(MethodNotes.of(integrator));
+    momentum.ifPresent(balance -> notes.add(balance.note()));
     return notes;
   }
 

@@ -46,6 +46,11 @@ class ResidualEquations extends ModelEquations implements ResidualSystem {
   }
 
   @Override
+  public boolean massMatrixMoves() {
+    return true;
+  }
+
+  @Override
   public Component component(int index) {
     return model.isDifferential(index) ? Component.DIFFERENTIAL : Component.ALGEBRAIC;
   }

@@ -26,7 +26,11 @@ final class RowLayout {
   /** Groups whose columns the model itself names and fills. */
   static final Set<ColumnGroup> BY_THE_MODEL =
       EnumSet.of(
-          ColumnGroup.CONSTRAINTS, ColumnGroup.REACTIONS, ColumnGroup.FORCES, ColumnGroup.OUTPUTS);
+          ColumnGroup.CONSTRAINTS,
+          ColumnGroup.REACTIONS,
+          ColumnGroup.FORCES,
+          ColumnGroup.OUTPUTS,
+          ColumnGroup.MOMENTUM);
 
   /** Offset of a group that is not put out. */
   static final int ABSENT = -1;

@@ -61,11 +61,12 @@ final class RowWriter {
    * @param t time, s
    * @param y state, which multipliers may follow; not modified
    * @param work of what has no potential energy, J
+   * @param turnover what of it was put in and what was taken out, added up, J
    * @return {@link #ALL_FINITE}, or the column of the first number that is not finite; the row is
    *     then not put out
    * @throws IOException if the sink cannot keep the row
    */
-  int write(double t, double[] y, double work) throws IOException {
+  int write(double t, double[] y, double work, double turnover) throws IOException {
     row[0] = t;
     System.arraycopy(y, 0, row, 1, yDot.length);
     unitOutput.normalize(t, row, 1);
@@ -79,7 +80,7 @@ final class RowWriter {
       System.arraycopy(poses, 0, row, layout.bodies(), poses.length);
     }
     if (model instanceof Energies energies) {
-      energyMonitor.observe(energies, t, y, work, doesWorkUnmeasured(t, y));
+      energyMonitor.observe(energies, t, y, work, turnover, doesWorkUnmeasured(t, y));
       if (layout.energy() != RowLayout.ABSENT) {
         row[layout.energy()] = energyMonitor.kinetic();
         row[layout.energy() + 1] = energyMonitor.potential();

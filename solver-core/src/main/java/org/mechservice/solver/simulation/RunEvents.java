@@ -3,6 +3,7 @@ package org.mechservice.solver.simulation;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.MomentumBalance;
 import org.mechservice.solver.api.RunNotes.Note;
 import org.mechservice.solver.integration.Integrator;
 
@@ -29,6 +30,9 @@ public class RunEvents {
   double takeWork() {
     return 0;
   }
+
+  /** Takes the balance of momentum, which is told what changes of the state do to it. */
+  void tell(MomentumBalance momentum) {}
 
   /** Returns what happened, for the report. */
   List<Note> notes() {

@@ -13,6 +13,7 @@ import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.MomentumBalance;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.ResultSink;
@@ -40,8 +41,10 @@ public final class Simulation implements Solver {
   /** In place of a column: the loops cannot be closed at an output time. */
   private static final int LOOPS_OPEN = -2;
 
-  /** In place of a column: the energy balance has drifted too far. */
-  private static final int DRIFTED = -3;
+  /** In place of a column: the balance of energy, or that of momentum, has drifted too far. */
+  private static final int ENERGY_DRIFTED = -3;
+
+  private static final int MOMENTUM_DRIFTED = -4;
 
   private final IntegratorFactory integrators;
   private final EquationForm form;
@@ -138,6 +141,7 @@ public final class Simulation implements Solver {
     private final WorkMeter work;
     private final CheckpointWriter checkpoints;
     private final NotesOfRun notes;
+    private final Optional<MomentumBalance> momentum;
     private final double[] y;
     private final double[] yDot;
 
@@ -166,8 +170,14 @@ public final class Simulation implements Solver {
       outputTimes = new OutputTimes(settings);
       checkpoints = new CheckpointWriter(model, request, store);
       rows = new RowWriter(model, further, request, sink);
-      work = new WorkMeter(equations, integrator, model, rows.measuresWork(), settings.tStart());
-      notes = new NotesOfRun(model, rows, events, integrator);
+      momentum =
+          request.columns().contains(ColumnGroup.MOMENTUM) ? further.momentum() : Optional.empty();
+      momentum.ifPresent(MomentumBalance::begin);
+      momentum.ifPresent(events::tell);
+      work =
+          new WorkMeter(
+              equations, integrator, model, rows.measuresWork(), momentum, settings.tStart());
+      notes = new NotesOfRun(model, rows, events, integrator, momentum);
       y = new double[equations.dimension()];
       yDot = new double[equations.dimension()];
       timeReached = settings.tStart();
@@ -221,7 +231,7 @@ public final class Simulation implements Solver {
       if (strict && notes.firstWarning().isPresent()) {
         return warned(notes.firstWarning().get());
       }
-      int badColumn = rows.write(outputTimes.time(nextRow), y, 0);
+      int badColumn = rows.write(outputTimes.time(nextRow), y, 0, 0);
       if (badColumn != RowWriter.ALL_FINITE) {
         return rowFailed(outputTimes.time(nextRow), badColumn);
       }
@@ -250,6 +260,7 @@ public final class Simulation implements Solver {
       rows.transfer(state);
       work.transfer(state);
       notes.transfer(state);
+      momentum.ifPresent(balance -> ModelEquations.transfer(balance, state));
       if (state.restoring()) {
         equations.resume(integrator, state.bytes(new byte[0]));
       } else {
@@ -306,12 +317,17 @@ public final class Simulation implements Solver {
         if (!equations.closeLoops(t, y) || !work.advance(t)) {
           return LOOPS_OPEN;
         }
-        int badColumn = rows.write(t, y, work.work());
+        int badColumn = rows.write(t, y, work.work(), work.turnover());
         if (badColumn != RowWriter.ALL_FINITE) {
           return badColumn;
         }
         if (maxDrift.isPresent() && rows.energyMonitor().exceeds(maxDrift.getAsDouble())) {
-          return DRIFTED;
+          return ENERGY_DRIFTED;
+        }
+        if (maxDrift.isPresent()
+            && momentum.isPresent()
+            && momentum.get().exceeds(maxDrift.getAsDouble())) {
+          return MOMENTUM_DRIFTED;
         }
         rowWritten(t);
       }
@@ -366,7 +382,12 @@ public final class Simulation implements Solver {
       return new Outcome.Failed(
           switch (column) {
             case LOOPS_OPEN -> loopsOpen(t);
-            case DRIFTED -> energyDrifts(t);
+            case ENERGY_DRIFTED -> energyDrifts(t);
+            case MOMENTUM_DRIFTED ->
+                momentum
+                    .orElseThrow()
+                    .failure(
+                        maxDrift.orElseThrow(), t, integrator.stepSize(), integrator.order());
             default -> FailureText.notFiniteColumn(t, rows.columnName(column));
           });
     }

@@ -9,6 +9,7 @@ import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.ModelEvents;
 import org.mechservice.solver.api.ModelEvents.Action;
+import org.mechservice.solver.api.MomentumBalance;
 import org.mechservice.solver.api.RunNotes.Note;
 import org.mechservice.solver.integration.EventFunctions;
 import org.mechservice.solver.integration.EventIntegration;
@@ -40,6 +41,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   private int notFinite = -1;
   private double work;
   private Optional<Failure> failure = Optional.empty();
+  private Optional<MomentumBalance> momentum = Optional.empty();
 
   WatchedRun(ModelEvents events, ModelEquations equations) {
     this.events = events;
@@ -120,6 +122,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   /** Changes the state and closes loops again; returns false if that cannot be done. */
   private boolean change(double t, double[] y, boolean[] occurred) {
     double before = energy(t, y);
+    double[] from = momentum.isPresent() ? y.clone() : y;
     events.change(occurred, t, y);
     for (int l = 0; l < y.length; l++) {
       if (!Double.isFinite(y[l])) {
@@ -141,6 +144,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
             FailureText.eventContradictsLoops(t, part(), equations.name(l), y[l], wanted[l]));
       }
     }
+    momentum.ifPresent(balance -> balance.jump(t, from, y));
     double after = energy(t, y);
     work += after - before;
     tellEnergy(after - before, Arrays.equals(y, wanted) ? Double.NaN : after - open);
@@ -192,6 +196,11 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     double taken = work;
     work = 0;
     return taken;
+  }
+
+  @Override
+  void tell(MomentumBalance balance) {
+    momentum = Optional.of(balance);
   }
 
   @Override

@@ -1,13 +1,16 @@
 package org.mechservice.solver.simulation;
 
+import java.util.Optional;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.MomentumBalance;
 import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.integration.Integrator;
 import org.mechservice.solver.integration.StateTransfer;
 
 /**
- * The work of everything that has no potential energy: its power integrated along the interpolated
- * solution, by Lobatto's rule with four points, exact to degree 5.
+ * The work of everything that has no potential energy, and the impulse of what acts on the whole:
+ * power and force integrated along the interpolated solution, by Lobatto's rule with four points,
+ * exact to degree 5.
  */
 final class WorkMeter {
   /** Points of the rule in [−1, 1], and its weights. */
@@ -19,16 +22,25 @@ final class WorkMeter {
   private final ModelEquations equations;
   private final Integrator integrator;
   private final PowerInput source;
+  private final Optional<MomentumBalance> momentum;
   private final double[] y;
   private final double[] yDot;
   private double reached;
   private double work;
+  private double turnover;
 
   /**
    * @param wanted whether the work is to be known; if not, or if the model does none, it stays zero
+   * @param momentum to whose impulse the way is added, if it is to be known
    */
   WorkMeter(
-      ModelEquations equations, Integrator integrator, Model model, boolean wanted, double t0) {
+      ModelEquations equations,
+      Integrator integrator,
+      Model model,
+      boolean wanted,
+      Optional<MomentumBalance> momentum,
+      double t0) {
+    this.momentum = momentum;
     this.equations = equations;
     this.integrator = integrator;
     source = wanted && model instanceof PowerInput able ? able : NOTHING;
@@ -39,7 +51,7 @@ final class WorkMeter {
 
   /** Adds the work up to a time inside the last step; returns false if the loops are open there. */
   boolean advance(double t) {
-    if (source == NOTHING || t <= reached) {
+    if ((source == NOTHING && momentum.isEmpty()) || t <= reached) {
       return true;
     }
     double half = 0.5 * (t - reached);
@@ -50,7 +62,11 @@ final class WorkMeter {
       if (!equations.closeLoops(at, y)) {
         return false;
       }
+      if (momentum.isPresent()) {
+        momentum.get().add(half * WEIGHTS[i], at, y);
+      }
       work += half * WEIGHTS[i] * source.power(at, y);
+      turnover += half * WEIGHTS[i] * source.turnover(at, y);
     }
     reached = t;
     return true;
@@ -59,6 +75,7 @@ final class WorkMeter {
   /** Adds energy that was put in at once, J. */
   void add(double energy) {
     work += energy;
+    turnover += Math.abs(energy);
   }
 
   /** Returns the work up to the time last advanced to, J; positive into the mechanism. */
@@ -66,9 +83,15 @@ final class WorkMeter {
     return work;
   }
 
+  /** Returns what was put in and what was taken out up to then, added up, J. */
+  double turnover() {
+    return turnover;
+  }
+
   /** Carries the work over. */
   void transfer(StateTransfer state) {
     reached = state.number(reached);
     work = state.number(work);
+    turnover = state.number(turnover);
   }
 }

@@ -18,6 +18,7 @@ import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
 
 /** A run may be told to end where its energy balance no longer holds. */
 class EnergyBalanceTest {
@@ -55,6 +56,45 @@ class EnergyBalanceTest {
     @Override
     public boolean holdsAllPower() {
       return all;
+    }
+  }
+
+  /**
+   * A unit mass pulled by 3 N that friction of 5 N holds: it creeps at some 1e-6 m/s, and what is
+   * pulled in is rubbed away, 1e5 times its kinetic energy in a tenth of a second.
+   */
+  private static final class Held extends HarmonicOscillator implements PowerInput {
+    private static double friction(double speed) {
+      return -5 * Math.tanh(speed / 1e-6);
+    }
+
+    @Override
+    public void initialState(double[] y) {
+      y[0] = 0;
+      y[1] = 0;
+    }
+
+    @Override
+    public int derivative(double t, double[] y, double[] yDot) {
+      yDot[0] = y[1];
+      yDot[1] = 3 + friction(y[1]);
+      return REGULAR;
+    }
+
+    @Override
+    public void energy(double t, double[] y, double[] energy) {
+      energy[0] = 0.5 * y[1] * y[1];
+      energy[1] = 0;
+    }
+
+    @Override
+    public double power(double t, double[] y) {
+      return (3 + friction(y[1])) * y[1];
+    }
+
+    @Override
+    public double turnover(double t, double[] y) {
+      return 3 * Math.abs(y[1]) + Math.abs(friction(y[1]) * y[1]);
     }
   }
 
@@ -121,6 +161,17 @@ class EnergyBalanceTest {
         };
     assertThat(run(resting, OptionalDouble.of(1e-12), Set.of()).outcome())
         .isEqualTo(new Outcome.Completed());
+  }
+
+  @Test
+  void frictionAtRestIsJudgedByWhatFlowsThroughIt() throws IOException {
+    RunSettings tenth = new RunSettings(0, 0.1, 0.01, "ode15s", 1e-8, 1e-10);
+    RunRequest request = new RunRequest(tenth, Set.of(), false, OptionalDouble.of(1e-3));
+    RunReport report = new RuntimeSolver().run(new Held(), request, rows, new RunControl());
+
+    assertThat(report.outcome()).isEqualTo(new Outcome.Completed());
+    double speed = rows.rows.get(rows.rows.size() - 1)[2];
+    assertThat(report.energyScale().orElseThrow()).isGreaterThan(1e4 * 0.5 * speed * speed);
   }
 
   @Test

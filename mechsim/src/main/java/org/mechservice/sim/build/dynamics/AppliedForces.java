@@ -23,6 +23,7 @@ import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.mechanism.force.SpringDamper;
+import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.spatial.Rotation;
 
 /** The forces of a mechanism as equations of one program; each opens a section of its own. */
@@ -59,6 +60,9 @@ final class AppliedForces {
     Loads loads = new Loads(expressions, mechanism);
     List<ForceElement> elements = mechanism.mechanism().forces();
     for (int i = 0; i < elements.size(); i++) {
+      if (elements.get(i) instanceof UserForceElement) {
+        continue;
+      }
       section(elements.get(i));
       ForceTerm term = term(elements.get(i));
       term.apply(loads);
@@ -66,7 +70,18 @@ final class AppliedForces {
         guard(i, term);
       }
     }
+    if (elements.stream().anyMatch(UserForceElement.class::isInstance)) {
+      program.section("Forces written as classes, already evaluated.", "given");
+      new GivenLoads(expressions, mechanism, points, joints).apply(loads);
+    }
     return loads;
+  }
+
+  /** Those of which there are equations; what classes of users compute is given. */
+  private List<ForceElement> written() {
+    return mechanism.mechanism().forces().stream()
+        .filter(element -> !(element instanceof UserForceElement))
+        .toList();
   }
 
   private void guard(int force, ForceTerm term) {
@@ -84,27 +99,27 @@ final class AppliedForces {
   /** Returns the potential energy of all forces, J. */
   Scalar potential() {
     Scalar sum = expressions.zero();
-    for (ForceElement element : mechanism.mechanism().forces()) {
+    for (ForceElement element : written()) {
       section(element);
       sum = sum.plus(term(element).potential());
     }
     return sum;
   }
 
-  /** Returns the power of all that has no potential energy, W. */
-  Scalar power() {
-    Scalar sum = expressions.zero();
-    for (ForceElement element : mechanism.mechanism().forces()) {
+  /** Returns the powers of all that has no potential energy, one per force in file order, W. */
+  List<Scalar> powers() {
+    List<Scalar> powers = new ArrayList<>();
+    for (ForceElement element : written()) {
       section(element);
-      sum = sum.plus(term(element).power());
+      powers.add(term(element).power());
     }
-    return sum;
+    return powers;
   }
 
   /** Returns the values that forces can put out, in file order. */
   List<Scalar> values() {
     List<Scalar> values = new ArrayList<>();
-    for (ForceElement element : mechanism.mechanism().forces()) {
+    for (ForceElement element : written()) {
       section(element);
       values.addAll(term(element).values());
     }

@@ -3,6 +3,7 @@ package org.mechservice.sim.build.dynamics;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 
@@ -12,7 +13,7 @@ public final class PowerEquations {
 
   /**
    * Derives the program from the state [q; v] to the power of dampers, friction, forces given by
-   * formulas, and prescribed motions (output 0), W.
+   * formulas, and prescribed motions, and to the sum of their sizes (outputs 0 and 1), W.
    *
    * @return nothing if there is no such power whatever the state
    */
@@ -20,13 +21,25 @@ public final class PowerEquations {
     Program program = new Program();
     ArticulatedBodyEquations tree = new ArticulatedBodyEquations(program, mechanism);
     AppliedForces forces = new AppliedForces(program, mechanism, tree.coordinates());
-    Scalar power = forces.power();
+    Scalar power = program.expressions().zero();
+    Scalar turnover = power;
+    for (Scalar one : forces.powers()) {
+      power = power.plus(one);
+      turnover = turnover.plus(size(one));
+    }
+    Scalar driving = program.expressions().zero();
     for (Scalar force : drivingForces(mechanism, tree)) {
       power = power.plus(force);
+      driving = driving.plus(force);
     }
     program.section("Power.", "power");
     program.output(0, power);
+    program.output(1, turnover.plus(size(driving)));
     return power.isZero() ? Optional.empty() : Optional.of(program);
+  }
+
+  private static Scalar size(Scalar power) {
+    return power.isZero() ? power : power.expressions().function(MathFunction.ABS, power);
   }
 
   /** Returns the power of each driven link's motion. */

@@ -4,10 +4,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.mechservice.solver.analysis.ExtendedSource;
+import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.compact.CompactSource;
+import org.mechservice.solver.dynamics.UserForcedModel;
 import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.mechanism.Mechanism;
 import org.objectweb.asm.ClassWriter;
 import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;
@@ -65,6 +68,9 @@ public record CompactClass(
     if (!generated.isEmpty()) {
       source.line("import " + CompactModel.class.getName() + ";");
       source.line("import " + UserForceSource.class.getName() + ";");
+      if (hasUserForces()) {
+        source.line("import " + UserForcedModel.class.getName() + ";");
+      }
     }
     source.blank();
     source.documentation(
@@ -82,8 +88,16 @@ public record CompactClass(
     if (!generated.isEmpty()) {
       source.line("@Override");
       source.open("protected Object bare(CompactModel data, UserForceSource userForces)");
-      String given = hasParameters() ? "data.parameterValues()" : "";
-      source.line("return data.watched(new " + generated + "(" + given + "));");
+      if (hasUserForces()) {
+        source.line("double[] p = UserForcedModel.inputs(data.mechanism());");
+        source.line(
+            "return data.watched(UserForcedModel.of(new "
+                + generated
+                + "(p), p, data.mechanism(), userForces));");
+      } else {
+        String given = hasParameters() ? "data.parameterValues()" : "";
+        source.line("return data.watched(new " + generated + "(" + given + "));");
+      }
       source.close().blank();
     }
     source.line("@Override").open("protected String[] texts()");
@@ -130,6 +144,10 @@ public record CompactClass(
     return file.toByteArray();
   }
 
+  private boolean hasUserForces() {
+    return ModelClass.hasUserForces(model.mechanism());
+  }
+
   private boolean hasParameters() {
     return !model.mechanism().parameters().isEmpty();
   }
@@ -152,7 +170,45 @@ public record CompactClass(
     MethodVisitor code = ClassMethods.begin(file, Opcodes.ACC_PROTECTED, "bare", BARE);
     String data = Type.getInternalName(CompactModel.class);
     String model = Type.getDescriptor(Model.class);
+    if (hasUserForces()) {
+      forced(code, data);
+    } else {
+      code.visitVarInsn(Opcodes.ALOAD, 1);
+      unforced(code, data);
+    }
+    code.visitMethodInsn(Opcodes.INVOKEVIRTUAL, data, "watched", "(" + model + ")" + model, false);
+    ClassMethods.end(code, Opcodes.ARETURN);
+  }
+
+  /** Pushes the generated model with the forces that users have written, below it the data. */
+  private void forced(MethodVisitor code, String data) {
+    String mechanism = Type.getDescriptor(Mechanism.class);
+    String forced = Type.getInternalName(UserForcedModel.class);
+    String explicit = Type.getDescriptor(ExplicitModel.class);
+    String source = Type.getDescriptor(UserForceSource.class);
     code.visitVarInsn(Opcodes.ALOAD, 1);
+    code.visitMethodInsn(Opcodes.INVOKEVIRTUAL, data, "mechanism", "()" + mechanism, false);
+    code.visitMethodInsn(Opcodes.INVOKESTATIC, forced, "inputs", "(" + mechanism + ")[D", false);
+    code.visitVarInsn(Opcodes.ASTORE, 3);
+    code.visitVarInsn(Opcodes.ALOAD, 1);
+    code.visitTypeInsn(Opcodes.NEW, internal(generated));
+    code.visitInsn(Opcodes.DUP);
+    code.visitVarInsn(Opcodes.ALOAD, 3);
+    code.visitMethodInsn(Opcodes.INVOKESPECIAL, internal(generated), "<init>", "([D)V", false);
+    code.visitVarInsn(Opcodes.ALOAD, 3);
+    code.visitVarInsn(Opcodes.ALOAD, 1);
+    code.visitMethodInsn(Opcodes.INVOKEVIRTUAL, data, "mechanism", "()" + mechanism, false);
+    code.visitVarInsn(Opcodes.ALOAD, 2);
+    code.visitMethodInsn(
+        Opcodes.INVOKESTATIC,
+        forced,
+        "of",
+        "(" + explicit + "[D" + mechanism + source + ")" + explicit,
+        false);
+  }
+
+  /** Pushes the generated model. */
+  private void unforced(MethodVisitor code, String data) {
     code.visitTypeInsn(Opcodes.NEW, internal(generated));
     code.visitInsn(Opcodes.DUP);
     if (hasParameters()) {
@@ -165,8 +221,6 @@ public record CompactClass(
         "<init>",
         hasParameters() ? "([D)V" : NOTHING_TO_VOID,
         false);
-    code.visitMethodInsn(Opcodes.INVOKEVIRTUAL, data, "watched", "(" + model + ")" + model, false);
-    ClassMethods.end(code, Opcodes.ARETURN);
   }
 
   private void texts(ClassWriter file) {

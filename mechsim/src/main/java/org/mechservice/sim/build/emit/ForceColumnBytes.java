@@ -39,13 +39,18 @@ final class ForceColumnBytes {
     code.visitMethodInsn(Opcodes.INVOKESPECIAL, className, method, STATE_TO_ARRAY, false);
   }
 
-  /** {@code sumPower(t, y, power); return power[0];}. */
+  /** {@code sumPower(t, y, power); return power[0];}, and the turnover from {@code power[1]}. */
   void power() {
-    MethodVisitor code = ClassMethods.beginPublic(classFile, "power", "(D[D)D");
+    power("power", Opcodes.ICONST_0);
+    power("turnover", Opcodes.ICONST_1);
+  }
+
+  private void power(String name, int index) {
+    MethodVisitor code = ClassMethods.beginPublic(classFile, name, "(D[D)D");
     fill(code, "sumPower", "power", 1, 3);
     code.visitVarInsn(Opcodes.ALOAD, 0);
     code.visitFieldInsn(Opcodes.GETFIELD, className, "power", "[D");
-    code.visitInsn(Opcodes.ICONST_0);
+    code.visitInsn(index);
     code.visitInsn(Opcodes.DALOAD);
     ClassMethods.end(code, Opcodes.DRETURN);
   }

@@ -109,7 +109,7 @@ final class ModelBytes {
       code.visitFieldInsn(Opcodes.PUTFIELD, className, field, "[D");
     }
     if (plan.power().isPresent()) {
-      array(code, "power", 1);
+      array(code, "power", 2);
     }
     if (plan.forces().isPresent()) {
       array(code, "forces", plan.forceCount());

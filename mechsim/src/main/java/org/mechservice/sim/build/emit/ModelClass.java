@@ -10,6 +10,7 @@ import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /**
  * What the class of a model contains.
@@ -46,6 +47,16 @@ public record ModelClass(
 
   /** The package of generated models. */
   public static final String PACKAGE = "org.mechservice.model";
+
+  /** Returns whether forces written as classes act on the model. */
+  boolean hasUserForces() {
+    return hasUserForces(mechanism);
+  }
+
+  /** Returns whether forces written as classes act on a mechanism. */
+  public static boolean hasUserForces(Mechanism mechanism) {
+    return mechanism.forces().stream().anyMatch(UserForceElement.class::isInstance);
+  }
 
   /** Returns the class's simple name. */
   public String simpleName() {

@@ -191,9 +191,9 @@ public final class ModelPlan implements WrittenClass {
         .orElse(new Base(Object.class, List.of()));
   }
 
-  /** Returns whether the class is given the values of parameters. */
+  /** Returns whether the class is given numbers: values of parameters, loads of user forces. */
   boolean hasParameters() {
-    return !content.mechanism().parameters().isEmpty();
+    return !content.mechanism().parameters().isEmpty() || content.hasUserForces();
   }
 
   /** Returns the interfaces the class implements beyond those of its base, in order. */

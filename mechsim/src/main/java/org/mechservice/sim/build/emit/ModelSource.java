@@ -42,7 +42,7 @@ final class ModelSource {
     if (plan.hasParameters()) {
       source.line("private final double[] p;");
     }
-    plan.power().ifPresent(p -> source.line("private final double[] power = new double[1];"));
+    plan.power().ifPresent(p -> source.line("private final double[] power = new double[2];"));
     plan.forces()
         .ifPresent(
             p ->
@@ -220,11 +220,16 @@ final class ModelSource {
   }
 
   private void power(ModelPlan.Part power) {
-    source.blank().line("@Override").open("public double power(double t, double[] y)");
-    source.line("sumPower(t, y, power);");
-    source.line("return power[0];");
-    source.close();
+    power("power", 0);
+    power("turnover", 1);
     method(power, List.of(), List.of());
+  }
+
+  private void power(String name, int index) {
+    source.blank().line("@Override").open("public double " + name + "(double t, double[] y)");
+    source.line("sumPower(t, y, power);");
+    source.line("return power[" + index + "];");
+    source.close();
   }
 
   private void forces(ModelPlan.Part forces) {

@@ -8,16 +8,20 @@ import java.net.URI;
 import java.net.URISyntaxException;
 import java.net.URL;
 import java.net.URLConnection;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
-import java.util.Enumeration;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.function.Function;
 import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
 import java.util.stream.Stream;
+import java.util.zip.CRC32;
+import org.jspecify.annotations.Nullable;
+import org.mechservice.sim.build.jar.Sha256;
 import org.mechservice.solver.api.Model;
 
 /**
@@ -33,7 +37,13 @@ public final class SolverClasses {
   /** Read once per process, when first needed. */
   private static final class Holder {
     private static final SortedMap<String, byte[]> FILES =
-        Collections.unmodifiableSortedMap(read());
+        Collections.unmodifiableSortedMap(each(SolverClasses::bytes, bytes -> bytes));
+  }
+
+  /** What is wanted of a file in a JAR. */
+  @FunctionalInterface
+  private interface Reading<T> {
+    T of(JarFile jar, JarEntry entry) throws IOException;
   }
 
   /** Returns all files by path, such as {@code org/mechservice/solver/api/Model.class}. */
@@ -41,7 +51,48 @@ public final class SolverClasses {
     return Holder.FILES;
   }
 
-  private static SortedMap<String, byte[]> read() {
+  /** Returns one of the files, by its path, or null if there is no such file; reads no other. */
+  public static byte @Nullable [] file(String path) {
+    if (!isSolvers(path)) {
+      return null;
+    }
+    try (InputStream file = Model.class.getResourceAsStream("/" + path)) {
+      return file == null ? null : file.readAllBytes();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /**
+   * Returns the SHA-256 of the paths, lengths and CRCs of all files, in which it shows whether the
+   * solver was compiled anew. Of a JAR only the table of contents is read; to inflate and hash the
+   * files would take as long as a small simulation. It is no protection against forgery.
+   */
+  public static String fingerprint() {
+    StringBuilder list = new StringBuilder();
+    each((jar, entry) -> stamp(entry.getSize(), entry.getCrc()), SolverClasses::stamp)
+        .forEach((path, stamp) -> list.append(path).append(' ').append(stamp).append('\n'));
+    return Sha256.of(list.toString().getBytes(StandardCharsets.UTF_8));
+  }
+
+  private static byte[] bytes(JarFile jar, JarEntry entry) throws IOException {
+    try (InputStream stream = jar.getInputStream(entry)) {
+      return stream.readAllBytes();
+    }
+  }
+
+  private static String stamp(byte[] content) {
+    CRC32 crc = new CRC32();
+    crc.update(content);
+    return stamp(content.length, crc.getValue());
+  }
+
+  private static String stamp(long length, long crc) {
+    return length + " " + crc;
+  }
+
+  /** Returns something of each file, by path: from an entry of a JAR or from a file's content. */
+  private static <T> SortedMap<String, T> each(Reading<T> inJar, Function<byte[], T> inDirectory) {
     String self = Model.class.getName().replace('.', '/') + ".class";
     URL url = Model.class.getResource("/" + self);
     if (url == null) {
@@ -50,8 +101,8 @@ public final class SolverClasses {
     try {
       URLConnection connection = url.openConnection();
       return connection instanceof JarURLConnection jar
-          ? readJar(jar)
-          : readDirectory(Path.of(directory(url, self)));
+          ? eachIn(jar, inJar)
+          : eachIn(Path.of(directory(url, self)), inDirectory);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     } catch (URISyntaxException e) {
@@ -64,32 +115,30 @@ public final class SolverClasses {
     return new URI(text.substring(0, text.length() - self.length()));
   }
 
-  private static SortedMap<String, byte[]> readJar(JarURLConnection connection) throws IOException {
-    SortedMap<String, byte[]> files = new TreeMap<>();
+  private static <T> SortedMap<String, T> eachIn(JarURLConnection connection, Reading<T> wanted)
+      throws IOException {
+    SortedMap<String, T> found = new TreeMap<>();
     connection.setUseCaches(false);
     try (JarFile jar = connection.getJarFile()) {
-      Enumeration<JarEntry> entries = jar.entries();
-      while (entries.hasMoreElements()) {
-        JarEntry entry = entries.nextElement();
+      for (JarEntry entry : Collections.list(jar.entries())) {
         if (isSolvers(entry.getName())) {
-          try (InputStream stream = jar.getInputStream(entry)) {
-            files.put(entry.getName(), stream.readAllBytes());
-          }
+          found.put(entry.getName(), wanted.of(jar, entry));
         }
       }
     }
-    return files;
+    return found;
   }
 
-  private static SortedMap<String, byte[]> readDirectory(Path directory) throws IOException {
-    SortedMap<String, byte[]> files = new TreeMap<>();
+  private static <T> SortedMap<String, T> eachIn(Path directory, Function<byte[], T> wanted)
+      throws IOException {
+    SortedMap<String, T> found = new TreeMap<>();
     for (Path path : filesBelow(directory)) {
       String name = directory.relativize(path).toString().replace('\\', '/');
       if (isSolvers(name)) {
-        files.put(name, Files.readAllBytes(path));
+        found.put(name, wanted.apply(Files.readAllBytes(path)));
       }
     }
-    return files;
+    return found;
   }
 
   private static List<Path> filesBelow(Path directory) throws IOException {

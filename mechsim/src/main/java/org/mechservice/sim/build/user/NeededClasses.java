@@ -93,8 +93,7 @@ final class NeededClasses {
   }
 
   private void requireInterface(String name, String reference) {
-    if (!reference.startsWith(INTERFACE)
-        || !SolverClasses.files().containsKey(reference + ".class")) {
+    if (!reference.startsWith(INTERFACE) || SolverClasses.file(reference + ".class") == null) {
       findings.add(
           "S-124",
           name,

@@ -1,0 +1,141 @@
+package org.mechservice.load;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.client.JarCache;
+import org.mechservice.client.MechConnection;
+import org.mechservice.client.MechSession;
+import org.mechservice.client.RemoteRun;
+import org.mechservice.client.ServerLostException;
+import org.mechservice.client.SimulationOptions;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.Variable;
+
+/** What becomes of the rows of a run when the connection to its server is cut meanwhile. */
+class CutConnectionTest {
+  /** Some 60 MB of rows, which take several blocks. */
+  private static final double OUTPUT_STEP = 0.01;
+
+  private static final SimulationOptions LARGE =
+      SimulationOptions.asInFile().endTime(7000).outputStep(OUTPUT_STEP);
+
+  private static final long EVERY = 100_000;
+
+  @TempDir private Path folder;
+
+  /** Counts rows and cuts the connection now and then. */
+  private static final class Cutting implements ResultSink {
+    private final Relay relay;
+    private final boolean forGood;
+    private long rows;
+    private int cuts;
+
+    Cutting(Relay relay, boolean forGood) {
+      this.relay = relay;
+      this.forGood = forGood;
+    }
+
+    @Override
+    public void begin(List<Variable> columns) {}
+
+    @Override
+    public void row(double[] values) throws IOException {
+      assertThat(Math.round(values[0] / OUTPUT_STEP)).isEqualTo(rows);
+      rows++;
+      if (rows % EVERY == 0) {
+        cuts++;
+        if (forGood) {
+          relay.close();
+        } else {
+          cutSoon();
+        }
+      }
+    }
+
+    /** So that the cut meets a block that is under way, too, not only the pause between two. */
+    private void cutSoon() {
+      Thread cutter =
+          new Thread(
+              () -> {
+                try {
+                  Thread.sleep(cuts);
+                  relay.cutConnections();
+                } catch (IOException e) {
+                  throw new UncheckedIOException(e);
+                } catch (InterruptedException e) {
+                  Thread.currentThread().interrupt();
+                }
+              });
+      cutter.setDaemon(true);
+      cutter.start();
+    }
+  }
+
+  private interface Use {
+    void of(RemoteRun run, Relay relay) throws Exception;
+  }
+
+  private void withRelayedRun(Use use) throws Exception {
+    int port = freePort();
+    try (ServiceJvm server =
+            ServiceJvm.start(
+                List.of(),
+                128,
+                List.of("-Djacorb.ior_proxy_host=127.0.0.2", "-Djacorb.ior_proxy_port=" + port),
+                "server",
+                "--port",
+                Integer.toString(port));
+        Relay relay =
+            new Relay(
+                new InetSocketAddress(InetAddress.getByName("127.0.0.2"), port),
+                new InetSocketAddress(InetAddress.getLoopbackAddress(), server.port()),
+                0);
+        MechConnection connection =
+            MechConnection.open("127.0.0.2:" + port, new JarCache(folder.resolve("cache")));
+        MechSession session = connection.openSession()) {
+      session.loadModel(Runs.PENDULUM);
+      try (RemoteRun run = session.prepareRemoteRun(LARGE)) {
+        use.of(run, relay);
+      }
+    }
+  }
+
+  private static int freePort() throws IOException {
+    try (ServerSocket socket = new ServerSocket(0)) {
+      return socket.getLocalPort();
+    }
+  }
+
+  @Test
+  void everyRowArrivesOnceAlthoughConnectionsAreCut() throws Exception {
+    withRelayedRun(
+        (run, relay) -> {
+          Cutting rows = new Cutting(relay, false);
+          run.toEnd(rows);
+          assertThat(rows.cuts).isEqualTo(7);
+          assertThat(rows.rows).isEqualTo(700_001);
+        });
+  }
+
+  @Test
+  void serverThatStaysAwayIsLostWithTheRowsUpToThenHandedOver() throws Exception {
+    withRelayedRun(
+        (run, relay) -> {
+          Cutting rows = new Cutting(relay, true);
+          assertThatThrownBy(() -> run.toEnd(rows))
+              .isInstanceOf(ServerLostException.class)
+              .hasMessageStartingWith("S-031");
+          assertThat(rows.rows).isGreaterThanOrEqualTo(EVERY);
+        });
+  }
+}

@@ -1,0 +1,131 @@
+package org.mechservice.report.page;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import org.mechservice.report.SceneFindings;
+import org.mechservice.report.measure.Effort;
+import org.mechservice.report.measure.Judge;
+import org.mechservice.report.measure.Point;
+import org.mechservice.report.measure.Reference;
+
+/** What a reader must know who does not believe the figures: reference, rules, warmth, spread. */
+final class HowMeasured {
+  /** Warmed up or not, a time scatters by a few per cent. */
+  private static final double WARM = 0.05;
+
+  private final SceneFindings found;
+
+  HowMeasured(SceneFindings found) {
+    this.found = found;
+  }
+
+  String html() {
+    StringBuilder html = new StringBuilder();
+    html.append("<details open><summary>How this was measured</summary><ul>");
+    Judge judge = found.judge();
+    judge.said().forEach(said -> html.append("\n<li>").append(Html.escape(said)));
+    judge
+        .reference()
+        .flatMap(Reference::amplification)
+        .ifPresent(
+            factors ->
+                html.append("\n<li>A change of the start by 1e-9 has grown ")
+                    .append(Html.number(factors[factors.length - 1]))
+                    .append("× at the end."));
+    html.append("\n<li>").append(definition(found)).append(" Intervals and output rows the same.");
+    html.append("\n<li>Tolerances: relative as stated, absolute a hundredth of it.");
+    html.append("\n<li>").append(timing());
+    warmth().forEach(sentence -> html.append("\n<li>").append(sentence));
+    html.append("\n<li>").append(budget());
+    html.append("\n<li>");
+    html.append(String.join(" · ", found.versions().stream().map(Html::escape).toList()));
+    html.append("\n<li>Every single run: <a href=\"").append(Html.escape(found.csv()));
+    html.append("\">").append(Html.escape(found.csv())).append("</a>");
+    return html.append("</ul></details>").toString();
+  }
+
+  /** The one definition of the error, in a sentence. */
+  static String definition(SceneFindings found) {
+    return "Error: the largest |x − x<sub>ref</sub>| / (1 + |x<sub>ref</sub>|) of all positions and"
+        + " velocities in SI units, over "
+        + found.judge().reference().map(reference -> reference.times().length).orElse(0)
+        + " times; the same for every method.";
+  }
+
+  private String timing() {
+    Effort effort = found.effort();
+    String repeats =
+        effort.fewestRepeats() == Effort.REPEATS
+            ? "median of " + Effort.REPEATS + " runs"
+            : "median of "
+                + effort.fewestRepeats()
+                + " to "
+                + Effort.REPEATS
+                + " runs (the tables say how many)";
+    return String.format(
+        Locale.ROOT,
+        "Time: processor time of the run's thread, %s. Before them, rounds that do not count until"
+            + " %.2g s of them got no faster (by 2 %%). Every round runs every point once,"
+            + " beginning at another one. Spread: quartiles.",
+        repeats,
+        effort.warmSeconds());
+  }
+
+  /** Shows that methods were warm, and how well times are known. */
+  private List<String> warmth() {
+    double[] drifts =
+        found.points().stream()
+            .mapToDouble(Point::drift)
+            .filter(Double::isFinite)
+            .sorted()
+            .toArray();
+    if (drifts.length == 0) {
+      return List.of();
+    }
+    double middle = median(drifts) - 1;
+    return List.of(
+        String.format(
+            Locale.ROOT,
+            "Warm-up: from the earlier half of the rounds to the later one the times change by"
+                + " %+.1f %% (median of %d points; half of them between %+.1f and %+.1f %%)%s",
+            100 * middle,
+            drifts.length,
+            100 * (drifts[drifts.length / 4] - 1),
+            100 * (drifts[drifts.length - 1 - drifts.length / 4] - 1),
+            Math.abs(middle) <= WARM
+                ? ": the methods were warm."
+                : ": <b>they were not warm, or the machine was not quiet.</b>"),
+        spread(found.points()) + ".");
+  }
+
+  /** How far half of a point's times differ, in the middle of all points. */
+  static String spread(List<Point> points) {
+    double[] spreads =
+        points.stream().mapToDouble(Point::spread).filter(Double::isFinite).sorted().toArray();
+    return spreads.length == 0
+        ? "No point was timed"
+        : String.format(
+            Locale.ROOT,
+            "Half of a point's times lie within %.1f %% of each other (median of the points)",
+            100 * median(spreads));
+  }
+
+  private static double median(double[] sorted) {
+    return Arrays.stream(sorted).skip((sorted.length - 1) / 2).findFirst().orElse(Double.NaN);
+  }
+
+  private String budget() {
+    double limit = found.effort().limitSeconds();
+    String all = String.format(Locale.ROOT, "Runs were stopped after %.3g s", limit);
+    return limit <= Effort.CHEAP_SECONDS
+        ? all + "."
+        : all
+            + String.format(
+                Locale.ROOT,
+                ", and those beyond %.0f s if they took %.0f times what the fastest method took at"
+                    + " the same tolerance.",
+                Effort.CHEAP_SECONDS,
+                Effort.SENSELESS);
+  }
+}

@@ -1,0 +1,109 @@
+package org.mechservice.solver.dynamics;
+
+import java.util.List;
+import org.mechservice.solver.api.BodyPoses;
+import org.mechservice.solver.api.Defects;
+import org.mechservice.solver.api.DirectedForces;
+import org.mechservice.solver.api.Energies;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.PowerInput;
+import org.mechservice.solver.api.ResidualModel;
+import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/**
+ * Generated code with forces that users have written as classes. Before each evaluation of the code
+ * the forces are called, and their loads handed to it as inputs behind the model's parameters.
+ * Poses of bodies come from the motion that the forces read.
+ */
+public class UserForcedModel
+    implements ExplicitModel, Energies, PowerInput, BodyPoses, Defects, DirectedForces {
+  final UserLoads loads;
+  private final ExplicitModel generated;
+  private final List<String> bodies;
+
+  UserForcedModel(ExplicitModel generated, Mechanism mechanism, UserLoads loads) {
+    this.generated = generated;
+    this.loads = loads;
+    bodies = mechanism.bodies().stream().map(Body::name).toList();
+  }
+
+  /**
+   * Returns what generated code is constructed with: the values of the parameters, and room for the
+   * loads of user forces.
+   */
+  public static double[] inputs(Mechanism mechanism) {
+    return UserLoads.inputs(mechanism);
+  }
+
+  /**
+   * Puts the user's forces to generated code.
+   *
+   * @param generated of the same mechanism, constructed with {@code inputs}
+   * @param inputs what {@link #inputs} returned
+   * @param userForces makes the forces
+   * @return a model of the same formulation
+   * @throws IllegalArgumentException if a user force cannot be made, or asks for what is not there
+   */
+  public static ExplicitModel of(
+      ExplicitModel generated, double[] inputs, Mechanism mechanism, UserForceSource userForces) {
+    UserLoads loads = new UserLoads(mechanism, userForces, inputs);
+    if (generated instanceof TreeStepModel step) {
+      return new UserForcedStepModel(step, mechanism, loads);
+    } else if (generated instanceof ResidualModel residual) {
+      return new UserForcedResidualModel(residual, mechanism, loads);
+    }
+    return new UserForcedModel(generated, mechanism, loads);
+  }
+
+  @Override
+  public final ModelDescription description() {
+    return generated.description();
+  }
+
+  @Override
+  public final void initialState(double[] y) {
+    generated.initialState(y);
+  }
+
+  @Override
+  public final int derivative(double t, double[] y, double[] yDot) {
+    int loaded = loads.evaluate(t, y);
+    return loaded == REGULAR ? generated.derivative(t, y, yDot) : loaded;
+  }
+
+  @Override
+  public final Defect lastDefect() {
+    return loads.defect();
+  }
+
+  @Override
+  public final String directedForce(int force) {
+    return ((DirectedForces) generated).directedForce(force);
+  }
+
+  /** {@inheritDoc} Forces written as classes have no potential energy. */
+  @Override
+  public final void energy(double t, double[] y, double[] energy) {
+    ((Energies) generated).energy(t, y, energy);
+  }
+
+  @Override
+  public final double power(double t, double[] y) {
+    loads.evaluate(t, y);
+    double given = loads.forces().power();
+    return generated instanceof PowerInput others ? given + others.power(t, y) : given;
+  }
+
+  @Override
+  public final List<String> bodies() {
+    return bodies;
+  }
+
+  @Override
+  public final void poses(double t, double[] y, double[] poses) {
+    loads.poses(t, y, poses);
+  }
+}

@@ -1,0 +1,20 @@
+package org.mechservice.solver.dynamics;
+
+import org.mechservice.solver.api.ResidualModel;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/** A generated residual (RR) with forces that users have written as classes. */
+class UserForcedResidualModel extends UserForcedModel implements ResidualModel {
+  private final ResidualModel generated;
+
+  UserForcedResidualModel(ResidualModel generated, Mechanism mechanism, UserLoads loads) {
+    super(generated, mechanism, loads);
+    this.generated = generated;
+  }
+
+  @Override
+  public final int residual(double t, double[] y, double[] yDot, double[] residual) {
+    int loaded = loads.evaluate(t, y);
+    return loaded == REGULAR ? generated.residual(t, y, yDot, residual) : loaded;
+  }
+}

@@ -1,0 +1,100 @@
+package org.mechservice.solver.dynamics;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.solver.api.LinearisedModel;
+import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/**
+ * A generated residual with its derivatives (RR-JF) and forces that users have written as classes.
+ * The generated derivatives hold what the forces' wrenches do where they keep their components in
+ * the axes of their links; how the forces themselves change, by their own derivatives or by
+ * differences, is added here. What they couple is known only now, so the equations of a step are
+ * solved in a pattern of their own.
+ */
+final class UserForcedStepModel extends UserForcedResidualModel
+    implements LinearisedModel, RunNotes {
+  private final TreeStepModel generated;
+  private final ResidualJacobian jacobian;
+  private final TreeIteration iteration;
+
+  /** Where each element of the generated pattern stands in the own one. */
+  private final int[] elementAt;
+
+  private int singular;
+
+  UserForcedStepModel(TreeStepModel generated, Mechanism mechanism, UserLoads loads) {
+    super(generated, mechanism, loads);
+    this.generated = generated;
+    TreePattern inner = generated.byVelocity.pattern;
+    TreePattern coupled =
+        new TreePattern(
+            loads.motion().tree(), LinearisedResidualModel.coupledLinks(loads.forces()));
+    TreePattern pattern = inner.joined(coupled);
+    elementAt = new int[inner.elementCount()];
+    for (int row = 0; row < inner.size; row++) {
+      for (int e = inner.rowStart[row]; e < inner.rowStart[row + 1]; e++) {
+        elementAt[e] = pattern.find(row, inner.column[e]);
+      }
+    }
+    jacobian = new ResidualJacobian(loads.motion(), pattern);
+    iteration = new TreeIteration(loads.motion().tree(), pattern, jacobian);
+  }
+
+  @Override
+  public boolean linearise(double t, double[] y, double[] yDot) {
+    if (loads.evaluate(t, y) != REGULAR
+        || !generated.linearise(t, y, yDot)
+        || !loads.linearise(t, jacobian)) {
+      return false;
+    }
+    add(generated.mass.diagonal(), jacobian.mass().diagonal());
+    addElements(generated.mass.lower(), jacobian.mass().lower());
+    add(generated.byVelocity, jacobian.byVelocity());
+    add(generated.byPosition, jacobian.byPosition());
+    iteration.setState(y);
+    return jacobian.isFinite();
+  }
+
+  private void add(TreeSquare from, TreeSquare to) {
+    add(from.diagonal, to.diagonal);
+    addElements(from.lower, to.lower);
+    addElements(from.upper, to.upper);
+  }
+
+  private static void add(double[] from, double[] to) {
+    for (int i = 0; i < from.length; i++) {
+      to[i] += from[i];
+    }
+  }
+
+  private void addElements(double[] from, double[] to) {
+    for (int e = 0; e < from.length; e++) {
+      to[elementAt[e]] += from[e];
+    }
+  }
+
+  @Override
+  public boolean factor(double hGamma) {
+    singular = iteration.factor(hGamma);
+    return singular == TreeLu.NONSINGULAR;
+  }
+
+  @Override
+  public void solve(double[] r) {
+    iteration.solve(r);
+  }
+
+  @Override
+  public int singularUnknown() {
+    return description().positionCount() + singular;
+  }
+
+  @Override
+  public List<Note> notes() {
+    List<Note> notes = new ArrayList<>(generated.notes());
+    notes.addAll(iteration.notes());
+    return notes;
+  }
+}
