@@ -151,6 +151,20 @@ final class BackwardDifferences implements Manifold.History {
     System.arraycopy(predicted, 0, corrected, 0, predicted.length);
   }
 
+  /**
+   * Lets the iteration start from a prediction of lower order in one component, whose differences
+   * of higher order are mostly noise.
+   *
+   * @param highest of the differences to go by
+   * @param k order of the step
+   */
+  void predictLower(int component, int highest, int k) {
+    for (int m = highest + 1; m <= k; m++) {
+      correction[component] -= tried[m][component];
+    }
+    corrected[component] = predicted[component] + correction[component];
+  }
+
   /** Adds to d and y_{n+1}. */
   void correct(double[] change) {
     for (int l = 0; l < change.length; l++) {

@@ -22,9 +22,11 @@ abstract class BackwardMethod extends SteppingIntegrator {
   private final BackwardFormulas formulas;
   private final Mode mode;
   private final MaximumNorm norm = new MaximumNorm();
+  private final ErrorAllowance allowance;
   private final StepSize step = new StepSize();
   private final BackwardOrderControl control;
   private final JumpWatch jumps = new JumpWatch();
+  private final JumpSearch search = new JumpSearch();
 
   /** Relative tolerance of the norm. */
   private double relativeTolerance;
@@ -45,13 +47,21 @@ abstract class BackwardMethod extends SteppingIntegrator {
   private boolean begun;
 
   /**
+   * @param progress shared if the method takes turns with another
+   * @param takesTurns whether another takes the steps in which nothing is stiff
    * @throws IllegalArgumentException if a setting is out of range
    */
-  BackwardMethod(IntegratorSettings settings, Progress progress, BackwardFormulas formulas) {
+  BackwardMethod(
+      IntegratorSettings settings,
+      Progress progress,
+      BackwardFormulas formulas,
+      boolean takesTurns) {
     super(settings, progress);
     this.formulas = formulas;
     mode = settings.mode();
-    control = new BackwardOrderControl(formulas, mode == Mode.TUNED);
+    boolean turns = takesTurns && mode != Mode.FAITHFUL;
+    allowance = turns ? ErrorAllowance.full() : ErrorAllowance.of(mode);
+    control = new BackwardOrderControl(formulas, mode == Mode.TUNED || turns);
   }
 
   /**
@@ -81,9 +91,7 @@ abstract class BackwardMethod extends SteppingIntegrator {
   private void prepare(StepEquations equations, double t0, double tEnd) {
     int n = equations.manifold().dimension();
     this.equations = equations;
-    if (mode == Mode.TUNED) {
-      equations.follow(equations.sparingRules());
-    }
+    equations.follow(mode);
     this.tEnd = tEnd;
     differences = new BackwardDifferences(n);
     boolean standard = mode != Mode.FAITHFUL && toleranceFactor == 1;
@@ -91,6 +99,7 @@ abstract class BackwardMethod extends SteppingIntegrator {
     IntegratorSettings tested = tighter ? settings.tightened(ALGEBRAIC_PART) : settings;
     relativeTolerance = tested.relativeTolerance();
     norm.begin(relativeTolerance, tested.absoluteTolerances(n), equations.manifold());
+    allowance.begin(relativeTolerance, toleranceFactor);
     step.begin(n, t0, tEnd, settings.maxStep());
   }
 
@@ -138,11 +147,13 @@ abstract class BackwardMethod extends SteppingIntegrator {
   private StepResult beginAt(double t, double[] y, double initialStep, boolean restarted) {
     control.begin(settings.highestOrder(BackwardFormulas.HIGHEST_ORDER), restarted);
     jumps.begin();
+    search.clear();
     step.beginAt(initialStep, restarted);
     step.stopAt(equations.breakpoints().next());
     triedTime = t;
     begun = false;
     differences.begin(y);
+    norm.allow(1);
     norm.weigh(differences.state());
     equations.beginAnew();
     startDue = true;
@@ -218,7 +229,7 @@ abstract class BackwardMethod extends SteppingIntegrator {
 
   /** Brings Jacobian, size, differences and factors to those of the step being tried. */
   private Attempt linearise() {
-    Attempt attempt = equations.linearise(progress.time(), differences.state());
+    Attempt attempt = equations.linearise(progress.time(), differences.state(), hGamma());
     if (attempt != Attempt.PASSED) {
       return attempt;
     }
@@ -234,7 +245,8 @@ abstract class BackwardMethod extends SteppingIntegrator {
 
   /** Bounds the step, the first one being chosen before; returns false if told to stop instead. */
   private boolean beginStep() {
-    if (!step.prepare(progress.time(), equations, differences, norm, relativeTolerance)) {
+    if (!step.prepare(
+        progress.time(), equations, differences, norm, relativeTolerance, allowance)) {
       return false;
     }
     control.beginStep();
@@ -249,10 +261,11 @@ abstract class BackwardMethod extends SteppingIntegrator {
   /** Predicts and iterates. */
   private Attempt solve() {
     if (!equations.begun()) {
+      norm.allow(allowance.part(step.size(), equations));
       triedTime = step.endOf(progress.time());
       differences.predict(control.order(), formulas);
       norm.weigh(differences.state(), differences.predicted);
-      equations.begin(differences, norm);
+      equations.begin(differences, control.order(), norm);
     }
     return equations.solve(triedTime, hGamma(), differences, norm);
   }
@@ -260,28 +273,48 @@ abstract class BackwardMethod extends SteppingIntegrator {
   private Attempt test() {
     control.estimate(differences, norm);
     if (control.error() <= 1) {
-      return Attempt.PASSED;
+      return search.inside(step.size(), discrepancy()) ? Attempt.TOO_INACCURATE : Attempt.PASSED;
     }
     jumps.failed(step.size(), control.error());
     boolean jumped = equations.solutionMayJump() && jumps.solutionJumped(control.error());
     return jumped ? Attempt.PASSED : Attempt.TOO_INACCURATE;
   }
 
+  /** Returns the norm of what y' differs by from its prediction. */
+  private double discrepancy() {
+    return norm.of(differences.correction) / Math.abs(hGamma());
+  }
+
   private void accept() {
     int k = control.order();
+    double size = step.size();
+    double error = control.error();
     differences.accept(k);
     progress.accepted(step.size(), triedTime, k, control.error());
     jumps.accepted(control.error());
     equations.moveOn(hGamma(), differences);
     step.propose(control.accept(differences, norm));
-    if (control.error() > 1) {
+    boolean jumpPassed = search.accepted(size, triedTime, error);
+    if (error > 1 || jumpPassed) {
       control.restart();
+    }
+    if (search.active()) {
+      towardsJump();
     }
     begun = false;
     equations.manifold().restoreUnitGroups(differences.state(), differences);
     if (equations.manifold().accepted(triedTime, differences.state())) {
       equations.demandNew();
     }
+  }
+
+  /** Proposes a step that halves the stretch with a jump, or crosses it, if that is shorter. */
+  private void towardsJump() {
+    double size = search.step(progress.time());
+    if (search.crossing()) {
+      control.restart();
+    }
+    step.propose(Math.min(1, Math.abs(size / step.size())));
   }
 
   /**
@@ -301,12 +334,25 @@ abstract class BackwardMethod extends SteppingIntegrator {
     if (!step.canBeReduced(progress.time())) {
       return Optional.of(equations.cause(attempt, tEnd - progress.start(), norm));
     }
+    reduce(inaccurate);
+    return Optional.empty();
+  }
+
+  private void reduce(boolean inaccurate) {
+    boolean searches = inaccurate && mode != Mode.FAITHFUL && !equations.solutionMayJump();
+    if (searches && Double.isFinite(control.error())) {
+      search.rejected(step.size(), control.order(), triedTime, control.error(), discrepancy());
+    }
+    if (search.active()) {
+      towardsJump();
+      step.reduce(1, progress.time());
+      return;
+    }
     double factor = inaccurate ? control.reject(differences, norm) : UNSOLVED_REDUCTION;
     step.reduce(factor, progress.time());
     if (inaccurate && jumps.derivativeJumped(step.size())) {
       control.restart();
     }
-    return Optional.empty();
   }
 
   private int limitingComponent(Attempt attempt) {
@@ -368,6 +414,7 @@ abstract class BackwardMethod extends SteppingIntegrator {
     differences.transfer(state);
     control.transfer(state);
     jumps.transfer(state);
+    search.transfer(state);
     triedTime = state.number(triedTime);
     step.transfer(state);
   }

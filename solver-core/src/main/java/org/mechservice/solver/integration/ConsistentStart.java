@@ -150,7 +150,7 @@ final class ConsistentStart {
   private Attempt linearise() {
     equations.place(yDot);
     equations.demandNew();
-    Attempt attempt = equations.linearise(t0, y);
+    Attempt attempt = equations.linearise(t0, y, 0);
     if (attempt != Attempt.PASSED) {
       return attempt;
     }

@@ -2,6 +2,7 @@ package org.mechservice.solver.integration;
 
 import java.util.Arrays;
 import org.mechservice.solver.integration.IntegrationFailure.Cause;
+import org.mechservice.solver.integration.IntegratorSettings.Mode;
 import org.mechservice.solver.linear.BandLayout;
 import org.mechservice.solver.linear.BandLu;
 import org.mechservice.solver.linear.DenseLu;
@@ -119,6 +120,16 @@ final class ExplicitEquations extends StepEquations {
   }
 
   @Override
+  boolean formsMatrix() {
+    return false;
+  }
+
+  @Override
+  Attempt formMatrix(double t, double[] y, double hGamma) {
+    return formDerivatives(t, y);
+  }
+
+  @Override
   boolean formFactors(double hGamma) {
     return matrix.factorExplicit(hGamma, jacobian.values());
   }
@@ -196,8 +207,17 @@ final class ExplicitEquations extends StepEquations {
   }
 
   @Override
-  IterationRules sparingRules() {
-    return IterationRules.SPARING;
+  double fastestMotion() {
+    return jacobian.spectralRadius();
+  }
+
+  @Override
+  IterationRules rules(Mode mode) {
+    return switch (mode) {
+      case FAITHFUL -> IterationRules.PUBLISHED;
+      case TUNED -> IterationRules.SPARING;
+      default -> IterationRules.TRUSTING;
+    };
   }
 
   @Override

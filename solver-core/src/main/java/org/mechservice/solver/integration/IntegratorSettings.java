@@ -69,18 +69,21 @@ public record IntegratorSettings(
     FAITHFUL,
     /**
      * Jumps of the equations are narrowed down, or left behind without history, instead of being
-     * met again and again; implicit methods hold systems with algebraic components, which are in no
-     * test themselves, to a third of the tolerances.
+     * met again and again. Implicit methods hold systems with algebraic components, which are in no
+     * test themselves, to a third of the tolerances, and steps of an explicit problem in which
+     * nothing is stiff to a hundredth ({@link Ode15s}); they trust a measured rate of convergence
+     * somewhat more, and take differences in residual form along the step.
      */
     STANDARD,
     /**
-     * Like the standard mode, and implicit methods save evaluations and factorisations, and steps
+     * Like the standard mode, but implicit methods hold every step of an explicit problem to the
+     * tolerances, as the published program does, and save evaluations and factorisations, and steps
      * near the imaginary axis.
      */
     TUNED,
     /**
-     * Like the standard mode, and with a 25th of the tolerances in every error test, so that as a
-     * rule the solution at the end has the digits asked for but one.
+     * Like the standard mode, and with a 25th of the tolerances or less in every error test, so
+     * that as a rule the solution at the end has the digits asked for but one.
      */
     ACCURATE
   }

@@ -8,16 +8,30 @@ import org.mechservice.solver.linear.MatrixLayout;
  * be finite, or is stopped half way, does not replace the one in use.
  */
 final class KeptJacobian {
+  /** The second half of these powers of a matrix tell how it grows. */
+  private static final int POWERS = 16;
+
+  private static final double GOLDEN_RATIO = 0.6180339887498949;
+
   private final MatrixLayout layout;
   private double[] values;
   private double[] forming;
   private final double[] rowSums;
+
+  /** Spectral radius, once asked for. */
+  private double radius;
+
+  private boolean radiusKnown;
+  private final double[] power;
+  private final double[] product;
 
   KeptJacobian(MatrixLayout layout) {
     this.layout = layout;
     values = new double[layout.length()];
     forming = new double[layout.length()];
     rowSums = new double[layout.dimension()];
+    power = new double[layout.dimension()];
+    product = new double[layout.dimension()];
   }
 
   /** Returns the matrix in use, elements by layout; not to be modified. */
@@ -48,11 +62,19 @@ final class KeptJacobian {
     return -1;
   }
 
+  /** Subtracts a multiple of another matrix, of the same layout, from the one just formed. */
+  void subtractInForming(double factor, KeptJacobian other) {
+    for (int i = 0; i < forming.length; i++) {
+      forming[i] -= factor * other.values[i];
+    }
+  }
+
   /** Takes the matrix that was formed into use. */
   void replace() {
     double[] freed = values;
     values = forming;
     forming = freed;
+    radiusKnown = false;
   }
 
   /** Adds the product of the matrix in use and x to a vector. */
@@ -88,6 +110,44 @@ final class KeptJacobian {
     return weights.of(rowSums);
   }
 
+  /**
+   * Returns an estimate of the spectral radius of the matrix in use: by how much its powers grow,
+   * which does not depend on the units of the components.
+   *
+   * <p>0 for a nilpotent matrix; not finite if the estimate overflows.
+   */
+  double spectralRadius() {
+    if (!radiusKnown) {
+      radius = powerGrowth();
+      radiusKnown = true;
+    }
+    return radius;
+  }
+
+  private double powerGrowth() {
+    for (int l = 0; l < power.length; l++) {
+      // Fractions of multiples of the golden ratio: no matrix met in practice annuls them.
+      power[l] = 0.5 + (l + 1) * GOLDEN_RATIO % 1;
+    }
+    double growth = 0;
+    for (int i = 1; i <= POWERS; i++) {
+      Arrays.fill(product, 0);
+      addProduct(power, product);
+      double size = 0;
+      for (double element : product) {
+        size = Math.max(size, Math.abs(element));
+      }
+      if (size == 0) {
+        return 0;
+      }
+      for (int l = 0; l < power.length; l++) {
+        power[l] = product[l] / size;
+      }
+      growth += i > POWERS / 2 ? StrictMath.log(size) : 0;
+    }
+    return StrictMath.exp(growth / (POWERS / 2));
+  }
+
   /** Returns whether a column of the matrix in use is zero. */
   boolean isZero(int column) {
     for (int i = layout.firstRow(column); i <= layout.lastRow(column); i++) {
@@ -101,5 +161,6 @@ final class KeptJacobian {
   /** Carries the matrix in use over. */
   void transfer(StateTransfer state) {
     state.numbers(values);
+    radiusKnown = false;
   }
 }

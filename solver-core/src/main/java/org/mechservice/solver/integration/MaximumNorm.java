@@ -5,9 +5,17 @@ package org.mechservice.solver.integration;
  * atol_i). Shampine and Reichelt 1997.
  */
 final class MaximumNorm extends WeightedNorm {
+  /** Part of the tolerances that is allowed. */
+  private double part = 1;
+
+  /** Allows a part of the tolerances from the next {@link #weigh} on. */
+  void allow(double part) {
+    this.part = part;
+  }
+
   @Override
   double allowed(double relativeTolerance, double size, double absoluteTolerance) {
-    return Math.max(relativeTolerance * size, absoluteTolerance);
+    return part * Math.max(relativeTolerance * size, absoluteTolerance);
   }
 
   @Override

@@ -20,6 +20,14 @@ final class NewtonIteration {
 
   private static final double SLOWEST_RATE = 0.9;
 
+  /**
+   * Two changes in a row this small, in units of the tolerance and of negligible changes, that do
+   * not fall any more are round-off of large terms in the equations, and no sign of divergence.
+   */
+  private static final double STANDSTILL = 0.01;
+
+  private static final double NEGLIGIBLE_CHANGES = 100;
+
   /** Share of the rate that is remembered from iteration to iteration. */
   private static final double MEMORY = 0.9;
 
@@ -130,7 +138,7 @@ final class NewtonIteration {
 
   private boolean converged(double size) {
     if (size <= negligible) {
-      if (rules.learnsAtRoundOff() && iteration > 1) {
+      if (rules.heedsRoundOff() && iteration > 1) {
         learnRate(size);
       }
       return true;
@@ -139,10 +147,14 @@ final class NewtonIteration {
       return convergedByOldRate(size);
     }
     if (diverges(size)) {
-      return false;
+      return rules.heedsRoundOff() && Math.max(size, lastSize) <= standstill();
     }
     learnRate(size);
     return errorLeft(size) <= ACCURACY;
+  }
+
+  private double standstill() {
+    return Math.min(STANDSTILL, NEGLIGIBLE_CHANGES * negligible);
   }
 
   private boolean convergedByOldRate(double size) {

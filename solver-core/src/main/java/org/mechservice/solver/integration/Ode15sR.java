@@ -32,7 +32,7 @@ public final class Ode15sR extends BackwardMethod implements ResidualIntegrator 
    * @throws IllegalArgumentException if a setting is out of range
    */
   public Ode15sR(IntegratorSettings settings, BackwardFormulas formulas) {
-    super(settings, new Progress(), formulas);
+    super(settings, new Progress(), formulas, false);
   }
 
   @Override

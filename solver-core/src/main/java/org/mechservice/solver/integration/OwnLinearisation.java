@@ -34,6 +34,16 @@ final class OwnLinearisation implements ResidualLinearisation {
   }
 
   @Override
+  public boolean formsMatrix() {
+    return false;
+  }
+
+  @Override
+  public Attempt formMatrix(double t, double[] y, double[] yDot, double hGamma) {
+    return form(t, y, yDot);
+  }
+
+  @Override
   public void knowRate(double rate) {}
 
   @Override

@@ -1,6 +1,7 @@
 package org.mechservice.solver.integration;
 
 import org.mechservice.solver.integration.IntegrationFailure.Cause;
+import org.mechservice.solver.integration.IntegratorSettings.Mode;
 
 /**
  * The equations of a step for F(t, y, y') = 0. The formulas give y' = (ψ + d) / hγ at the new
@@ -20,6 +21,9 @@ final class ResidualEquations extends StepEquations {
   private final Residual residual;
   private final ResidualLinearisation linearisation;
   private final ConsistentStart start;
+
+  /** Whether both derivatives are formed every time. */
+  private boolean asPublished;
 
   /** A small change of a component over a step, relative to its size. */
   private final double smallMove;
@@ -71,9 +75,6 @@ final class ResidualEquations extends StepEquations {
     this.linearisation = linearisation;
     smallMove = Math.sqrt(settings.relativeTolerance());
     slope = yDot0.clone();
-    if (residual.massMatrixMoves()) {
-      follow(IterationRules.MEASURING);
-    }
     start = new ConsistentStart(this, norm, settings, tEnd);
     int n = slope.length;
     iterateSlope = new double[n];
@@ -158,6 +159,16 @@ final class ResidualEquations extends StepEquations {
   @Override
   boolean formedTooFarAhead() {
     return Math.abs(lead) > 2 * Math.abs(triedEnd - formedFrom);
+  }
+
+  @Override
+  boolean formsMatrix() {
+    return !asPublished && !residual.massMatrixMoves() && linearisation.formsMatrix();
+  }
+
+  @Override
+  Attempt formMatrix(double t, double[] y, double hGamma) {
+    return linearisation.formMatrix(t, y, slope, hGamma);
   }
 
   @Override
@@ -304,8 +315,17 @@ final class ResidualEquations extends StepEquations {
   }
 
   @Override
-  IterationRules sparingRules() {
-    return residual.massMatrixMoves() ? IterationRules.MEASURING : IterationRules.LEARNING;
+  double fastestMotion() {
+    return Double.POSITIVE_INFINITY;
+  }
+
+  @Override
+  IterationRules rules(Mode mode) {
+    asPublished = mode == Mode.FAITHFUL;
+    if (residual.massMatrixMoves()) {
+      return IterationRules.MEASURING;
+    }
+    return asPublished ? IterationRules.PUBLISHED : IterationRules.LEARNING;
   }
 
   @Override

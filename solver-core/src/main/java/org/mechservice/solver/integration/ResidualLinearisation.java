@@ -10,6 +10,12 @@ interface ResidualLinearisation {
   /** Forms the derivatives. */
   Attempt form(double t, double[] y, double[] yDot);
 
+  /** Returns whether {@link #formMatrix} is cheaper than to form both derivatives. */
+  boolean formsMatrix();
+
+  /** Brings hγ ∂F/∂y + ∂F/∂y', but not each of its parts, up to date. */
+  Attempt formMatrix(double t, double[] y, double[] yDot, double hGamma);
+
   /**
    * Tells how fast components move that move y little in a step, for differences of F in y'.
    *

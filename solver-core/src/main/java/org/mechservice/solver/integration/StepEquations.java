@@ -1,6 +1,7 @@
 package org.mechservice.solver.integration;
 
 import org.mechservice.solver.integration.IntegrationFailure.Cause;
+import org.mechservice.solver.integration.IntegratorSettings.Mode;
 
 /**
  * The equations that an implicit step has to solve, and the means to do it: derivatives, factored
@@ -20,11 +21,23 @@ abstract class StepEquations {
    */
   private static final double USUAL_PART = 1e-3;
 
+  /**
+   * Highest difference by which algebraic components are predicted. They are in no test, so the
+   * iteration leaves an error in them, which the fifth differences would enlarge 32 times.
+   */
+  private static final int HIGHEST_OF_ALGEBRAIC = 4;
+
+  /** Steps at whose end the equations are evaluated, after a try that was not finite. */
+  private static final int STEPS_CHECKED = 10;
+
   private final Manifold manifold;
   private final NewtonIteration newton;
 
   /** Whether new derivatives are asked for, and whether those kept are of the present point. */
   private boolean wanted = true;
+
+  /** Whether each of them is asked for, or was when they were formed last; or the matrix alone. */
+  private boolean all = true;
 
   private boolean current;
 
@@ -42,6 +55,12 @@ abstract class StepEquations {
 
   private boolean rateKnown;
 
+  /** Steps whose end is still to be evaluated, whether that was stopped, and what it gave. */
+  private int stepsToCheck;
+
+  private boolean checking;
+  private final double[] checked;
+
   private int notFiniteComponent = -1;
   private long linearisations;
   private long factorisations;
@@ -50,6 +69,7 @@ abstract class StepEquations {
   StepEquations(Manifold manifold) {
     this.manifold = manifold;
     newton = new NewtonIteration(manifold.dimension());
+    checked = new double[manifold.dimension()];
   }
 
   /** Returns the places at which the equations jump. */
@@ -82,6 +102,12 @@ abstract class StepEquations {
 
   /** Evaluates the derivatives at the start of the step. */
   abstract Attempt formDerivatives(double t, double[] y);
+
+  /** Returns whether {@link #formMatrix} is cheaper than that. */
+  abstract boolean formsMatrix();
+
+  /** Brings the matrix of the iteration, but not each of its parts, up to date. */
+  abstract Attempt formMatrix(double t, double[] y, double hGamma);
 
   /** Factors the matrix of the iteration; returns whether it is regular. */
   abstract boolean formFactors(double hGamma);
@@ -153,18 +179,24 @@ abstract class StepEquations {
   /** Makes ready to find the start and then to step from there. */
   final void beginAnew() {
     wanted = true;
+    all = true;
     current = false;
     outdate();
     newton.abandon();
+    checking = false;
     abandon();
   }
 
-  /** Evaluates the derivatives where the step starts if new ones are wanted. */
-  final Attempt linearise(double t, double[] y) {
+  /**
+   * Evaluates the derivatives where the step starts if new ones are wanted.
+   *
+   * @param hGamma of the step; not asked for when none was tried yet
+   */
+  final Attempt linearise(double t, double[] y, double hGamma) {
     if (!wanted) {
       return Attempt.PASSED;
     }
-    Attempt attempt = formDerivatives(t, y);
+    Attempt attempt = all ? formDerivatives(t, y) : formMatrix(t, y, hGamma);
     if (attempt == Attempt.STOPPED) {
       return attempt;
     }
@@ -192,12 +224,18 @@ abstract class StepEquations {
     return fastestRate;
   }
 
-  /** Returns the rules that spare most without losing accuracy. */
-  abstract IterationRules sparingRules();
+  /**
+   * Returns the largest magnitude of an eigenvalue of ∂f/∂y as formed last, estimated; infinite if
+   * nothing is known of it.
+   */
+  abstract double fastestMotion();
 
-  /** Goes by other rules from now on. */
-  final void follow(IterationRules rules) {
-    this.rules = rules;
+  /** Returns the rules by which steps are solved in a mode. */
+  abstract IterationRules rules(Mode mode);
+
+  /** Goes by the rules of a mode from now on. */
+  final void follow(Mode mode) {
+    rules = rules(mode);
     newton.follow(rules);
   }
 
@@ -254,12 +292,19 @@ abstract class StepEquations {
 
   /** Returns whether an iteration is under way that was stopped. */
   final boolean begun() {
-    return newton.begun();
+    return newton.begun() || checking;
   }
 
-  /** Begins to iterate at the prediction. */
-  final void begin(BackwardDifferences differences, ErrorNorm norm) {
+  /** Begins to iterate at the prediction of a step of order k. */
+  final void begin(BackwardDifferences differences, int k, ErrorNorm norm) {
     newton.begin(differences, norm);
+    if (manifold.anyAlgebraic() && rules.heedsRoundOff()) {
+      for (int l = 0; l < manifold.dimension(); l++) {
+        if (manifold.algebraic(l)) {
+          differences.predictLower(l, HIGHEST_OF_ALGEBRAIC, k);
+        }
+      }
+    }
   }
 
   /**
@@ -267,9 +312,26 @@ abstract class StepEquations {
    * manifold of the system.
    */
   final Attempt solve(double t, double hGamma, BackwardDifferences differences, ErrorNorm norm) {
+    if (!checking) {
+      Attempt attempt = iterate(t, hGamma, differences, norm);
+      if (attempt != Attempt.PASSED || stepsToCheck == 0) {
+        return attempt;
+      }
+    }
+    checking = !evaluate(t, hGamma, differences, checked);
+    if (checking) {
+      return Attempt.STOPPED;
+    }
+    notFiniteComponent = notFiniteInEvaluation();
+    return finite();
+  }
+
+  private Attempt iterate(
+      double t, double hGamma, BackwardDifferences differences, ErrorNorm norm) {
     Attempt attempt = newton.iterate(this, t, hGamma, differences, norm);
     if (attempt == Attempt.NOT_FINITE) {
       notFiniteComponent = newton.notFiniteComponent(this);
+      beginToCheck();
     }
     if (attempt != Attempt.PASSED) {
       return attempt;
@@ -279,18 +341,31 @@ abstract class StepEquations {
     }
     differences.takeOverCorrected();
     notFiniteComponent = RightHandSide.firstNotFinite(differences.corrected());
+    return finite();
+  }
+
+  private Attempt finite() {
     return notFiniteComponent < 0 ? Attempt.PASSED : Attempt.NOT_FINITE;
+  }
+
+  /**
+   * The problem may be defined only on one side of a place near by: the last iterate is a guess.
+   */
+  private void beginToCheck() {
+    stepsToCheck = rules.heedsRoundOff() ? STEPS_CHECKED : 0;
   }
 
   /** Takes note that a step was accepted. */
   final void moveOn(double hGamma, BackwardDifferences differences) {
     current = false;
+    stepsToCheck = Math.max(0, stepsToCheck - 1);
     solved(hGamma, differences);
   }
 
   /** Asks for new derivatives, whatever is known. */
   final void demandNew() {
     wanted = true;
+    all = true;
     outdate();
   }
 
@@ -303,9 +378,10 @@ abstract class StepEquations {
       outdate();
       return true;
     }
-    if (current && !formedTooFarAhead()) {
+    if (current && all && !formedTooFarAhead()) {
       return false;
     }
+    all = current || !formsMatrix();
     wanted = true;
     return true;
   }
@@ -358,6 +434,7 @@ abstract class StepEquations {
   /** Carries the state between two steps over; the factors are formed anew. */
   final void transfer(StateTransfer state) {
     wanted = state.flag(wanted);
+    all = state.flag(all);
     current = state.flag(current);
     factored = state.flag(factored);
     stepChanged = state.flag(stepChanged);
@@ -367,6 +444,7 @@ abstract class StepEquations {
     solutions = state.integer(solutions);
     fastestRate = state.number(fastestRate);
     rateKnown = state.flag(rateKnown);
+    stepsToCheck = state.integer(stepsToCheck);
     newton.transfer(state);
     transferDerivatives(state);
     if (state.restoring() && factored) {

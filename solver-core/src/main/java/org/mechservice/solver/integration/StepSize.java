@@ -88,8 +88,9 @@ final class StepSize {
       StepEquations equations,
       BackwardDifferences differences,
       ErrorNorm norm,
-      double relativeTolerance) {
-    if (size == 0 && !chooseFirst(t, equations, differences, norm, relativeTolerance)) {
+      double relativeTolerance,
+      ErrorAllowance allowance) {
+    if (size == 0 && !chooseFirst(t, equations, differences, norm, relativeTolerance, allowance)) {
       return false;
     }
     size = bounded(t, size);
@@ -111,7 +112,8 @@ final class StepSize {
       StepEquations equations,
       BackwardDifferences differences,
       ErrorNorm norm,
-      double relativeTolerance) {
+      double relativeTolerance,
+      ErrorAllowance allowance) {
     double longest = longest(t0);
     double chosen = asked;
     if (chosen == 0) {
@@ -130,7 +132,9 @@ final class StepSize {
       if (passing == 0) {
         return false;
       }
-      double usual = equations.cautious(passing, Math.abs(tEnd - t0));
+      // The error of order 1 grows with the square of the step.
+      double allowed = passing * Math.sqrt(allowance.part(passing, equations));
+      double usual = equations.cautious(allowed, Math.abs(tEnd - t0));
       double first = restarted ? firstStep.afterRestart(usual, slope, norm) : usual;
       chosen = Math.max(smallest, Math.min(longestFirst, first));
     }

@@ -8,6 +8,10 @@ import org.mechservice.solver.linear.LinearSolver;
  * ∂F/∂y and ∂F/∂y' stored apart, so that a change of hγ costs a factorisation but no derivatives.
  * They come from the problem if it is a {@link ResidualJacobianSystem}, else from differences of F
  * in y' and in y. Rows are equilibrated before they are factored.
+ *
+ * <p>Later differences are taken along the step instead: moving y by δ moves y' by δ / hγ, which
+ * gives hγ ∂F/∂y + ∂F/∂y' as a whole for half the evaluations. ∂F/∂y' stays as it was, and ∂F/∂y
+ * becomes what makes the sum right: exact for this hγ, and for others as good as old derivatives.
  */
 final class StoredLinearisation implements ResidualLinearisation {
   /**
@@ -24,6 +28,7 @@ final class StoredLinearisation implements ResidualLinearisation {
   private final KeptJacobian fyDot;
   private final JacobianDifferences inState;
   private final JacobianDifferences inDerivative;
+  private final JacobianDifferences inStep;
   private final IterationMatrix matrix;
 
   /** Sizes of y and of y' that are negligible, length n. */
@@ -39,6 +44,7 @@ final class StoredLinearisation implements ResidualLinearisation {
 
   private final AtPoint stateMoved = new AtPoint(true);
   private final AtPoint derivativeMoved = new AtPoint(false);
+  private final AlongStep alongStep;
 
   /** Whether the differences in y' of the point are done. */
   private boolean derivativeDone;
@@ -62,9 +68,28 @@ final class StoredLinearisation implements ResidualLinearisation {
     inState = new JacobianDifferences(solver.layout(), smallSizes, manifold, SHARE_OF_STATE);
     inDerivative =
         new JacobianDifferences(solver.layout(), smallSlopes, manifold, SHARE_OF_DERIVATIVE);
+    inStep = new JacobianDifferences(solver.layout(), smallSizes, manifold, SHARE_OF_STATE);
+    alongStep = new AlongStep(n);
     matrix = new IterationMatrix(solver, manifold);
     magnitude = new double[n];
     algebraic = new boolean[n];
+  }
+
+  @Override
+  public boolean formsMatrix() {
+    return !(system instanceof ResidualJacobianSystem);
+  }
+
+  @Override
+  public Attempt formMatrix(double t, double[] y, double[] yDot, double hGamma) {
+    alongStep.at(t, y, yDot, hGamma);
+    Attempt attempt = inStep.evaluate(alongStep, y, yDot, fy.forming());
+    notFiniteComponent = inStep.notFiniteComponent();
+    if (attempt == Attempt.PASSED) {
+      fy.subtractInForming(1 / hGamma, fyDot);
+      fy.replace();
+    }
+    return attempt;
   }
 
   @Override
@@ -80,6 +105,7 @@ final class StoredLinearisation implements ResidualLinearisation {
     derivativeDone = false;
     inDerivative.abandon();
     inState.abandon();
+    inStep.abandon();
   }
 
   @Override
@@ -133,6 +159,7 @@ final class StoredLinearisation implements ResidualLinearisation {
     fyDot.addMagnitudes(yDot, magnitude);
     inState.knowMagnitude(magnitude);
     inDerivative.knowMagnitude(magnitude);
+    inStep.knowMagnitude(magnitude);
     Manifold manifold = residual.manifold();
     for (int l = 0; l < algebraic.length && !formed; l++) {
       // The column of a passive component is zero, too, but only while it is passive.
@@ -188,6 +215,7 @@ final class StoredLinearisation implements ResidualLinearisation {
     fyDot.transfer(state);
     inState.transfer(state);
     inDerivative.transfer(state);
+    inStep.transfer(state);
     state.numbers(smallSlopes);
     state.numbers(magnitude);
     for (int l = 0; l < algebraic.length; l++) {
@@ -197,6 +225,7 @@ final class StoredLinearisation implements ResidualLinearisation {
     if (state.restoring() && formed) {
       inState.knowMagnitude(magnitude);
       inDerivative.knowMagnitude(magnitude);
+      inStep.knowMagnitude(magnitude);
     }
   }
 
@@ -220,6 +249,34 @@ final class StoredLinearisation implements ResidualLinearisation {
       return movesState
           ? residual.evaluateCompleted(t, x, fixed, value)
           : residual.evaluate(t, fixed, x, value);
+    }
+  }
+
+  /** F with y moved, and y' with it as the formula of a step moves it. */
+  private final class AlongStep implements DifferencedFunction {
+    private final double[] slope;
+    private double t;
+    private double hGamma;
+    private double[] y = {};
+    private double[] yDot = {};
+
+    AlongStep(int dimension) {
+      slope = new double[dimension];
+    }
+
+    void at(double t, double[] y, double[] yDot, double hGamma) {
+      this.t = t;
+      this.y = y;
+      this.yDot = yDot;
+      this.hGamma = hGamma;
+    }
+
+    @Override
+    public boolean evaluate(double[] x, double[] value) {
+      for (int l = 0; l < slope.length; l++) {
+        slope[l] = yDot[l] + (x[l] - y[l]) / hGamma;
+      }
+      return residual.evaluateCompleted(t, x, slope, value);
     }
   }
 }

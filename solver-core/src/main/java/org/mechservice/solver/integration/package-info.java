@@ -65,8 +65,8 @@
  *
  * <p>ode15s takes the steps that the interesting parts ask for, however fast the others die out.
  * Each step solves n equations by some iterations with a matrix that is factored anew in one step
- * out of two to ten, and its orders are low: on a problem that is not stiff it takes twice the
- * steps of ode113 at six digits, three times at nine, each with more work besides f. It needs
+ * out of two to ten, and its orders are low: on a problem that is not stiff it takes three times
+ * the steps of ode113 at six digits, six times at nine, each with more work besides f. It needs
  * ∂f/∂y: tell it by {@link org.mechservice.solver.integration.JacobianSystem} or leave it to
  * differences; with many unknowns in a line say so by {@link
  * org.mechservice.solver.integration.BandedSystem}. Fast oscillations that are hardly damped hold

@@ -9,7 +9,9 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.integration.IntegratorSettings.Mode;
 
 /** Jumps of the equations at declared places, whatever the integrator. */
 abstract class BreakpointContract {
@@ -20,13 +22,12 @@ abstract class BreakpointContract {
 
   abstract Integrator create(IntegratorSettings settings);
 
-  /** Returns the settings at which the method reaches the digits asked for less one. */
-  IntegratorSettings settingsFor(double tolerance) {
-    return new IntegratorSettings(tolerance, tolerance);
+  private static IntegratorSettings tolerances(double both) {
+    return new IntegratorSettings(both, both);
   }
 
   private Integrator create(double tolerance) {
-    return create(new IntegratorSettings(tolerance, tolerance));
+    return create(tolerances(tolerance));
   }
 
   /** An oscillator on which a force acts from t = 1 to t = 2; remembers where it was evaluated. */
@@ -69,9 +70,20 @@ abstract class BreakpointContract {
   }
 
   @ParameterizedTest
-  @ValueSource(ints = {3, 4, 5, 6, 7, 8, 9})
-  void jumpsDeclaredCostNoDigits(int k) {
-    Integrator integrator = create(settingsFor(StrictMath.pow(10, -k)));
+  @CsvSource({
+    "3, STANDARD",
+    "4, STANDARD",
+    "5, STANDARD",
+    "6, STANDARD",
+    "7, STANDARD",
+    "8, STANDARD",
+    "9, STANDARD",
+    "3, ACCURATE",
+    "6, ACCURATE",
+    "9, ACCURATE"
+  })
+  void jumpsDeclaredCostNoDigits(int k, Mode mode) {
+    Integrator integrator = create(tolerances(StrictMath.pow(10, -k)).withMode(mode));
     StepResult result = integrator.start(new Pushed(1.0, 2.0), 0, new double[2], 5);
     while (result == StepResult.ADVANCED && integrator.time() < 2.5) {
       result = integrator.step();
@@ -138,7 +150,7 @@ abstract class BreakpointContract {
 
   @Test
   void jumpsAreMetBackwardsInTime() {
-    IntegratorSettings settings = settingsFor(1e-10);
+    IntegratorSettings settings = tolerances(1e-10);
     double[] forth = Run.of(create(settings), new Pushed(1.0, 2.0), 0, new double[2], 5).atEnd();
     Run back = Run.of(create(settings), new Pushed(1.0, 2.0), 5, forth, 0);
     // Damped forth, so growing back: e^(0.2 · 5) on top of the error forth.
@@ -148,7 +160,7 @@ abstract class BreakpointContract {
   @Test
   void jumpAtTheStartAndAtTheEndAndOutsideAreHarmless() {
     Pushed pushed = new Pushed(0.0, 1.0, 2.0, 5.0, 7.0, -3.0);
-    Run run = Run.of(create(settingsFor(1e-8)), pushed, 0, new double[2], 5);
+    Run run = Run.of(create(tolerances(1e-8)), pushed, 0, new double[2], 5);
     assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
     assertThat(run.atEnd()).containsExactly(AT_END, within(1e-5));
   }

@@ -111,8 +111,17 @@ class ModeTest {
               yDot[1] = (t >= 1 && t < 2 ? 50 : 0) - 0.4 * y[1] - 100 * y[0];
             });
     double tolerance = StrictMath.pow(10, -k);
-    for (IntegratorFactory integrators : List.<IntegratorFactory>of(Ode113::new, De::new)) {
-      Integrator integrator = integrators.create(new IntegratorSettings(tolerance, tolerance));
+    IntegratorSettings standard = new IntegratorSettings(tolerance, tolerance);
+    List<Integrator> integrators =
+        List.of(
+            new Ode113(standard),
+            new De(standard),
+            new Ode15s(standard),
+            new Ode15sR(standard),
+            new Switching(standard),
+            new Ode15s(standard.withMode(Mode.ACCURATE)),
+            new Ode15sR(standard.withMode(Mode.ACCURATE)));
+    for (Integrator integrator : integrators) {
       integrator.start(pushed, 0, new double[2], 5);
       long atFirst = 0;
       long atSecond = 0;

@@ -5,10 +5,4 @@ class Ode15sEventTest extends EventContract {
   Integrator create(IntegratorSettings settings) {
     return new Ode15s(settings);
   }
-
-  /** Errors of one sign per step, at low order: the end has two to three digits fewer. */
-  @Override
-  IntegratorSettings.Mode mode() {
-    return IntegratorSettings.Mode.ACCURATE;
-  }
 }

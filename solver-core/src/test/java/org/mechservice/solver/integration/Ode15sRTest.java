@@ -89,10 +89,10 @@ class Ode15sRTest extends IntegratorContract {
   })
   void explicitProblemWrittenAsResidualCostsWhatOde15sCosts(String name) {
     SuiteProblem problem = SuiteProblem.named(name);
-    IntegrationStatistics explicit =
-        Run.of(new Ode15s(Run.settings(problem, 1e-6)), problem).statistics();
+    IntegratorSettings settings = Run.settings(problem, 1e-6).withMode(Mode.FAITHFUL);
+    IntegrationStatistics explicit = Run.of(new Ode15s(settings), problem).statistics();
     IntegrationStatistics implicit =
-        ResidualRun.of(new ExplicitAsResidual(problem), 1e-6).statistics();
+        ResidualRun.of(new Ode15sR(settings), new ExplicitAsResidual(problem)).statistics();
     double steps = explicit.steps();
     assertClose("steps", implicit.steps(), steps, Math.max(10, 0.02 * steps));
     // Each Jacobian takes n evaluations more, for the derivatives in y'.
@@ -218,6 +218,11 @@ class Ode15sRTest extends IntegratorContract {
     StepResult result = integrator.start(root, 0, new double[] {1}, new double[] {-1}, 3);
     while (result == StepResult.ADVANCED) {
       result = integrator.step();
+    }
+    if (result == StepResult.REACHED_END) {
+      // The suite lets the solution rest at 0, which the equation does not exclude.
+      assertThat(Run.state(integrator, 3, 1)[0]).isBetween(0.0, 10 * tolerance);
+      return;
     }
     assertThat(result).isEqualTo(StepResult.FAILED);
     assertThat(integrator.failure().time()).isBetween(1.9, 2.1);

@@ -1,0 +1,75 @@
+package org.mechservice.solver.integration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.mechservice.solver.integration.IntegratorSettings.Mode;
+import org.mechservice.solver.integration.suite.SuiteProblem;
+import org.mechservice.solver.linear.DenseLu;
+import org.mechservice.solver.linear.MatrixLayout;
+
+/** Phases that are not stiff keep their digits with the stiff methods, too. */
+class ErrorAllowanceTest {
+  private static double shareWithinTwo(Mode mode) {
+    int runs = 0;
+    int within = 0;
+    for (SuiteProblem problem : SuiteProblem.nonstiff()) {
+      for (int k = 3; k <= 10; k++) {
+        IntegratorSettings settings = Run.settings(problem, StrictMath.pow(10, -k));
+        Run run = Run.of(new Ode15s(settings.withMode(mode)), problem);
+        double digits = problem.reference().mixedDigits(run.atEnd(), problem.reference().atEnd());
+        runs++;
+        within += digits >= k - 2 ? 1 : 0;
+      }
+    }
+    return (double) within / runs;
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"STANDARD", "ACCURATE"})
+  void ode15sDeliversAsManyDigitsAsOde113WhereNothingIsStiff(Mode mode) {
+    // The target set for Adams methods on these problems; as published, ode15s delivers 48 %.
+    assertThat(shareWithinTwo(mode)).isGreaterThanOrEqualTo(0.52);
+  }
+
+  @Test
+  void stiffPhaseCostsNoMoreThanAsPublished() {
+    // The fastest motion is a million times faster than the solution: no step resolves it.
+    SuiteProblem problem = SuiteProblem.named("ProtheroRobinson");
+    IntegratorSettings settings = Run.settings(problem, 1e-6);
+    long published =
+        Run.of(new Ode15s(settings.withMode(Mode.FAITHFUL)), problem).statistics().evaluations();
+    long standard = Run.of(new Ode15s(settings), problem).statistics().evaluations();
+    assertThat(standard).isLessThanOrEqualTo(published);
+  }
+
+  /** Spectral radius of a matrix given by rows. */
+  private static double radius(double[][] rows) {
+    MatrixLayout layout = new DenseLu(rows.length).layout();
+    KeptJacobian kept = new KeptJacobian(layout);
+    for (int i = 0; i < rows.length; i++) {
+      for (int j = 0; j < rows.length; j++) {
+        kept.forming()[layout.index(i, j)] = rows[i][j];
+      }
+    }
+    kept.replace();
+    return kept.spectralRadius();
+  }
+
+  @Test
+  void fastestMotionIsThatOfTheLargestEigenvalueWhateverTheUnits() {
+    assertThat(radius(new double[][] {{-1, 0}, {0, -1000}})).isCloseTo(1000, within(1.0));
+    // An oscillator of 10 rad/s, its velocity in metres and in micrometres per second. The powers
+    // of such a matrix turn, which leaves the estimate an eighth off.
+    assertThat(radius(new double[][] {{0, 1}, {-100, -0.4}})).isCloseTo(10, within(2.0));
+    assertThat(radius(new double[][] {{0, 1e-6}, {-1e8, -0.4}})).isCloseTo(10, within(2.0));
+  }
+
+  @Test
+  void freeFallHasNoFastestMotion() {
+    assertThat(radius(new double[][] {{0, 1}, {0, 0}})).isZero();
+  }
+}
