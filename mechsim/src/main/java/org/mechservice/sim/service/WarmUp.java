@@ -11,6 +11,7 @@ import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.sim.build.CompiledModel;
 import org.mechservice.sim.build.ModelFactory;
+import org.mechservice.sim.build.jar.Packing;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -50,7 +51,7 @@ public final class WarmUp {
       SetUpTimes times = new SetUpTimes();
       library.compiled(model, asInFile.forRun(settings), times);
       CompiledModel compiled = library.compiled(model, asInFile.forJar(), times);
-      ModelFactory.modelJar(compiled, model.sha256());
+      ModelFactory.modelJar(compiled, model.sha256(), Packing.QUICK);
     }
     return model.warnings().size();
   }
