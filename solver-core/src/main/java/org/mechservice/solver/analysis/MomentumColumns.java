@@ -17,7 +17,9 @@ import org.mechservice.solver.kinematics.TreeMotion;
  * angular momentum is about the place of the centre of mass at the first row, which rests.
  */
 final class MomentumColumns implements ColumnValues, MomentumBalance {
-  /** Relative to what acts, a change that rounding explains: sums over bodies, roundings of each. */
+  /**
+   * Relative to what acts, a change that rounding explains: sums over bodies, roundings of each.
+   */
   private static final double ROUNDING = 1000 * 0x1p-52;
 
   private static final String[] COMPONENTS = {"px", "py", "pz", "lx", "ly", "lz"};

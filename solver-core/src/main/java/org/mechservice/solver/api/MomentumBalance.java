@@ -5,7 +5,8 @@ import org.mechservice.solver.api.RunNotes.Note;
 /**
  * Momentum of the whole mechanism along a run, against the impulse of gravity, applied forces and
  * the ground's reactions. What differs is what the integration, and the closing of loops, have made
- * of it. Its columns are those of {@link ColumnGroup#MOMENTUM}, which judge the balance at each row.
+ * of it. Its columns are those of {@link ColumnGroup#MOMENTUM}, which judge the balance at each
+ * row.
  */
 public interface MomentumBalance extends ModelState {
   /** Forgets an earlier run. */
@@ -28,7 +29,9 @@ public interface MomentumBalance extends ModelState {
    */
   void jump(double t, double[] before, double[] after);
 
-  /** Returns whether the drift at the last row is above a part of the scale so far, or no number. */
+  /**
+   * Returns whether the drift at the last row is above a part of the scale so far, or no number.
+   */
   boolean exceeds(double part);
 
   /** Returns how a run ends whose balance has drifted above a part of its scale. */

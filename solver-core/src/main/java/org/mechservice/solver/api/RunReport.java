@@ -20,8 +20,8 @@ import java.util.OptionalDouble;
  * @param wallTime wall-clock time of the run, s
  * @param energyDrift largest |E(t) − E(0)| at the output times, J; empty if the energy is not
  *     constant by nature or not known
- * @param energyScale the largest of kinetic energy, change of potential energy, and the mean of what
- *     was put in and taken out, J; what the drift is judged by
+ * @param energyScale the largest of kinetic energy, change of potential energy, and the mean of
+ *     what was put in and taken out, J; what the drift is judged by
  * @param stiffnessSuspected whether the integrator took a long run of steps that only its
  *     stability, not its accuracy, kept small
  * @param jacobians Jacobians formed; 0, like the next, for integrators that solve no equations

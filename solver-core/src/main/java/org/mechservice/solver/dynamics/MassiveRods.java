@@ -199,8 +199,8 @@ public final class MassiveRods {
   }
 
   /**
-   * Adds the momentum of all rods after a sweep: m/2 (v_A + v_B), and m/6 (2 r_A × v_A + r_A × v_B +
-   * r_B × v_A + 2 r_B × v_B).
+   * Adds the momentum of all rods after a sweep: m/2 (v_A + v_B), and m/6 (2 r_A × v_A + r_A × v_B
+   * + r_B × v_A + 2 r_B × v_B).
    *
    * @param point from which r counts, m
    * @param sum [linear; angular], world axes, N·s, N·m·s; added to
@@ -230,8 +230,7 @@ public final class MassiveRods {
   }
 
   /** Adds a rod's share for what {@code a} and {@code b} are of its ends; leaves r_B in force. */
-  private void addShare(
-      TreeMotion motion, int rod, double[] point, double[] sum, double[] sizes) {
+  private void addShare(TreeMotion motion, int rod, double[] point, double[] sum, double[] sizes) {
     double sixth = rods[rod].rodMass() / 6;
     Arrays.fill(wrench, 0);
     for (int i = 0; i < 3; i++) {

@@ -9,11 +9,11 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * Linear and angular momentum of the whole of a mechanism, rods with mass included, and their rates:
- * Σ m v, Σ (r × m v + I ω) and Σ m a, Σ (r × m a + I α + ω × I ω), r from a point that rests in the
- * world, world axes. By Newton's and Euler's laws the rates are the sum of what gravity, the applied
- * forces that come from outside and the ground's reactions exert. Workspace of one thread; nothing
- * allocates after construction.
+ * Linear and angular momentum of the whole of a mechanism, rods with mass included, and their
+ * rates: Σ m v, Σ (r × m v + I ω) and Σ m a, Σ (r × m a + I α + ω × I ω), r from a point that rests
+ * in the world, world axes. By Newton's and Euler's laws the rates are the sum of what gravity, the
+ * applied forces that come from outside and the ground's reactions exert. Workspace of one thread;
+ * nothing allocates after construction.
  */
 public final class WholeMomentum {
   private final TreeGeometry tree;

@@ -96,8 +96,8 @@ final class EnergyMonitor {
 
   /**
    * Returns the largest of kinetic energy, change of potential energy, and the mean of what forces
-   * have put in and taken out, J. Without the last a block that friction holds, and that creeps, has
-   * no scale: all that is pulled in is rubbed away.
+   * have put in and taken out, J. Without the last a block that friction holds, and that creeps,
+   * has no scale: all that is pulled in is rubbed away.
    */
   OptionalDouble scale() {
     return started && !workUnknown ? OptionalDouble.of(scale) : OptionalDouble.empty();

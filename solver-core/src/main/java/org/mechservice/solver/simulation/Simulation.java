@@ -386,8 +386,7 @@ public final class Simulation implements Solver {
             case MOMENTUM_DRIFTED ->
                 momentum
                     .orElseThrow()
-                    .failure(
-                        maxDrift.orElseThrow(), t, integrator.stepSize(), integrator.order());
+                    .failure(maxDrift.orElseThrow(), t, integrator.stepSize(), integrator.order());
             default -> FailureText.notFiniteColumn(t, rows.columnName(column));
           });
     }

@@ -70,8 +70,7 @@ class MomentumTest {
 
     Run(Model model, Set<ColumnGroup> columns, OptionalDouble maxDrift, Checkpoints checkpoints)
         throws IOException {
-      RunRequest request =
-          new RunRequest(model.description().defaults(), columns, false, maxDrift);
+      RunRequest request = new RunRequest(model.description().defaults(), columns, false, maxDrift);
       report = new RuntimeSolver().run(model, request, this, new RunControl(), checkpoints);
     }
 
@@ -155,11 +154,7 @@ class MomentumTest {
         Vector3 exerted = vector(ColumnsAt.vector(found, joint.name(), "f"));
         int link = at.tree.linkOf(attachment.child());
         double[] point = new double[3];
-        at.tree.fromReference(
-            new BodyPoint(
-                attachment.child(), attachment.childPoint()),
-            point,
-            0);
+        at.tree.fromReference(new BodyPoint(attachment.child(), attachment.childPoint()), point, 0);
         at.motion.points.position(link, point, 0, place, 0);
         Vector3 lever = vector(place).minus(vector(center));
         force = force.plus(exerted);
@@ -186,7 +181,9 @@ class MomentumTest {
     assertThat(ColumnsAt.value(values, name + "z")).isCloseTo(expected.z(), within(tolerance));
   }
 
-  /** Only its weight acts on it, at its centre of mass, whose place at the start the moment is of. */
+  /**
+   * Only its weight acts on it, at its centre of mass, whose place at the start the moment is of.
+   */
   @ParameterizedTest
   @ValueSource(longs = {1, 2, 3})
   void floatingTreeTakesUpItsWeightAlone(long seed) throws IOException {
@@ -285,7 +282,12 @@ class MomentumTest {
   @Test
   void runTakenUpGoesOnWithItsBalance() throws IOException {
     List<byte[]> kept = new ArrayList<>();
-    Run whole = new Run(model(bouncingBall(), "DTR", "none", 2, 1e-9), ASKED, UNWATCHED, checkpoints(kept, Optional.empty()));
+    Run whole =
+        new Run(
+            model(bouncingBall(), "DTR", "none", 2, 1e-9),
+            ASKED,
+            UNWATCHED,
+            checkpoints(kept, Optional.empty()));
     for (byte[] saved : List.copyOf(kept)) {
       Run rest =
           new Run(
