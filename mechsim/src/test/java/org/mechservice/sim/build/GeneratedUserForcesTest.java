@@ -170,6 +170,10 @@ class GeneratedUserForcesTest {
         new double[] {((PowerInput) model).power(TIME, y)},
         new double[] {reference.power(TIME, y)},
         1e-9);
+    assertClose(
+        new double[] {((PowerInput) model).turnover(TIME, y)},
+        new double[] {reference.turnover(TIME, y)},
+        1e-9);
     double[] poses = new double[13 * reference.bodies().size()];
     double[] expected = poses.clone();
     ((BodyPoses) model).poses(TIME, y, poses);

@@ -98,6 +98,13 @@ public class UserForcedModel
   }
 
   @Override
+  public final double turnover(double t, double[] y) {
+    loads.evaluate(t, y);
+    double given = loads.forces().turnover();
+    return generated instanceof PowerInput others ? given + others.turnover(t, y) : given;
+  }
+
+  @Override
   public final List<String> bodies() {
     return bodies;
   }
