@@ -229,18 +229,40 @@ abstract class BackwardMethod extends SteppingIntegrator {
 
   /** Brings Jacobian, size, differences and factors to those of the step being tried. */
   private Attempt linearise() {
-    Attempt attempt = equations.linearise(progress.time(), differences.state(), hGamma());
+    Attempt attempt =
+        step.chosen() && equations.looksAhead()
+            ? lineariseAhead()
+            : equations.linearise(progress.time(), differences.state(), hGamma());
     if (attempt != Attempt.PASSED) {
       return attempt;
     }
+    return placeStep() ? equations.factor(hGamma()) : Attempt.STOPPED;
+  }
+
+  /** Forms derivatives at the prediction if new ones are wanted. */
+  private Attempt lineariseAhead() {
+    if (equations.begun()) {
+      return Attempt.PASSED;
+    }
+    placeStep();
+    double end = step.endOf(progress.time());
+    if (!equations.wantsAhead(end)) {
+      return Attempt.PASSED;
+    }
+    differences.predict(control.order(), formulas);
+    return equations.lineariseAhead(end, hGamma(), differences);
+  }
+
+  /** Brings size and differences to those of the step; returns false if told to stop instead. */
+  private boolean placeStep() {
     if (!begun && !beginStep()) {
-      return Attempt.STOPPED;
+      return false;
     }
     if (step.write(differences, control.order())) {
       control.rescaled();
       equations.changeStep();
     }
-    return equations.factor(hGamma());
+    return true;
   }
 
   /** Bounds the step, the first one being chosen before; returns false if told to stop instead. */
@@ -265,7 +287,7 @@ abstract class BackwardMethod extends SteppingIntegrator {
       triedTime = step.endOf(progress.time());
       differences.predict(control.order(), formulas);
       norm.weigh(differences.state(), differences.predicted);
-      equations.begin(differences, control.order(), norm);
+      equations.begin(triedTime, differences, control.order(), norm);
     }
     return equations.solve(triedTime, hGamma(), differences, norm);
   }

@@ -38,7 +38,7 @@ final class ExplicitEquations extends StepEquations {
    * @throws IllegalArgumentException if the problem's band is wider than its matrix
    */
   ExplicitEquations(RightHandSide rightHandSide, double[] smallSizes) {
-    super(new Manifold(rightHandSide.system()));
+    super(new Manifold(rightHandSide.system()), MatrixDrift.none());
     this.rightHandSide = rightHandSide;
     LinearSolver solver = solverFor(rightHandSide.system());
     jacobian = new KeptJacobian(solver.layout());
@@ -127,6 +127,11 @@ final class ExplicitEquations extends StepEquations {
   @Override
   Attempt formMatrix(double t, double[] y, double hGamma) {
     return formDerivatives(t, y);
+  }
+
+  @Override
+  Attempt formAhead(double t, double hGamma, BackwardDifferences differences) {
+    return formDerivatives(t, differences.predicted);
   }
 
   @Override

@@ -28,12 +28,6 @@ record IterationRules(
   static final IterationRules TRUSTING = new IterationRules(0.3, 20, true, 0);
 
   /**
-   * For mass matrices that move with the state: the rate grows from step to step as they leave the
-   * factors behind, so that of earlier steps proves nothing.
-   */
-  static final IterationRules MEASURING = new IterationRules(0, 0, true, 0);
-
-  /**
    * Measured on the stiff problems of the suite: on the average a sixth fewer evaluations at the
    * same error, a fifth fewer factorisations.
    */

@@ -47,6 +47,10 @@ final class NewtonIteration {
   private boolean begun;
   private int iteration;
   private double lastSize;
+
+  /** Rate seen in the present iteration; 0 before there is one. */
+  private double seen;
+
   private double negligible;
 
   NewtonIteration(int dimension) {
@@ -61,6 +65,19 @@ final class NewtonIteration {
   /** Expects no faster convergence than at a rate: the factors are those of a similar matrix. */
   void expectRate(double slowest) {
     rate = Math.max(rate, slowest);
+  }
+
+  /** Expects slower convergence by a factor; if that is not known, the rate is forgotten. */
+  void expectGrowth(double factor) {
+    rate *= factor;
+    if (!(rate <= SLOWEST_RATE)) {
+      rateKnown = false;
+    }
+  }
+
+  /** Returns the rate seen in the last iteration; 0 if it took one change, or all but round-off. */
+  double rateSeen() {
+    return seen;
   }
 
   /** Forgets the rate: the matrix was factored anew. */
@@ -82,6 +99,7 @@ final class NewtonIteration {
   void begin(BackwardDifferences differences, ErrorNorm norm) {
     begun = true;
     iteration = 0;
+    seen = 0;
     negligible = ROUNDOFF * norm.of(differences.predicted);
   }
 
@@ -146,6 +164,7 @@ final class NewtonIteration {
     if (iteration == 1) {
       return convergedByOldRate(size);
     }
+    seen = size / lastSize;
     if (diverges(size)) {
       return rules.heedsRoundOff() && Math.max(size, lastSize) <= standstill();
     }

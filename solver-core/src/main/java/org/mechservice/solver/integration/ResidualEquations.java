@@ -41,17 +41,6 @@ final class ResidualEquations extends StepEquations {
 
   private final double[] valueAtStart;
 
-  /** The step tried last: its prediction, hγ and end, which is not a number before the first. */
-  private BackwardDifferences tried = new BackwardDifferences(0);
-
-  private double triedHGamma;
-  private double triedEnd = Double.NaN;
-
-  /** The accepted point that derivatives were formed from last, and how far beyond it, signed. */
-  private double formedFrom;
-
-  private double lead;
-
   /** Whether F at the start is known from a call that was stopped. */
   private boolean valueKnown;
 
@@ -70,7 +59,11 @@ final class ResidualEquations extends StepEquations {
       double tEnd,
       ErrorNorm norm,
       IntegratorSettings settings) {
-    super(residual.manifold());
+    super(
+        residual.manifold(),
+        residual.massMatrixMoves()
+            ? MatrixDrift.of(linearisation.formsMatrix())
+            : MatrixDrift.none());
     this.residual = residual;
     this.linearisation = linearisation;
     smallMove = Math.sqrt(settings.relativeTolerance());
@@ -106,7 +99,6 @@ final class ResidualEquations extends StepEquations {
     linearisation.abandon();
     start.abandon();
     valueKnown = false;
-    triedEnd = Double.NaN;
   }
 
   @Override
@@ -135,35 +127,22 @@ final class ResidualEquations extends StepEquations {
     };
   }
 
-  /**
-   * Where a mass matrix moves with the state, its change over the step is what slows the iteration:
-   * once a step has failed to converge, the derivatives are formed at its prediction, as in Brenan,
-   * Campbell and Petzold 1996, ch. 5. Where others complete the state, that can only be done at
-   * accepted points.
-   */
   @Override
   Attempt formDerivatives(double t, double[] y) {
-    boolean atPrediction = residual.massMatrixMoves() && Double.isFinite(triedEnd);
-    formedFrom = t;
-    lead = atPrediction ? triedEnd - t : 0;
-    if (lead == 0) {
-      return linearisation.form(t, y, slope);
-    }
-    for (int l = 0; l < ahead.length; l++) {
-      ahead[l] = tried.psi[l] / triedHGamma;
-    }
-    return linearisation.form(triedEnd, tried.predicted, ahead);
+    return linearisation.form(t, y, slope);
   }
 
-  /** Formed for a step more than twice as long as the one that has failed now. */
   @Override
-  boolean formedTooFarAhead() {
-    return Math.abs(lead) > 2 * Math.abs(triedEnd - formedFrom);
+  Attempt formAhead(double t, double hGamma, BackwardDifferences differences) {
+    for (int l = 0; l < ahead.length; l++) {
+      ahead[l] = differences.psi[l] / hGamma;
+    }
+    return linearisation.form(t, differences.predicted, ahead);
   }
 
   @Override
   boolean formsMatrix() {
-    return !asPublished && !residual.massMatrixMoves() && linearisation.formsMatrix();
+    return !asPublished && !looksAhead() && linearisation.formsMatrix();
   }
 
   @Override
@@ -188,9 +167,6 @@ final class ResidualEquations extends StepEquations {
 
   @Override
   boolean evaluate(double t, double hGamma, BackwardDifferences differences, double[] r) {
-    tried = differences;
-    triedHGamma = hGamma;
-    triedEnd = t;
     double[] psi = differences.psi;
     double[] correction = differences.correction;
     for (int l = 0; l < iterateSlope.length; l++) {
@@ -322,9 +298,6 @@ final class ResidualEquations extends StepEquations {
   @Override
   IterationRules rules(Mode mode) {
     asPublished = mode == Mode.FAITHFUL;
-    if (residual.massMatrixMoves()) {
-      return IterationRules.MEASURING;
-    }
     return asPublished ? IterationRules.PUBLISHED : IterationRules.LEARNING;
   }
 

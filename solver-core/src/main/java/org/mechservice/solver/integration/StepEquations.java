@@ -8,8 +8,8 @@ import org.mechservice.solver.integration.IntegratorSettings.Mode;
  * matrix and Newton iteration. Whatever was stopped is taken up where it stood.
  *
  * <p>The derivatives are kept from step to step, however old, until an iteration fails and they are
- * not those of the present point. The form of the equations, explicit or residual, decides what
- * they are.
+ * not those of the present point; where the matrix moves with the state, until the iteration would
+ * be slow. The form of the equations, explicit or residual, decides what they are.
  */
 abstract class StepEquations {
   /** Rounding errors, in units of the tolerance, that can keep a step from passing its tests. */
@@ -31,6 +31,7 @@ abstract class StepEquations {
   private static final int STEPS_CHECKED = 10;
 
   private final Manifold manifold;
+  private final MatrixDrift drift;
   private final NewtonIteration newton;
 
   /** Whether new derivatives are asked for, and whether those kept are of the present point. */
@@ -66,8 +67,9 @@ abstract class StepEquations {
   private long factorisations;
   private long solutions;
 
-  StepEquations(Manifold manifold) {
+  StepEquations(Manifold manifold, MatrixDrift drift) {
     this.manifold = manifold;
+    this.drift = drift;
     newton = new NewtonIteration(manifold.dimension());
     checked = new double[manifold.dimension()];
   }
@@ -89,11 +91,6 @@ abstract class StepEquations {
    */
   abstract Attempt findStart(double t, double[] y, double[] slope);
 
-  /** Returns whether the derivatives belong to a step much longer than the one tried last. */
-  boolean formedTooFarAhead() {
-    return false;
-  }
-
   /** Returns what to call a failure of {@link #findStart}. */
   abstract Cause causeAtStart(Attempt attempt);
 
@@ -102,6 +99,9 @@ abstract class StepEquations {
 
   /** Evaluates the derivatives at the start of the step. */
   abstract Attempt formDerivatives(double t, double[] y);
+
+  /** Evaluates the derivatives at the prediction of a step that ends at {@code t}. */
+  abstract Attempt formAhead(double t, double hGamma, BackwardDifferences differences);
 
   /** Returns whether {@link #formMatrix} is cheaper than that. */
   abstract boolean formsMatrix();
@@ -184,6 +184,7 @@ abstract class StepEquations {
     outdate();
     newton.abandon();
     checking = false;
+    drift.clear();
     abandon();
   }
 
@@ -196,13 +197,41 @@ abstract class StepEquations {
     if (!wanted) {
       return Attempt.PASSED;
     }
-    Attempt attempt = all ? formDerivatives(t, y) : formMatrix(t, y, hGamma);
+    return formed(all ? formDerivatives(t, y) : formMatrix(t, y, hGamma), t);
+  }
+
+  /**
+   * Returns whether derivatives are formed where steps will end, once there are steps: where the
+   * matrix moves with the state, it is its change over the step that slows the iteration. Brenan,
+   * Campbell and Petzold 1996, ch. 5.
+   */
+  final boolean looksAhead() {
+    return drift.matters();
+  }
+
+  /** Returns whether that is to be done for a step that ends at {@code t}. */
+  final boolean wantsAhead(double t) {
+    return wanted || drift.slowAt(t);
+  }
+
+  /**
+   * Evaluates the derivatives at the prediction of a step that ends at {@code t}. Where they are
+   * not finite, those of a shorter step may be.
+   */
+  final Attempt lineariseAhead(double t, double hGamma, BackwardDifferences differences) {
+    Attempt attempt = formed(formAhead(t, hGamma, differences), t);
+    wanted = attempt != Attempt.PASSED;
+    return attempt;
+  }
+
+  private Attempt formed(Attempt attempt, double t) {
     if (attempt == Attempt.STOPPED) {
       return attempt;
     }
     wanted = false;
     current = true;
     linearisations++;
+    drift.formed(t);
     rateKnown = false;
     if (attempt == Attempt.PASSED) {
       outdate();
@@ -295,8 +324,9 @@ abstract class StepEquations {
     return newton.begun() || checking;
   }
 
-  /** Begins to iterate at the prediction of a step of order k. */
-  final void begin(BackwardDifferences differences, int k, ErrorNorm norm) {
+  /** Begins to iterate at the prediction of a step of order k that ends at {@code t}. */
+  final void begin(double t, BackwardDifferences differences, int k, ErrorNorm norm) {
+    newton.expectGrowth(drift.moveTo(t));
     newton.begin(differences, norm);
     if (manifold.anyAlgebraic() && rules.heedsRoundOff()) {
       for (int l = 0; l < manifold.dimension(); l++) {
@@ -329,6 +359,9 @@ abstract class StepEquations {
   private Attempt iterate(
       double t, double hGamma, BackwardDifferences differences, ErrorNorm norm) {
     Attempt attempt = newton.iterate(this, t, hGamma, differences, norm);
+    if (newton.rateSeen() > 0 && attempt != Attempt.STOPPED) {
+      drift.learn(newton.rateSeen());
+    }
     if (attempt == Attempt.NOT_FINITE) {
       notFiniteComponent = newton.notFiniteComponent(this);
       beginToCheck();
@@ -378,7 +411,7 @@ abstract class StepEquations {
       outdate();
       return true;
     }
-    if (current && all && !formedTooFarAhead()) {
+    if (current && all && drift.formedHere()) {
       return false;
     }
     all = current || !formsMatrix();
@@ -446,6 +479,7 @@ abstract class StepEquations {
     rateKnown = state.flag(rateKnown);
     stepsToCheck = state.integer(stepsToCheck);
     newton.transfer(state);
+    drift.transfer(state);
     transferDerivatives(state);
     if (state.restoring() && factored) {
       formFactors(factoredHGamma);

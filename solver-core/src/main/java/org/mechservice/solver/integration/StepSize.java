@@ -64,6 +64,11 @@ final class StepSize {
     return size;
   }
 
+  /** Returns whether a size is chosen: no first step is due. */
+  boolean chosen() {
+    return size != 0;
+  }
+
   /** Returns where that step ends. */
   double endOf(double t) {
     return bounds.endOf(t, size);
