@@ -3,9 +3,6 @@ package org.mechservice.solver.integration;
 import java.util.Arrays;
 import org.mechservice.solver.integration.IntegrationFailure.Cause;
 import org.mechservice.solver.integration.IntegratorSettings.Mode;
-import org.mechservice.solver.linear.BandLayout;
-import org.mechservice.solver.linear.BandLu;
-import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
 
 /**
@@ -40,18 +37,11 @@ final class ExplicitEquations extends StepEquations {
   ExplicitEquations(RightHandSide rightHandSide, double[] smallSizes) {
     super(new Manifold(rightHandSide.system()));
     this.rightHandSide = rightHandSide;
-    LinearSolver solver = solverFor(rightHandSide.system());
+    LinearSolver solver = IterationMatrix.solverFor(rightHandSide.system(), smallSizes.length);
     jacobian = new KeptJacobian(solver.layout());
     differencing = new JacobianDifferences(solver.layout(), smallSizes, manifold());
     matrix = new IterationMatrix(solver, manifold());
     derivative = new double[smallSizes.length];
-  }
-
-  private static LinearSolver solverFor(OdeSystem system) {
-    int n = system.dimension();
-    return system instanceof BandedSystem banded
-        ? new BandLu(new BandLayout(n, banded.lowerBandwidth(), banded.upperBandwidth()))
-        : new DenseLu(n);
   }
 
   @Override

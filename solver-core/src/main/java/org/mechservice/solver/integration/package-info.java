@@ -106,7 +106,8 @@
  * both parts are kept. Components whose derivative does not appear in F, such as multipliers, are
  * found with the others but are in no test: they only have to be finite. Such a system starts from
  * values that obey its equations; the derivatives and the algebraic components are corrected until
- * they do, the rest stays as given.
+ * they do, the rest stays as given. What was said of {@link
+ * org.mechservice.solver.integration.BandedSystem} holds here, too, for both parts of the matrix.
  *
  * <h2>Events, jumps, manifolds</h2>
  *
