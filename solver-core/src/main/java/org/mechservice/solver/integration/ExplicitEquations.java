@@ -13,8 +13,9 @@ import org.mechservice.solver.linear.LinearSolver;
  * </pre>
  *
  * <p>J = ∂f/∂y comes from the problem if it is a {@link JacobianSystem}, else from differences; a
- * {@link BandedSystem} spares the zeros outside of its band. For a {@link CompletedSystem} it is
- * the derivative along completed states.
+ * {@link BandedSystem} spares the zeros outside of its band, a {@link SparseSystem} evaluations for
+ * columns that share no row. For a {@link CompletedSystem} it is the derivative along completed
+ * states.
  */
 final class ExplicitEquations extends StepEquations {
   private static final double SQRT_ROUNDOFF = Math.sqrt(Math.ulp(1.0));
@@ -39,7 +40,12 @@ final class ExplicitEquations extends StepEquations {
     this.rightHandSide = rightHandSide;
     LinearSolver solver = IterationMatrix.solverFor(rightHandSide.system(), smallSizes.length);
     jacobian = new KeptJacobian(solver.layout());
-    differencing = new JacobianDifferences(solver.layout(), smallSizes, manifold());
+    differencing =
+        new JacobianDifferences(
+            solver.layout(),
+            ColumnGroups.of(rightHandSide.system(), solver.layout()),
+            smallSizes,
+            manifold());
     matrix = new IterationMatrix(solver, manifold());
     derivative = new double[smallSizes.length];
   }

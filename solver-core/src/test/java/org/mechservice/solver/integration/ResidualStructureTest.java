@@ -11,15 +11,17 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.mechservice.solver.integration.IntegratorSettings.Mode;
 
-/** In residual form a band gives what the full matrix gives, at the cost of its diagonals. */
-class ResidualBandTest {
+/**
+ * In residual form a structure declared gives what the full matrix gives, for fewer evaluations.
+ */
+class ResidualStructureTest {
   private static final int UNKNOWNS = 100;
   private static final double END = 0.5;
 
-  /** Equations of a line discretised in space, their band, and consistent values to start from. */
-  private enum Line {
+  /** Equations discretised in space, their structure, and consistent values to start from. */
+  private enum Problem {
     /** Burgers' equation by linear finite elements, whose mass matrix is a band, too. */
-    FINITE_ELEMENTS(1, 1) {
+    FINITE_ELEMENTS(3) {
       @Override
       void residual(double[] y, double[] yDot, double[] f) {
         for (int i = 0; i < UNKNOWNS; i++) {
@@ -36,10 +38,15 @@ class ResidualBandTest {
       double initial(int i) {
         return StrictMath.sin(Math.PI * (i + 1) * WIDTH);
       }
+
+      @Override
+      Implicit declared() {
+        return new Band(full(), 1, 1);
+      }
     },
 
     /** Density and pressure of each cell in turn; the pressure has no derivative. */
-    POROUS_MEDIUM(1, 3) {
+    POROUS_MEDIUM(5) {
       @Override
       void residual(double[] y, double[] yDot, double[] f) {
         for (int i = 0; i < UNKNOWNS; i += 2) {
@@ -55,32 +62,53 @@ class ResidualBandTest {
         double density = 1 + StrictMath.sin(0.1 * (i - i % 2));
         return i % 2 == 0 ? density : density * density;
       }
+
+      @Override
+      Implicit declared() {
+        return new Band(full(), 1, 3);
+      }
+    },
+
+    /** A ring, whose last element knows the first: its 100 columns take 4 groups. */
+    RING(4) {
+      @Override
+      void residual(double[] y, double[] yDot, double[] f) {
+        for (int i = 0; i < UNKNOWNS; i++) {
+          int before = (i + UNKNOWNS - 1) % UNKNOWNS;
+          int after = (i + 1) % UNKNOWNS;
+          double inertia = (yDot[before] + 4 * yDot[i] + yDot[after]) / 6;
+          f[i] = inertia + y[i] * y[i] * y[i] - 50 * (y[before] - 2 * y[i] + y[after]);
+        }
+      }
+
+      @Override
+      double initial(int i) {
+        return 1 + StrictMath.sin(2 * Math.PI * i / UNKNOWNS);
+      }
+
+      @Override
+      Implicit declared() {
+        return new Pattern(full(), (i, j) -> (i - j + 1 + UNKNOWNS) % UNKNOWNS <= 2);
+      }
     };
 
     private static final double WIDTH = 1.0 / (UNKNOWNS + 1);
 
-    private final int lower;
-    private final int upper;
+    private final int groups;
 
-    Line(int lower, int upper) {
-      this.lower = lower;
-      this.upper = upper;
+    Problem(int groups) {
+      this.groups = groups;
     }
 
     abstract void residual(double[] y, double[] yDot, double[] f);
 
     abstract double initial(int component);
 
-    int diagonals() {
-      return lower + upper + 1;
-    }
+    /** Returns the problem as one that tells its structure. */
+    abstract Implicit declared();
 
     Implicit full() {
       return new Implicit(UNKNOWNS, (t, y, yDot, f) -> residual(y, yDot, f));
-    }
-
-    Implicit banded() {
-      return new Band(full(), lower, upper);
     }
 
     double[] start() {
@@ -91,7 +119,7 @@ class ResidualBandTest {
       return y;
     }
 
-    /** Zero outside of the line. */
+    /** Zero outside of the problem. */
     static double at(int i, double[] y) {
       return i < 0 || i == UNKNOWNS ? 0 : y[i];
     }
@@ -119,6 +147,21 @@ class ResidualBandTest {
     }
   }
 
+  /** A problem that declares which components each equation has. */
+  private static final class Pattern extends Implicit implements SparseSystem {
+    private final SparseSystem coupled;
+
+    Pattern(Implicit problem, SparseSystem coupled) {
+      super(problem.dimension(), problem::residual);
+      this.coupled = coupled;
+    }
+
+    @Override
+    public boolean couples(int equation, int component) {
+      return coupled.couples(equation, component);
+    }
+  }
+
   /** y_i' = y_{i−1} − 2 y_i + y_{i+1} of a band, and its derivatives where the band has them. */
   private static final class KnownBand extends Implicit
       implements BandedSystem, ResidualJacobianSystem {
@@ -127,7 +170,7 @@ class ResidualBandTest {
           UNKNOWNS,
           (t, y, yDot, f) -> {
             for (int i = 0; i < UNKNOWNS; i++) {
-              f[i] = yDot[i] - Line.at(i - 1, y) + 2 * y[i] - Line.at(i + 1, y);
+              f[i] = yDot[i] - Problem.at(i - 1, y) + 2 * y[i] - Problem.at(i + 1, y);
             }
           });
     }
@@ -181,37 +224,39 @@ class ResidualBandTest {
 
   /** The derivatives at the start, in what they make of a right-hand side. */
   private static double[] solution(
-      StoredLinearisation linearisation, Line line, double formedFor, double hGamma) {
+      StoredLinearisation linearisation, Problem problem, double formedFor, double hGamma) {
     double[] slope = new double[UNKNOWNS];
-    assertThat(linearisation.form(0, line.start(), slope)).isEqualTo(Attempt.PASSED);
+    assertThat(linearisation.form(0, problem.start(), slope)).isEqualTo(Attempt.PASSED);
     if (formedFor != 0) {
-      assertThat(linearisation.formMatrix(0, line.start(), slope, formedFor))
+      assertThat(linearisation.formMatrix(0, problem.start(), slope, formedFor))
           .isEqualTo(Attempt.PASSED);
     }
     assertThat(linearisation.factor(hGamma)).isTrue();
-    double[] r = line.start();
+    double[] r = problem.start();
     linearisation.solve(hGamma, r);
     return r;
   }
 
   @ParameterizedTest
-  @EnumSource(Line.class)
-  void derivativesAreThoseOfTheFullMatrix(Line line) {
+  @EnumSource(Problem.class)
+  void derivativesAreThoseOfTheFullMatrix(Problem problem) {
     for (double hGamma : new double[] {1e-4, 1, 0}) {
-      double[] dense = solution(linearisation(line.full(), counted(line.full())), line, 0, hGamma);
-      Implicit band = line.banded();
-      double[] banded = solution(linearisation(band, counted(band)), line, 0, hGamma);
-      assertThat(banded).containsExactly(dense, roundOff(dense));
+      double[] full =
+          solution(linearisation(problem.full(), counted(problem.full())), problem, 0, hGamma);
+      Implicit declared = problem.declared();
+      double[] sparing = solution(linearisation(declared, counted(declared)), problem, 0, hGamma);
+      assertThat(sparing).containsExactly(full, roundOff(full));
     }
   }
 
   @ParameterizedTest
-  @EnumSource(Line.class)
-  void derivativesAlongTheStepAreThoseOfTheFullMatrix(Line line) {
-    double[] dense = solution(linearisation(line.full(), counted(line.full())), line, 1e-3, 2e-3);
-    Implicit band = line.banded();
-    double[] banded = solution(linearisation(band, counted(band)), line, 1e-3, 2e-3);
-    assertThat(banded).containsExactly(dense, roundOff(dense));
+  @EnumSource(Problem.class)
+  void derivativesAlongTheStepAreThoseOfTheFullMatrix(Problem problem) {
+    double[] full =
+        solution(linearisation(problem.full(), counted(problem.full())), problem, 1e-3, 2e-3);
+    Implicit declared = problem.declared();
+    double[] sparing = solution(linearisation(declared, counted(declared)), problem, 1e-3, 2e-3);
+    assertThat(sparing).containsExactly(full, roundOff(full));
   }
 
   /** The same operations but for zeros, and interchanges that come in another order. */
@@ -221,50 +266,51 @@ class ResidualBandTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Line.class)
-  void derivativesTakeTwoEvaluationsPerDiagonal(Line line) {
-    Implicit band = line.banded();
-    Residual residual = counted(band);
-    linearisation(band, residual).form(0, line.start(), new double[UNKNOWNS]);
-    assertThat(residual.evaluations()).isEqualTo(1 + 2 * line.diagonals());
+  @EnumSource(Problem.class)
+  void derivativesTakeTwoEvaluationsPerGroup(Problem problem) {
+    Implicit declared = problem.declared();
+    Residual residual = counted(declared);
+    linearisation(declared, residual).form(0, problem.start(), new double[UNKNOWNS]);
+    assertThat(residual.evaluations()).isEqualTo(1 + 2 * problem.groups);
   }
 
   @ParameterizedTest
-  @EnumSource(Line.class)
-  void derivativesAlongTheStepTakeOneEvaluationPerDiagonal(Line line) {
-    Implicit band = line.banded();
-    Residual residual = counted(band);
-    linearisation(band, residual).formMatrix(0, line.start(), new double[UNKNOWNS], 1e-3);
-    assertThat(residual.evaluations()).isEqualTo(1 + line.diagonals());
+  @EnumSource(Problem.class)
+  void derivativesAlongTheStepTakeOneEvaluationPerGroup(Problem problem) {
+    Implicit declared = problem.declared();
+    Residual residual = counted(declared);
+    linearisation(declared, residual).formMatrix(0, problem.start(), new double[UNKNOWNS], 1e-3);
+    assertThat(residual.evaluations()).isEqualTo(1 + problem.groups);
   }
 
   @ParameterizedTest
-  @EnumSource(Line.class)
-  void trajectoryIsThatOfTheFullMatrix(Line line) {
-    Ode15sR dense = integrate(line.full(), line.start(), Mode.STANDARD);
-    Ode15sR banded = integrate(line.banded(), line.start(), Mode.STANDARD);
-    assertThat(banded.statistics().steps()).isEqualTo(dense.statistics().steps());
-    assertThat(end(banded)).containsExactly(end(dense), roundOff(end(dense)));
+  @EnumSource(Problem.class)
+  void trajectoryIsThatOfTheFullMatrix(Problem problem) {
+    Ode15sR full = integrate(problem.full(), problem.start(), Mode.STANDARD);
+    Ode15sR sparing = integrate(problem.declared(), problem.start(), Mode.STANDARD);
+    assertThat(sparing.statistics().steps()).isEqualTo(full.statistics().steps());
+    assertThat(end(sparing)).containsExactly(end(full), roundOff(end(full)));
   }
 
   @ParameterizedTest
-  @EnumSource(Line.class)
-  void runSparesTheColumnsThatShareAnEvaluation(Line line) {
-    IntegrationStatistics dense = integrate(line.full(), line.start(), Mode.FAITHFUL).statistics();
-    IntegrationStatistics banded =
-        integrate(line.banded(), line.start(), Mode.FAITHFUL).statistics();
-    long spared = 2L * (UNKNOWNS - line.diagonals()) * dense.jacobians();
-    assertThat(banded.evaluations()).isEqualTo(dense.evaluations() - spared);
+  @EnumSource(Problem.class)
+  void runSparesTheColumnsThatShareAnEvaluation(Problem problem) {
+    IntegrationStatistics full =
+        integrate(problem.full(), problem.start(), Mode.FAITHFUL).statistics();
+    IntegrationStatistics sparing =
+        integrate(problem.declared(), problem.start(), Mode.FAITHFUL).statistics();
+    long spared = 2L * (UNKNOWNS - problem.groups) * full.jacobians();
+    assertThat(sparing.evaluations()).isEqualTo(full.evaluations() - spared);
   }
 
   @Test
   void knownDerivativesAreWrittenToTheirPlacesInTheBand() {
-    double[] start = Line.FINITE_ELEMENTS.start();
-    double[] banded = end(integrate(new KnownBand(), start, Mode.STANDARD));
+    double[] start = Problem.FINITE_ELEMENTS.start();
+    double[] sparing = end(integrate(new KnownBand(), start, Mode.STANDARD));
     // The start is the slowest mode: it dies out with its own rate, 2 − 2 cos(π/101).
-    double rate = 2 - 2 * StrictMath.cos(Math.PI * Line.WIDTH);
+    double rate = 2 - 2 * StrictMath.cos(Math.PI * Problem.WIDTH);
     for (int i = 0; i < UNKNOWNS; i++) {
-      assertThat(banded[i]).isCloseTo(start[i] * StrictMath.exp(-rate * END), within(1e-6));
+      assertThat(sparing[i]).isCloseTo(start[i] * StrictMath.exp(-rate * END), within(1e-6));
     }
   }
 
