@@ -212,15 +212,17 @@ class FurtherProblemsTest {
   @ValueSource(ints = {4, 5, 6, 7, 8, 9, 10, 11, 12, 13})
   void jumpsHardlyLongerThanTheUnitsOfTimeAreFollowedOrRefused(int k) {
     double tolerance = StrictMath.pow(10, -k);
-    Ode15s integrator = new Ode15s(new IntegratorSettings(tolerance, tolerance));
-    Run run = Run.of(integrator, SHARP, 0, SHARP_START, 2);
-    if (k <= 10) {
-      assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
-      // As far as with jumps of any length: no floor.
-      assertThat(sharpDigits(run.atEnd())).isGreaterThan(k - 1.5);
-    } else {
-      assertThat(run.result()).isEqualTo(StepResult.FAILED);
-      assertThat(integrator.failure().cause()).isEqualTo(Cause.STEP_TOO_SMALL);
+    IntegratorSettings settings = new IntegratorSettings(tolerance, tolerance);
+    for (Integrator integrator : List.of(new Ode15s(settings), new Switching(settings))) {
+      Run run = Run.of(integrator, SHARP, 0, SHARP_START, 2);
+      if (k <= 10) {
+        assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+        // As far as with jumps of any length: no floor.
+        assertThat(sharpDigits(run.atEnd())).isGreaterThan(k - 1.5);
+      } else {
+        assertThat(run.result()).isEqualTo(StepResult.FAILED);
+        assertThat(integrator.failure().cause()).isEqualTo(Cause.STEP_TOO_SMALL);
+      }
     }
   }
 
