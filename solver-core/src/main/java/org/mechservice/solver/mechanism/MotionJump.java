@@ -9,10 +9,9 @@ package org.mechservice.solver.mechanism;
  *     −1 if the joint is cut
  * @param ofPosition whether the coordinate itself jumps, which no mechanism can follow; if not, its
  *     velocity does
- * @param time first time behind the jump, s
- * @param before value at the last time before it, rad or m, rad/s or m/s; may be infinite or no
- *     number
- * @param after value at {@code time}
+ * @param time of the jump, s, to one rounding unit
+ * @param before value {@link #ahead} of it, rad or m, rad/s or m/s; may be infinite or no number
+ * @param after value {@link #behind} it
  */
 public record MotionJump(
     String joint,
@@ -22,6 +21,19 @@ public record MotionJump(
     double time,
     double before,
     double after) {
+
+  /** Rounding units between the jump and a time surely beyond it. */
+  private static final double MARGIN = 4;
+
+  /** Returns the last time surely before the jump, s. */
+  public double ahead() {
+    return time - MARGIN * Math.ulp(time);
+  }
+
+  /** Returns the first time surely behind it, s. */
+  public double behind() {
+    return time + MARGIN * Math.ulp(time);
+  }
 
   /** Returns by how much the coordinate or velocity jumps. */
   public double size() {

@@ -37,14 +37,12 @@ final class MotionJumps {
   private static final double NOTHING = 1e-9;
 
   private final Mechanism mechanism;
-  private final double to;
   private final double near;
   private final TreeSet<Double> grid = new TreeSet<>();
   private final List<MotionJump> found = new ArrayList<>();
 
   private MotionJumps(Mechanism mechanism, double from, double to) {
     this.mechanism = mechanism;
-    this.to = to;
     near = NEAR * (to - from);
     // What happens at the very start belongs to the start.
     double begin = from + near;
@@ -153,7 +151,7 @@ final class MotionJumps {
       while (changes(before, after, largest)) {
         double middle = a + 0.5 * (b - a);
         if (!(middle > a && middle < b)) {
-          add(new MotionJump(joint.name(), joint.origin(), velocity, position, b, before, after));
+          add(jump(joint, velocity, curve, position, b));
           break;
         }
         double value = curve.at(middle, position);
@@ -170,12 +168,33 @@ final class MotionJumps {
     }
   }
 
+  /** At the jump itself a function may have a third value. */
+  private static MotionJump jump(
+      Joint joint, int velocity, Curve curve, boolean position, double t) {
+    MotionJump place = new MotionJump(joint.name(), joint.origin(), velocity, position, t, 0, 0);
+    double before = curve.at(place.ahead(), position);
+    double after = curve.at(place.behind(), position);
+    return new MotionJump(
+        joint.name(), joint.origin(), velocity, position, t, before, after);
+  }
+
   /** A velocity that is not finite is told of where the accelerations are. */
   private void add(MotionJump jump) {
     boolean known = Double.isFinite(jump.before()) && Double.isFinite(jump.after());
-    if (jump.time() <= to && (jump.ofPosition() || (known && !jumpsAt(jump)))) {
+    if (!isFound(jump) && (jump.ofPosition() || (known && !jumpsAt(jump)))) {
       found.add(jump);
     }
+  }
+
+  private boolean isFound(MotionJump jump) {
+    return found.stream()
+        .anyMatch(
+            other ->
+                other.joint().equals(jump.joint())
+                    && other.velocity() == jump.velocity()
+                    && other.ofPosition() == jump.ofPosition()
+                    && other.behind() >= jump.ahead()
+                    && other.ahead() <= jump.behind());
   }
 
   /** Whether the position of the coordinate jumps there, whose velocity is then of no use. */
