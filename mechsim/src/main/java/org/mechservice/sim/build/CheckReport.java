@@ -94,7 +94,9 @@ public record CheckReport(
             : LoopTermsClass.derive(links, choice).equations();
     BuildOptions options = new BuildOptions(choice.formulation(), Set.of(), model.settings().run());
     return new Generation(
-        choice, derivative.operationCount(), LeftOut.of(model, scene, links, options, derivative));
+        choice.callingForcesOf(model.mechanism()),
+        derivative.operationCount(),
+        LeftOut.of(model, scene, links, options, derivative));
   }
 
   /** Returns what looks odd: what the file's reader noticed, then what the scene shows. */

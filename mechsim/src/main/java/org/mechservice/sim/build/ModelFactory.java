@@ -36,7 +36,6 @@ import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /**
  * The way from a mechanism to code: generate, compile, pack. Thread-safe; every step is a pure
@@ -194,7 +193,7 @@ public final class ModelFactory {
                     Optional.empty())),
         mechanism.name(),
         choice.formulation(),
-        choice.reason() + calledForces(mechanism),
+        choice.callingForcesOf(mechanism).reason(),
         derivative.operationCount(),
         leftOut);
   }
@@ -220,19 +219,9 @@ public final class ModelFactory {
                 Optional.empty())),
         mechanism.name(),
         choice.formulation(),
-        choice.reason() + derivatives,
+        choice.because(derivatives).callingForcesOf(mechanism).reason(),
         terms.equations().operationCount(),
         LeftOut.of(model, SceneAnalysis.of(mechanism), links, options, terms.equations()));
-  }
-
-  /** Says which forces are classes of users: code calls them, it does not contain them. */
-  private static String calledForces(Mechanism mechanism) {
-    String names =
-        mechanism.forces().stream()
-            .filter(UserForceElement.class::isInstance)
-            .map(force -> "\"" + force.name() + "\"")
-            .collect(Collectors.joining(", "));
-    return names.isEmpty() ? "" : "; every evaluation calls the classes of forces " + names;
   }
 
   /** Parameters, user forces and what happens along a run are kept as data beside the code. */

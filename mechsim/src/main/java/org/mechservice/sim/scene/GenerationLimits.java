@@ -5,8 +5,6 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.force.ForceElement;
-import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /** What is simulated without generated code. */
 public final class GenerationLimits {
@@ -58,13 +56,6 @@ public final class GenerationLimits {
               + ")");
     }
     add(beyond, "coordinates of cut joints in", CutCoordinateUses.names(mechanism).stream());
-    add(
-        beyond,
-        "forces written as classes",
-        mechanism.forces().stream()
-            .filter(UserForceElement.class::isInstance)
-            .filter(force -> !mechanism.closures().isEmpty())
-            .map(ForceElement::name));
     add(
         beyond,
         "tunable parameters in coefficients of forces",
