@@ -147,10 +147,12 @@ public final class ModelFactory {
     Mechanism mechanism = model.mechanism();
     SceneAnalysis scene = SceneAnalysis.of(mechanism);
     Links links = Links.of(mechanism);
-    Program derivative =
-        choice.formulation().equals("DSR")
-            ? CompositeInertiaEquations.derive(links)
-            : ArticulatedBodyEquations.derive(links);
+    Program derivative = derivative(links, choice);
+    List<String> noFaster =
+        GenerationLimits.noFaster(choice.formulation(), derivative.operationCount());
+    if (!noFaster.isEmpty()) {
+      return compact(model, options, choice, noFaster);
+    }
     Optional<Program> residual =
         choice.formulation().startsWith("RR")
             ? Optional.of(ResidualEquations.derive(links))
@@ -198,6 +200,13 @@ public final class ModelFactory {
         leftOut);
   }
 
+  /** Derives y' of an open chain in a formulation. */
+  static Program derivative(Links links, FormulationChoice choice) {
+    return choice.formulation().equals("DSR")
+        ? CompositeInertiaEquations.derive(links)
+        : ArticulatedBodyEquations.derive(links);
+  }
+
   /** Code for the terms of the equations; their closure, and what is seldom wanted, from data. */
   private static GeneratedModel looped(
       MechmlModel model, BuildOptions options, FormulationChoice choice) {
@@ -205,6 +214,11 @@ public final class ModelFactory {
     requireClosedLoops(mechanism, choice, options);
     Links links = Links.of(mechanism);
     TermsClass terms = LoopTermsClass.derive(links, choice);
+    List<String> noFaster =
+        GenerationLimits.noFaster(choice.formulation(), terms.equations().operationCount());
+    if (!noFaster.isEmpty()) {
+      return compact(model, options, choice, noFaster);
+    }
     TermsPlan written = TermsPlan.of(terms);
     Set<ColumnGroup> further = DataColumns.of(model, options, false);
     String derivatives =
