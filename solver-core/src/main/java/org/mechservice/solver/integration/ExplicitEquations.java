@@ -207,8 +207,10 @@ final class ExplicitEquations extends StepEquations {
   }
 
   @Override
-  double fastestMotion() {
-    return jacobian.spectralRadius();
+  double fastestLastingMotion(double direction) {
+    return jacobian.decayIsFastest(direction)
+        ? Double.POSITIVE_INFINITY
+        : jacobian.spectralRadius();
   }
 
   @Override

@@ -305,7 +305,8 @@ class Ode15sTest extends IntegratorContract {
     assertThat(run.result()).isEqualTo(StepResult.FAILED);
     IntegrationFailure failure = run.integrator().failure();
     assertThat(failure.cause()).isEqualTo(IntegrationFailure.Cause.NO_CONVERGENCE);
-    assertThat(failure.time()).isCloseTo(1, within(1e-9));
+    // Where y, which falls by one a second, is zero to within a few of its tolerances.
+    assertThat(failure.time()).isCloseTo(1, within(10 * 1e-6));
     assertThat(failure.worstComponent()).isZero();
     assertThat(failure.lastSteps().get(9).attempt()).isEqualTo(Attempt.NOT_CONVERGING);
   }
