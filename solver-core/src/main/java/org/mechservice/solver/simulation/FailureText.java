@@ -16,6 +16,9 @@ import org.mechservice.solver.integration.Integrator;
 
 /** Says in the words of mechanics why a run could not go on. */
 final class FailureText {
+  /** Steps above this, s, are the smallest only where the time itself is huge. */
+  private static final double COARSE = 1e-9;
+
   private FailureText() {}
 
   /**
@@ -44,8 +47,10 @@ final class FailureText {
               "The error test fails at the smallest step the arithmetic can hold.",
               failure,
               state(model, failure.worstComponent()),
-              "The motion is singular or very stiff there; loosen the tolerances, or check the"
-                  + " values that act on this joint.");
+              failure.stepSize() > COARSE
+                  ? "Times this large lie too far apart for steps: begin the run near t = 0."
+                  : "The motion is singular or very stiff there; loosen the tolerances, or check"
+                      + " the values that act on this joint.");
       case TOLERANCE_TOO_TIGHT ->
           failure(
               "N-004",
