@@ -108,8 +108,7 @@ public final class FirstEvaluations {
   private static double source(MechmlModel model) {
     long start = System.nanoTime();
     GeneratedModel generated = ModelFactory.generate(model, options(false));
-    ModelCompiler.compile(
-        generated.sourceName(), generated.source(), Collections.emptySortedMap());
+    ModelCompiler.compile(generated.sourceName(), generated.source(), Collections.emptySortedMap());
     return (System.nanoTime() - start) * 1e-6;
   }
 
@@ -208,7 +207,9 @@ public final class FirstEvaluations {
         new ProcessBuilder(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-cp",
-                classes + System.getProperty("path.separator") + System.getProperty("java.class.path"),
+                classes
+                    + System.getProperty("path.separator")
+                    + System.getProperty("java.class.path"),
                 FirstEvaluations.class.getName(),
                 what,
                 subject)

@@ -77,8 +77,7 @@ final class Scenes {
   /** Returns how a model is built in a formulation, with an integrator that goes with it. */
   static BuildOptions options(String formulation) {
     boolean explicit = formulation.startsWith("D");
-    RunSettings settings =
-        explicit ? SETTINGS : new RunSettings(0, 1, 0.1, "ode15sR", 1e-6, 1e-6);
+    RunSettings settings = explicit ? SETTINGS : new RunSettings(0, 1, 0.1, "ode15sR", 1e-6, 1e-6);
     return new BuildOptions(formulation, Set.of(), settings);
   }
 }

@@ -15,8 +15,8 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /**
- * Where a command puts what a run gives, and what it does when the run has come to its end: it keeps
- * the rows, prints the report and tells the shell.
+ * Where a command puts what a run gives, and what it does when the run has come to its end: it
+ * keeps the rows, prints the report and tells the shell.
  */
 final class ResultOptions {
   @Option(

@@ -136,7 +136,9 @@ final class SimulateCommand implements Callable<Integer> {
     } catch (ServiceException e) {
       int status = FailureReport.status(e);
       // Rows that came before a server was lost are good; what bad input left is not.
-      err().println(e.getMessage() + (status == ExitStatus.SERVER ? ResultOptions.keptRows(files) : ""));
+      err()
+          .println(
+              e.getMessage() + (status == ExitStatus.SERVER ? ResultOptions.keptRows(files) : ""));
       return status;
     } finally {
       display.close();

@@ -10,7 +10,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
-import org.mechservice.client.BuiltJar;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.ModelSummary;
 import org.mechservice.client.ServiceException;

@@ -15,7 +15,9 @@ import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.Variable;
 
-/** The Runge-Kutta method of order 4 with equal steps that follow the tolerance, or a broken one. */
+/**
+ * The Runge-Kutta method of order 4 with equal steps that follow the tolerance, or a broken one.
+ */
 final class RungeKuttaSolver implements Solver {
   /** What is wrong with a method. */
   enum Fault {
@@ -65,7 +67,10 @@ final class RungeKuttaSolver implements Solver {
       double end = i + 1 == steps ? interval : (i + 1) * h;
       for (; row < rows && row * settings.tStep() <= end; row++) {
         double part = (row * settings.tStep() - i * h) / h;
-        write(sink, settings.tStart() + row * settings.tStep(), between(equations, before, y, h, part));
+        write(
+            sink,
+            settings.tStart() + row * settings.tStep(),
+            between(equations, before, y, h, part));
       }
     }
     write(sink, settings.tEnd(), y);

@@ -45,7 +45,9 @@ final class Tokenizer {
     throw new ExpressionException(
         MessageCode.EXPRESSION_SYNTAX,
         position,
-        Quoted.of(Character.toString(text.codePointAt(position))) + " has no meaning here" + hint());
+        Quoted.of(Character.toString(text.codePointAt(position)))
+            + " has no meaning here"
+            + hint());
   }
 
   /** Returns what those write who know another notation. */

@@ -16,7 +16,8 @@ import org.mechservice.report.method.Candidate;
  * once per round, so that whatever slows the machine down hits all alike.
  *
  * <p>A run is stopped after the effort's limit, and earlier where it takes {@link Effort#SENSELESS}
- * times what the fastest method takes at the same tolerance. Such a point is a failure that says so.
+ * times what the fastest method takes at the same tolerance. Such a point is a failure that says
+ * so.
  */
 public final class Campaign {
   private static final String NOT_RUN = "not run: it did not finish at a looser tolerance";
@@ -50,7 +51,8 @@ public final class Campaign {
     for (double tolerance : effort.tolerances()) {
       List<MeasuredRun> firsts = new ArrayList<>();
       for (Candidate candidate : candidates) {
-        double left = spent == 0 ? Double.NaN : spent / done * (points - done + wholeRounds(points));
+        double left =
+            spent == 0 ? Double.NaN : spent / done * (points - done + wholeRounds(points));
         progress.at("errors: " + candidate.method(), 0.3 * done / points, left);
         MeasuredRun first = first(candidate, tolerance, hopeless, fastest(firsts));
         firsts.add(first);
@@ -89,8 +91,7 @@ public final class Campaign {
       return MeasuredRun.notRun(candidate.method().name(), tolerance, NOT_RUN);
     }
     double sense = best.map(Campaign::mostSeconds).orElse(Double.POSITIVE_INFINITY);
-    MeasuredRun run =
-        runner.run(candidate, tolerance, 0, Math.min(effort.limitSeconds(), sense));
+    MeasuredRun run = runner.run(candidate, tolerance, 0, Math.min(effort.limitSeconds(), sense));
     boolean beyondSense =
         sense < effort.limitSeconds() && run.cause().startsWith(MethodRunner.NOT_FINISHED);
     return beyondSense ? run.failed(BUDGET + run.cause() + compared(best.orElseThrow())) : run;

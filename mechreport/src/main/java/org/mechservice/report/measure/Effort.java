@@ -49,7 +49,9 @@ public record Effort(
   public static final Effort FULL =
       new Effort("full", powers(3, 12), 20, REPEATS, Double.POSITIVE_INFINITY, 120, 3, 5);
 
-  /** Returns the tolerance that first runs and shares of time are measured at: 1e-5, or the next. */
+  /**
+   * Returns the tolerance that first runs and shares of time are measured at: 1e-5, or the next.
+   */
   public double typicalTolerance() {
     return Arrays.stream(tolerances)
         .filter(tolerance -> tolerance <= TYPICAL)

@@ -63,7 +63,9 @@ public final class Journal implements AutoCloseable {
   /** Reads the runs of a journal, whatever it was made for; none of a file that is not one. */
   public static List<MeasuredRun> read(Path file) throws IOException {
     List<String> lines = Files.readAllLines(file, StandardCharsets.UTF_8);
-    return lines.size() > 1 && lines.get(1).equals(MeasuredRun.HEADER) ? complete(lines) : List.of();
+    return lines.size() > 1 && lines.get(1).equals(MeasuredRun.HEADER)
+        ? complete(lines)
+        : List.of();
   }
 
   private void writeLine(String line) throws IOException {

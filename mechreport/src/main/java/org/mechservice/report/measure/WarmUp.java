@@ -12,6 +12,7 @@ public final class WarmUp {
   private static final double STEADY = 0.98;
 
   private static final int FEWEST_BLOCKS = 2;
+
   /** Beyond so many times the block's length a machine that is never steady is not waited for. */
   private static final double MOST_BLOCKS = 12;
 

@@ -57,7 +57,9 @@ final class HonestyTable {
         completed.stream().filter(point -> Doubts.dishonest(point, found.floor())).count();
     String sum =
         flagged == 0
-            ? "All " + completed.size() + " runs that reached the end keep their tolerance within"
+            ? "All "
+                + completed.size()
+                + " runs that reached the end keep their tolerance within"
                 + " 0.01 to 100 times."
             : "<b>"
                 + flagged

@@ -212,8 +212,7 @@ final class PaperPage {
   private static String quartiles(PaperReport.Timed timed) {
     double median = timed.seconds();
     return format(
-        "%+.0f … %+.0f %%",
-        100 * (timed.low() / median - 1), 100 * (timed.high() / median - 1));
+        "%+.0f … %+.0f %%", 100 * (timed.low() / median - 1), 100 * (timed.high() / median - 1));
   }
 
   private static String error(PaperReport.Timed timed) {

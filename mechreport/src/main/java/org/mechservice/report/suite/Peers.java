@@ -44,8 +44,7 @@ final class Peers {
    *
    * @param limit of the processor time of one run, s
    */
-  static Peers of(
-      List<SuiteProblem> problems, double[] tolerances, double limit, Progress progress)
+  static Peers of(List<SuiteProblem> problems, double[] tolerances, double limit, Progress progress)
       throws IOException {
     Peers peers = new Peers();
     Path script = Files.createTempFile("mech-peers", ".py");

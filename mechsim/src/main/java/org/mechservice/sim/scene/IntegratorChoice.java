@@ -16,9 +16,9 @@ import org.mechservice.solver.mechanism.force.SpringDamper;
  *
  * <p>As a rule {@code switching}, which finds out along the run. An open chain whose fastest motion
  * dies away many times within the run begins with an implicit method instead, if that motion is one
- * of springs, dampers and bushings alone, whose coefficients hold all along: what contacts, friction
- * and formulas make stiff at the start may be soft later. A larger one takes {@code ode15sR}, which
- * has its derivatives by recursion and solves for half as many unknowns.
+ * of springs, dampers and bushings alone, whose coefficients hold all along: what contacts,
+ * friction and formulas make stiff at the start may be soft later. A larger one takes {@code
+ * ode15sR}, which has its derivatives by recursion and solves for half as many unknowns.
  *
  * @param integrator its name
  * @param reason why, in a clause; empty if {@code switching} decides along the run
@@ -48,8 +48,7 @@ public record IntegratorChoice(String integrator, Optional<String> reason) {
    * @param formulation asked for, {@code auto} or a name
    * @param settings of the run: start and end
    */
-  public static IntegratorChoice of(
-      String formulation, Mechanism mechanism, RunSettings settings) {
+  public static IntegratorChoice of(String formulation, Mechanism mechanism, RunSettings settings) {
     String asked = formulation.toUpperCase(Locale.ROOT);
     if (asked.startsWith("RR")) {
       return new IntegratorChoice(RESIDUAL, Optional.empty());
@@ -60,8 +59,7 @@ public record IntegratorChoice(String integrator, Optional<String> reason) {
   }
 
   private static IntegratorChoice stiff(String asked, Mechanism mechanism, FastestMotion motion) {
-    boolean residual =
-        asked.equals("AUTO") && mechanism.velocityCount() >= RESIDUAL_VELOCITIES;
+    boolean residual = asked.equals("AUTO") && mechanism.velocityCount() >= RESIDUAL_VELOCITIES;
     return new IntegratorChoice(
         residual ? RESIDUAL : STIFF,
         Optional.of("joint \"" + motion.joint().name() + "\" " + motion.text()));

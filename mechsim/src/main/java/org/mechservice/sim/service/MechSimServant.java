@@ -121,7 +121,8 @@ final class MechSimServant implements MechSimOperations {
   private void generateAhead(LoadedModel read) {
     SimulationSettings settings = read.model().settings();
     try {
-      RunOptions asInFile = RunOptions.parse(new NameValue[0], settings).suiting(read.model().mechanism());
+      RunOptions asInFile =
+          RunOptions.parse(new NameValue[0], settings).suiting(read.model().mechanism());
       library.generated(read, asInFile.forRun(settings), times);
     } catch (InvalidOption | NotAvailable | IllegalArgumentException e) {
       LOG.debug("the model cannot be run as its file says", e);

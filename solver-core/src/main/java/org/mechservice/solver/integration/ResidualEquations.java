@@ -315,7 +315,7 @@ final class ResidualEquations extends StepEquations {
   }
 
   @Override
-  double fastestMotion() {
+  double fastestLastingMotion(double direction) {
     return Double.POSITIVE_INFINITY;
   }
 

@@ -46,8 +46,26 @@ class ErrorAllowanceTest {
     assertThat(standard).isLessThanOrEqualTo(published);
   }
 
-  /** Spectral radius of a matrix given by rows. */
-  private static double radius(double[][] rows) {
+  @Test
+  void transientThatDiesOutCostsNoMoreThanAsPublished() {
+    // Two decays and nothing else, followed from the first to the last: no error of theirs stays.
+    OdeSystem decays =
+        new Ode(
+            2,
+            (t, y, slope) -> {
+              slope[0] = -9e4 * y[0];
+              slope[1] = -1e4 * y[1];
+            });
+    assertThat(steps(Mode.STANDARD, decays)).isLessThanOrEqualTo(steps(Mode.FAITHFUL, decays));
+  }
+
+  private static long steps(Mode mode, OdeSystem system) {
+    IntegratorSettings settings = new IntegratorSettings(1e-8, 1e-8).withMode(mode);
+    Integrator integrator = new Ode15s(settings);
+    return Run.of(integrator, system, 0, new double[] {1, 1}, 0.01).statistics().steps();
+  }
+
+  private static KeptJacobian kept(double[][] rows) {
     MatrixLayout layout = new DenseLu(rows.length).layout();
     KeptJacobian kept = new KeptJacobian(layout);
     for (int i = 0; i < rows.length; i++) {
@@ -56,7 +74,12 @@ class ErrorAllowanceTest {
       }
     }
     kept.replace();
-    return kept.spectralRadius();
+    return kept;
+  }
+
+  /** Spectral radius of a matrix given by rows. */
+  private static double radius(double[][] rows) {
+    return kept(rows).spectralRadius();
   }
 
   @Test
@@ -66,6 +89,24 @@ class ErrorAllowanceTest {
     // of such a matrix turn, which leaves the estimate an eighth off.
     assertThat(radius(new double[][] {{0, 1}, {-100, -0.4}})).isCloseTo(10, within(2.0));
     assertThat(radius(new double[][] {{0, 1e-6}, {-1e8, -0.4}})).isCloseTo(10, within(2.0));
+  }
+
+  @Test
+  void decayIsToldFromOscillationAndGrowthWhateverTheUnits() {
+    assertThat(kept(new double[][] {{-1, 0}, {0, -1000}}).decayIsFastest(1)).isTrue();
+    // Overdamped, 11 000/s and 89 000/s.
+    assertThat(kept(new double[][] {{0, 1}, {-1e9, -1e5}}).decayIsFastest(1)).isTrue();
+    assertThat(kept(new double[][] {{0, 1}, {-100, -0.4}}).decayIsFastest(1)).isFalse();
+    assertThat(kept(new double[][] {{0, 1e-6}, {-1e8, -0.4}}).decayIsFastest(1)).isFalse();
+    assertThat(kept(new double[][] {{0, 1e6}, {-1e-4, 0}}).decayIsFastest(1)).isFalse();
+    assertThat(kept(new double[][] {{1000, 0}, {0, -1}}).decayIsFastest(1)).isFalse();
+    assertThat(kept(new double[][] {{0, 1}, {0, 0}}).decayIsFastest(1)).isFalse();
+  }
+
+  @Test
+  void growthIsADecayWhereTimeRunsBackward() {
+    assertThat(kept(new double[][] {{1000, 0}, {0, -1}}).decayIsFastest(-1)).isTrue();
+    assertThat(kept(new double[][] {{-1000, 0}, {0, -1}}).decayIsFastest(-1)).isFalse();
   }
 
   @Test

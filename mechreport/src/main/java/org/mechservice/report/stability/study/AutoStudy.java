@@ -173,7 +173,8 @@ final class AutoStudy implements Study {
     for (int i = 0; i < costs.size(); i++) {
       Arrays.sort(seconds[i]);
       Cost cost = costs.get(i);
-      timed.add(new Cost(cost.candidate(), cost.tolerance(), cost.first(), seconds[i][repeats / 2]));
+      timed.add(
+          new Cost(cost.candidate(), cost.tolerance(), cost.first(), seconds[i][repeats / 2]));
     }
     return timed;
   }

@@ -91,8 +91,7 @@ final class GrowthStudy implements Study {
         decays.add("order " + order, down);
       }
       limits.append(limits.isEmpty() ? "" : ", ").append(order).append(": ");
-      limits.append(
-          worst == 0 ? "nowhere" : StudyPage.shown(worst) + " at " + StudyPage.shown(at));
+      limits.append(worst == 0 ? "nowhere" : StudyPage.shown(worst) + " at " + StudyPage.shown(at));
     }
     page.finds(
         "Formulas of ode15s and ode15sR: where an undamped oscillation grows, and by how much per"

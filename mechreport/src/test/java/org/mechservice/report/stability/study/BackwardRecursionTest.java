@@ -44,9 +44,9 @@ class BackwardRecursionTest {
   }
 
   /**
-   * The local error is of order k + 1 in h; along the imaginary axis it turns the phase if k is even,
-   * and the amplitude feels the next order alone; of order 2, whose κ is the largest that keeps it
-   * A-stable, the one after that.
+   * The local error is of order k + 1 in h; along the imaginary axis it turns the phase if k is
+   * even, and the amplitude feels the next order alone; of order 2, whose κ is the largest that
+   * keeps it A-stable, the one after that.
    */
   @ParameterizedTest
   @CsvSource({"1, 1", "2, 5", "3, 3", "4, 5", "5, 5"})

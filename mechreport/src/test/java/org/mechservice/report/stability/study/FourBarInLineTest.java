@@ -40,7 +40,8 @@ class FourBarInLineTest {
       double z = Math.sin(y[0]) - Math.sin(y[1]);
       assertThat(Math.hypot(x, z)).isCloseTo(3 + longer, within(1e-13));
       double energy = (y[2] * y[2] + y[3] * y[3]) / 6 - 4.905 * (Math.sin(y[0]) + Math.sin(y[1]));
-      double first = -4.905 * (Math.sin(reference.states()[0][0]) + Math.sin(reference.states()[0][1]));
+      double first =
+          -4.905 * (Math.sin(reference.states()[0][0]) + Math.sin(reference.states()[0][1]));
       assertThat(energy).isCloseTo(first, within(1e-10));
     }
   }
