@@ -13,6 +13,9 @@ final class TimeSetReader {
   /** More output rows are taken for a slip of tstep: at 8 bytes a number, they fill a disk. */
   private static final double MOST_ROWS = 1e9;
 
+  /** Spacing of times over the output step beyond which rows and steps miss their places. */
+  private static final double FINEST = 1e-2;
+
   private final ValueReader values;
   private final Diagnostics diagnostics;
 
@@ -46,6 +49,14 @@ final class TimeSetReader {
     if ((time.end() - time.start()) / time.step() > MOST_ROWS) {
       return Optional.of(
           Phrase.of("tstep, %s s, would put out more than %.0e rows", time.step(), MOST_ROWS));
+    }
+    double spacing = Math.ulp(Math.max(Math.abs(time.start()), Math.abs(time.end())));
+    if (spacing > FINEST * time.step()) {
+      return Optional.of(
+          Phrase.of(
+              "double-precision numbers near these times lie %s s apart, too coarse for tstep, %s s;"
+                  + " let the run begin near 0 and shift the time in expressions instead",
+              spacing, time.step()));
     }
     return Optional.empty();
   }

@@ -6,15 +6,14 @@ import java.util.Optional;
 import java.util.Set;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.dynamics.Links;
-import org.mechservice.sim.scene.BriefPush;
 import org.mechservice.sim.scene.Finding;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.scene.LoopAnalysis;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.sim.scene.RoadmapEntry;
+import org.mechservice.sim.scene.RunForecast;
 import org.mechservice.sim.scene.SceneAnalysis;
-import org.mechservice.sim.scene.StiffnessForecast;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -63,8 +62,7 @@ public record CheckReport(
     List<Finding> findings =
         new ArrayList<>(scene.findingsAtStart(model.settings().run().tStart()));
     findings.addAll(loops.findings());
-    StiffnessForecast.of(mechanism, model.settings().run()).ifPresent(findings::add);
-    BriefPush.of(mechanism, model.settings().run()).ifPresent(findings::add);
+    findings.addAll(RunForecast.of(mechanism, model.settings().run()));
     try {
       return new CheckReport(
           model, scene, loops, findings, Optional.of(generation(model, scene)), "");

@@ -18,6 +18,7 @@ import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.ForceTorque;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.UserForceElement;
@@ -83,21 +84,22 @@ public final class BriefPush {
   }
 
   private static Stream<Expression> formulas(Mechanism mechanism) {
-    return mechanism.forces().stream()
-        .flatMap(
-            force ->
-                force instanceof JointForce inJoint
-                    ? Stream.of(inJoint.force())
-                    : force instanceof ForceTorque wrench
-                        ? wrench.components().stream()
-                        : Stream.empty());
+    return mechanism.forces().stream().flatMap(BriefPush::formulas);
+  }
+
+  /** Returns the formulas a force is given by. */
+  static Stream<Expression> formulas(ForceElement force) {
+    return force instanceof JointForce inJoint
+        ? Stream.of(inJoint.force())
+        : force instanceof ForceTorque wrench ? wrench.components().stream() : Stream.empty();
   }
 
   private static boolean dependsOnTime(Expression formula) {
     return formula instanceof Time || operands(formula).stream().anyMatch(BriefPush::dependsOnTime);
   }
 
-  private static List<Expression> operands(Expression formula) {
+  /** Returns what an expression is made of. */
+  static List<Expression> operands(Expression formula) {
     if (formula instanceof Sum sum) {
       return List.of(sum.left(), sum.right());
     } else if (formula instanceof Product product) {

@@ -36,13 +36,12 @@ record FastestMotion(boolean swings, double modulus, double real, Joint joint) {
    * Finds it.
    *
    * @param settings of the run: its start
-   * @return empty if nothing can be said: without forces, of user forces, or where the equations
+   * @return empty if nothing can be said: of user forces, or where the equations
    *     have no derivative
    */
   static Optional<FastestMotion> of(Mechanism mechanism, RunSettings settings) {
     boolean user = mechanism.forces().stream().anyMatch(UserForceElement.class::isInstance);
     if (user
-        || mechanism.forces().isEmpty()
         || mechanism.velocityCount() == 0
         || mechanism.velocityCount() > MOST_VELOCITIES) {
       return Optional.empty();

@@ -28,11 +28,15 @@ public final class StiffnessForecast {
    *     derivative
    */
   public static Optional<Finding> of(Mechanism mechanism, RunSettings settings) {
-    return EXPLICIT.contains(settings.integrator())
-        ? FastestMotion.of(mechanism, settings)
-            .filter(motion -> steps(motion, settings) >= MANY_STEPS)
-            .map(motion -> finding(motion, settings))
-        : Optional.empty();
+    return FastestMotion.of(mechanism, settings)
+        .filter(motion -> limits(motion, settings.integrator()))
+        .filter(motion -> steps(motion, settings) >= MANY_STEPS)
+        .map(motion -> finding(motion, settings));
+  }
+
+  /** What swings undamped has to be followed by every method. */
+  private static boolean limits(FastestMotion motion, String integrator) {
+    return EXPLICIT.contains(integrator) || !motion.isDamped();
   }
 
   private static double steps(FastestMotion motion, RunSettings settings) {
@@ -44,17 +48,17 @@ public final class StiffnessForecast {
         motion.isDamped()
             ? "use integrator \"auto\", \"ode15s\" or \"ode15sR\", whose steps such a motion does"
                 + " not limit once it has died away"
-            : "hardly damped, it has to be followed by every method as long as it is excited: give"
-                + " it damping and use integrator \"auto\", lower the stiffness, or make the part"
-                + " rigid";
+            : "hardly damped, it has to be followed by every method as long as it is excited: end"
+                + " the run earlier, lower the stiffness, make the part rigid, or give it damping"
+                + " and use integrator \"auto\"";
     return new Finding(
         "N-019",
         String.format(
             Locale.ROOT,
-            "joint \"%s\" moves too fast for integrator %s: at the start it %s; to %s s the run will"
+            "joint \"%s\" moves too fast%s: at the start it %s; to %s s the run will"
                 + " take some %.0e steps; %s",
             motion.joint().name(),
-            settings.integrator(),
+            motion.isDamped() ? " for integrator " + settings.integrator() : "",
             motion.text(),
             ShortestDecimal.format(settings.tEnd()),
             steps(motion, settings),

@@ -5,10 +5,9 @@ import java.util.List;
 import org.mechservice.mechml.Diagnostic;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.Severity;
-import org.mechservice.sim.scene.BriefPush;
 import org.mechservice.sim.scene.Finding;
+import org.mechservice.sim.scene.RunForecast;
 import org.mechservice.sim.scene.SceneAnalysis;
-import org.mechservice.sim.scene.StiffnessForecast;
 import org.mechservice.solver.api.RunSettings;
 
 /** What is said of a model as soon as it is read, without waiting for a run to fail. */
@@ -24,8 +23,7 @@ final class SceneWarnings {
     RunSettings run = model.settings().run();
     List<Finding> findings =
         new ArrayList<>(SceneAnalysis.of(model.mechanism()).findingsAtStart(run.tStart()));
-    StiffnessForecast.of(model.mechanism(), run).ifPresent(findings::add);
-    BriefPush.of(model.mechanism(), run).ifPresent(findings::add);
+    findings.addAll(RunForecast.of(model.mechanism(), run));
     for (Finding finding : findings) {
       warnings.add(
           new Diagnostic(

@@ -16,6 +16,9 @@ import org.mechservice.solver.integration.Integrator;
 
 /** Says in the words of mechanics why a run could not go on. */
 final class FailureText {
+  /** Steps above this, s, are the smallest only where the time itself is huge. */
+  private static final double COARSE = 1e-9;
+
   private FailureText() {}
 
   /**
@@ -44,8 +47,10 @@ final class FailureText {
               "The error test fails at the smallest step the arithmetic can hold.",
               failure,
               state(model, failure.worstComponent()),
-              "The motion is singular or very stiff there; loosen the tolerances, or check the"
-                  + " values that act on this joint.");
+              failure.stepSize() > COARSE
+                  ? "Times this large lie too far apart for steps: begin the run near t = 0."
+                  : "The motion is singular or very stiff there; loosen the tolerances, or check"
+                      + " the values that act on this joint.");
       case TOLERANCE_TOO_TIGHT ->
           failure(
               "N-004",
@@ -146,16 +151,6 @@ final class FailureText {
         0,
         "",
         "Tighten the tolerances; the mechanism may branch there.");
-  }
-
-  /** Explains a prescribed position that jumps. */
-  static Failure motionJumps(double t, String joint) {
-    return atEvent(
-        "N-026",
-        "The position prescribed for a driven joint jumps, and no mechanism can follow.",
-        t,
-        joint,
-        "End the run before, or write a motion that takes time, such as smoothStep((t-1)/0.1).");
   }
 
   /** Explains an event that sets a state to what is no number. */

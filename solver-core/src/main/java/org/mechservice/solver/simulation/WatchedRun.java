@@ -101,7 +101,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
         Action action = actions[i];
         if (action == Action.BREAK) {
           latest = i;
-          fail(FailureText.motionJumps(t, part()));
+          fail(motionJumps(t, part()));
           return Reaction.STOP;
         }
         remember(i, t);
@@ -177,6 +177,18 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
       }
     }
     return false;
+  }
+
+  /** Explains a prescribed position that jumps. */
+  private static Failure motionJumps(double t, String joint) {
+    return new Failure(
+        "N-026",
+        "The position prescribed for a driven joint jumps, and no mechanism can follow.",
+        t,
+        0,
+        0,
+        joint,
+        "End the run before, or write a motion that takes time, such as smoothStep((t-1)/0.1).");
   }
 
   private boolean fail(Failure why) {

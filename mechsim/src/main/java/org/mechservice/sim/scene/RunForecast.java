@@ -1,0 +1,23 @@
+package org.mechservice.sim.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/** All that is said of a run before it begins. */
+public final class RunForecast {
+  private RunForecast() {}
+
+  /** Returns what will make it long, and what it may pass over. */
+  public static List<Finding> of(Mechanism mechanism, RunSettings settings) {
+    List<Finding> findings = new ArrayList<>();
+    // A spin is fast in the linearised equations too, where it looks like a stiff joint.
+    SpinForecast.of(mechanism, settings)
+        .or(() -> StiffnessForecast.of(mechanism, settings))
+        .ifPresent(findings::add);
+    BriefPush.of(mechanism, settings).ifPresent(findings::add);
+    findings.addAll(FormulaForecast.of(mechanism, settings));
+    return findings;
+  }
+}
