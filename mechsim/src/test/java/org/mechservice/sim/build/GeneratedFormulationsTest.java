@@ -229,8 +229,7 @@ class GeneratedFormulationsTest {
     for (int i = 0; i < count; i++) {
       bodies.add(new Body("b" + i, 1, new Vector3(1, 2, 3), inertia, Origin.NONE));
       Attachment ground =
-          new Attachment(
-              Mechanism.ROOT, new Vector3(i, 0, 0), i, Vector3.ZERO, Rotation.IDENTITY);
+          new Attachment(Mechanism.ROOT, new Vector3(i, 0, 0), i, Vector3.ZERO, Rotation.IDENTITY);
       Vector3 x = new Vector3(1, 0, 0);
       Vector3 y = new Vector3(0, 1, 0);
       JointStart u = JointStart.atZero(JointType.U);
