@@ -269,7 +269,7 @@ public final class ModelFactory {
     return !mechanism.parameters().isEmpty()
         || ModelClass.hasUserForces(mechanism)
         || !mechanism.events().isEmpty()
-        || !mechanism.timeJumps(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY).isEmpty();
+        || mechanism.mayJump();
   }
 
   private static Optional<ModelClass.ForceValues> forceValues(Links links, BuildOptions options) {
