@@ -23,6 +23,7 @@ import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.ModelPlan;
 import org.mechservice.sim.build.emit.TermsClass;
 import org.mechservice.sim.build.emit.TermsPlan;
+import org.mechservice.sim.build.emit.WrittenClass;
 import org.mechservice.sim.build.jar.Packing;
 import org.mechservice.sim.build.javac.ModelCompiler;
 import org.mechservice.sim.build.user.UserClasses;
@@ -42,6 +43,9 @@ import org.mechservice.solver.mechanism.Mechanism;
  * function of its arguments.
  */
 public final class ModelFactory {
+  /** Operations below which no class was ever too large; writing such a one twice takes long. */
+  private static final int SURELY_WRITTEN = 20_000;
+
   private ModelFactory() {}
 
   /**
@@ -182,9 +186,14 @@ public final class ModelFactory {
             PowerEquations.power(links),
             forceValues(links, options),
             notes(choice, derivative, residual, derivatives, leftOut));
+    ModelPlan plan = ModelPlan.of(written);
+    List<String> tooLarge = tooLarge(plan, derivative.operationCount());
+    if (!tooLarge.isEmpty()) {
+      return compact(model, options, choice, tooLarge);
+    }
     Set<ColumnGroup> further = DataColumns.of(model, options, !ModelClass.hasUserForces(mechanism));
     return new GeneratedModel(
-        ModelPlan.of(written),
+        plan,
         further.isEmpty() && !needsData(model.watchedMechanism())
             ? Optional.empty()
             : Optional.of(
@@ -198,6 +207,19 @@ public final class ModelFactory {
         choice.callingForcesOf(mechanism).reason(),
         derivative.operationCount(),
         leftOut);
+  }
+
+  /** Tries to write a large class: how many bodies fit depends on their joints and forces. */
+  private static List<String> tooLarge(WrittenClass written, int operations) {
+    if (operations < SURELY_WRITTEN) {
+      return List.of();
+    }
+    try {
+      written.classFile();
+      return List.of();
+    } catch (ModelBuildException e) {
+      return List.of("so large a scene (" + e.getMessage() + ")");
+    }
   }
 
   /** Derives y' of an open chain in a formulation. */
@@ -220,6 +242,10 @@ public final class ModelFactory {
       return compact(model, options, choice, noFaster);
     }
     TermsPlan written = TermsPlan.of(terms);
+    List<String> tooLarge = tooLarge(written, terms.equations().operationCount());
+    if (!tooLarge.isEmpty()) {
+      return compact(model, options, choice, tooLarge);
+    }
     Set<ColumnGroup> further = DataColumns.of(model, options, false);
     String derivatives =
         choice.formulation().equals("RR-JF") ? "; derivatives of the residual from data" : "";

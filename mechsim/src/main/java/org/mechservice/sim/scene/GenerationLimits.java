@@ -40,7 +40,8 @@ public final class GenerationLimits {
    * Returns what data evaluate no slower than code, if anything.
    *
    * @param formulation the equations are written in
-   * @param operations of the derivative of the state in this formulation; with loops, of their terms
+   * @param operations of the derivative of the state in this formulation; with loops, of their
+   *     terms
    */
   public static List<String> noFaster(String formulation, int operations) {
     return formulation.equals("DSR") && operations > MOST_OF_COMPOSITE_INERTIAS

@@ -1,5 +1,6 @@
 package org.mechservice.sim.build.emit;
 
+import org.mechservice.sim.scene.ModelBuildException;
 import org.objectweb.asm.ClassReader;
 
 /** Lengths of the methods of a class file, read from their Code attributes (JVMS §4.7.3). */
@@ -19,14 +20,19 @@ public final class MethodSizes {
   /**
    * Refuses a class that would run slowly.
    *
-   * @throws IllegalStateException if a method is so long that the virtual machine would never
+   * @throws ModelBuildException S-085 if a method is so long that the virtual machine would never
    *     compile it
    */
   public static void requireCompilable(byte[] classFile) {
     int longest = longest(classFile);
     if (longest >= LONGEST) {
-      throw new IllegalStateException(
-          "a generated method has " + longest + " bytes; the limit is " + LONGEST);
+      throw new ModelBuildException(
+          "S-085",
+          "a method of the generated class is too large ("
+              + longest
+              + " bytes, the limit is "
+              + LONGEST
+              + "); use fewer bodies");
     }
   }
 
