@@ -36,14 +36,11 @@ record FastestMotion(boolean swings, double modulus, double real, Joint joint) {
    * Finds it.
    *
    * @param settings of the run: its start
-   * @return empty if nothing can be said: of user forces, or where the equations
-   *     have no derivative
+   * @return empty if nothing can be said: of user forces, or where the equations have no derivative
    */
   static Optional<FastestMotion> of(Mechanism mechanism, RunSettings settings) {
     boolean user = mechanism.forces().stream().anyMatch(UserForceElement.class::isInstance);
-    if (user
-        || mechanism.velocityCount() == 0
-        || mechanism.velocityCount() > MOST_VELOCITIES) {
+    if (user || mechanism.velocityCount() == 0 || mechanism.velocityCount() > MOST_VELOCITIES) {
       return Optional.empty();
     }
     try {

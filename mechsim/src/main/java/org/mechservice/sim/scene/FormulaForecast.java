@@ -78,7 +78,9 @@ final class FormulaForecast {
           origin,
           String.format(
               Locale.ROOT,
-              "a formula in %s " + what + "; a run of %.3g s needs some %.0e steps to follow it,"
+              "a formula in %s "
+                  + what
+                  + "; a run of %.3g s needs some %.0e steps to follow it,"
                   + " whatever the integrator; leave out what is too fast to matter, or end the run"
                   + " earlier",
               part,

@@ -24,7 +24,8 @@ final class SpinForecast {
     for (int j = 0; j < mechanism.joints().size(); j++) {
       Joint joint = mechanism.joints().get(j);
       if (joint.type().hasEulerParameters() && !mechanism.isDriven(j)) {
-        double spin = spin(joint.type(), y, mechanism.positionCount() + mechanism.velocityOffset(j));
+        double spin =
+            spin(joint.type(), y, mechanism.positionCount() + mechanism.velocityOffset(j));
         double length = settings.tEnd() - settings.tStart();
         if (0.5 * spin * length >= MANY) {
           return Optional.of(finding(joint, spin, length));

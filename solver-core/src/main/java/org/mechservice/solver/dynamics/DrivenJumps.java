@@ -97,8 +97,7 @@ final class DrivenJumps {
 
     MotionJump nearest(double t) {
       int passed = passed(t);
-      boolean next =
-          passed == 0 || (passed < jumps.size() && jumps.get(passed).ahead() <= t);
+      boolean next = passed == 0 || (passed < jumps.size() && jumps.get(passed).ahead() <= t);
       return jumps.get(next ? passed : passed - 1);
     }
 

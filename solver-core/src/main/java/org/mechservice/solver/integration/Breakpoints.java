@@ -50,6 +50,11 @@ final class Breakpoints {
     return place;
   }
 
+  /** Returns which way time runs: 1 or -1. */
+  double direction() {
+    return direction;
+  }
+
   /** Returns the next place; infinite, in the direction of integration, if there is none. */
   double next() {
     return direction * ahead[next];

@@ -10,8 +10,8 @@ import org.mechservice.solver.integration.IntegratorSettings.Mode;
  * the errors of all such steps add up, and at the low orders of these methods they are hundreds,
  * with errors of one sign. Each may then have a hundredth of the tolerances, which costs about
  * twice the steps at order 5 (100^(1/6)) and brings back the two digits that an orbit or an
- * oscillation loses. Where the fastest motion is a decay, followed to its end, it takes its errors
- * with it, and nothing is held back.
+ * oscillation loses. Where the fastest motion is a decay, it takes its errors with it, and where it
+ * is a growth, it makes the first ones the largest: nothing is held back.
  *
  * <p>The published programs do not do so, and the tuned mode spares it.
  */
@@ -51,7 +51,7 @@ final class ErrorAllowance {
     if (full) {
       return 1;
     }
-    boolean resolved = Math.abs(h) * equations.fastestLastingMotion(h) < 1;
-    return resolved ? resolvedPart : 1;
+    boolean resolved = Math.abs(h) * equations.fastestMotion() < 1;
+    return resolved && !equations.fastestIsExponential() ? resolvedPart : 1;
   }
 }

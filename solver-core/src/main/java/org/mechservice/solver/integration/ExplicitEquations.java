@@ -110,6 +110,7 @@ final class ExplicitEquations extends StepEquations {
 
   private Attempt evaluateByDifferences(double t, double[] y) {
     function.t = t;
+    differencing.runTime(breakpoints().direction());
     Attempt attempt = differencing.evaluate(function, y, differencing.value(), jacobian.forming());
     notFiniteComponent = differencing.notFiniteComponent();
     return attempt;
@@ -208,10 +209,13 @@ final class ExplicitEquations extends StepEquations {
   }
 
   @Override
-  double fastestLastingMotion(double direction) {
-    return jacobian.decayIsFastest(direction)
-        ? Double.POSITIVE_INFINITY
-        : jacobian.spectralRadius();
+  double fastestMotion() {
+    return jacobian.spectralRadius();
+  }
+
+  @Override
+  boolean fastestIsExponential() {
+    return jacobian.fastestIsExponential();
   }
 
   @Override

@@ -47,6 +47,8 @@ final class JacobianDifferences {
   /** Where to move and how large the terms are that f is the sum of, length n. */
   private double[] direction = {};
 
+  private double timeDirection = 1;
+
   private double[] magnitude = {};
 
   /** Whether the shares are adapted: not as long as nothing is known of the terms' size. */
@@ -136,11 +138,17 @@ final class JacobianDifferences {
     adapting = true;
   }
 
+  /** Says which way time runs, 1 or -1, and with it where slopes lead. */
+  void runTime(double forthOrBack) {
+    timeDirection = forthOrBack;
+  }
+
   /**
    * Forms the Jacobian; after {@link Attempt#STOPPED} the next call goes on where this one stopped.
    *
    * @param x the point; not modified
-   * @param direction which way each component is about to move, by its sign; may be {@link #value}
+   * @param direction which way each component moves as time grows, by its sign; may be {@link
+   *     #value}
    * @param jacobian overwritten
    */
   Attempt evaluate(
@@ -236,7 +244,7 @@ final class JacobianDifferences {
   }
 
   private void move(int j, double[] x, int sign, double withShare) {
-    double way = direction[j] >= 0 ? sign : -sign;
+    double way = timeDirection * direction[j] >= 0 ? sign : -sign;
     double size = withShare * Math.max(Math.abs(x[j]), threshold[j]);
     moved[j] = x[j] + way * size;
     increment[j] = moved[j] - x[j];

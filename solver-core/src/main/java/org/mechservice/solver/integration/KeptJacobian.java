@@ -137,14 +137,12 @@ final class KeptJacobian {
   }
 
   /**
-   * Returns whether the fastest motion is a decay: the largest eigenvalue is real, alone in its
-   * size, and negative where time runs forward. The powers of the matrix then change nothing but
-   * the length and the sense of a vector.
-   *
-   * @param direction of time, positive or negative
+   * Returns whether the fastest motion is a decay or a growth: the largest eigenvalue is real and
+   * alone in its size. The powers of the matrix then change nothing but the length and the sense of
+   * a vector.
    */
-  boolean decayIsFastest(double direction) {
-    return spectralRadius() > 0 && (direction > 0 ? offTurned : offKept) < SAME_LINE;
+  boolean fastestIsExponential() {
+    return spectralRadius() > 0 && Math.min(offTurned, offKept) < SAME_LINE;
   }
 
   private double powerGrowth() {

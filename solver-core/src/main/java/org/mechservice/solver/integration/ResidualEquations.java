@@ -291,8 +291,13 @@ final class ResidualEquations extends StepEquations {
   }
 
   @Override
-  double fastestLastingMotion(double direction) {
+  double fastestMotion() {
     return Double.POSITIVE_INFINITY;
+  }
+
+  @Override
+  boolean fastestIsExponential() {
+    return false;
   }
 
   @Override

@@ -254,13 +254,13 @@ abstract class StepEquations {
   }
 
   /**
-   * Returns the rate of the fastest motion, the largest magnitude of an eigenvalue of ∂f/∂y as
-   * formed last, if errors made in it stay; infinite if it is a decay, in which they die out, or if
+   * Returns the largest magnitude of an eigenvalue of ∂f/∂y as formed last, estimated; infinite if
    * nothing is known of it.
-   *
-   * @param direction of time, positive or negative
    */
-  abstract double fastestLastingMotion(double direction);
+  abstract double fastestMotion();
+
+  /** Returns whether the fastest motion is a decay or a growth, not an oscillation. */
+  abstract boolean fastestIsExponential();
 
   /** Returns the rules by which steps are solved in a mode. */
   abstract IterationRules rules(Mode mode);

@@ -138,8 +138,7 @@ final class StepSize {
         return false;
       }
       // The error of order 1 grows with the square of the step.
-      double part = allowance.part(Math.copySign(passing, longest), equations);
-      double allowed = passing * Math.sqrt(part);
+      double allowed = passing * Math.sqrt(allowance.part(passing, equations));
       double usual = equations.cautious(allowed, Math.abs(tEnd - t0));
       double first = restarted ? firstStep.afterRestart(usual, slope, norm) : usual;
       chosen = Math.max(smallest, Math.min(longestFirst, first));

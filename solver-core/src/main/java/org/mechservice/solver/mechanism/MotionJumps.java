@@ -174,8 +174,7 @@ final class MotionJumps {
     MotionJump place = new MotionJump(joint.name(), joint.origin(), velocity, position, t, 0, 0);
     double before = curve.at(place.ahead(), position);
     double after = curve.at(place.behind(), position);
-    return new MotionJump(
-        joint.name(), joint.origin(), velocity, position, t, before, after);
+    return new MotionJump(joint.name(), joint.origin(), velocity, position, t, before, after);
   }
 
   /** A velocity that is not finite is told of where the accelerations are. */

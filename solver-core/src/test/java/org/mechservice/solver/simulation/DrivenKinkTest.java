@@ -155,7 +155,12 @@ class DrivenKinkTest {
   /** The impulse at the hinge gives the bar the angular velocity 3/2 Δv / L. */
   @ParameterizedTest
   @CsvSource({
-    "DTR, DE", "DTR, ode113", "DSR, ode113", "DTR, ode15s", "RR, ode15sR", "RR-JF, ode15sR"
+    "DTR, DE",
+    "DTR, ode113",
+    "DSR, ode113",
+    "DTR, ode15s",
+    "RR, ode15sR",
+    "RR-JF, ode15sR"
   })
   void barOnACartThatTurnsRoundGetsThreeHalvesOfTheJumpOverItsLength(
       String formulation, String integrator) throws IOException {
