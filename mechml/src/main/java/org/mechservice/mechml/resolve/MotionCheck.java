@@ -41,8 +41,7 @@ final class MotionCheck {
                 "the motion driven jumps at t = %s s, by %s in SI units, and no mechanism can"
                     + " follow",
                 number(jump.time()), number(jump.size()))
-            : Phrase.of(
-                "the motion driven has no finite value near t = %s s", number(jump.time()));
+            : Phrase.of("the motion driven has no finite value near t = %s s", number(jump.time()));
     return Phrase.of(
         "%s: %s; write a motion that takes time, as smoothStep((t-1)/0.1) does in place of"
             + " step(t-1)",
