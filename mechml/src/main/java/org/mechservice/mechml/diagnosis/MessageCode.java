@@ -52,6 +52,7 @@ public enum MessageCode {
   UNKNOWN_SIMULATION("M-064"),
   OUTPUT("M-065"),
   EVENT("M-066"),
+  MOTION_JUMPS("M-067"),
   FORCE_VALUE("M-070"),
   FORCE_ATTRIBUTE("M-071"),
   CLASS_NAME("M-072"),

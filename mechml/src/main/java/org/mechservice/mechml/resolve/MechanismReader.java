@@ -9,6 +9,7 @@ import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.document.Limits;
 import org.mechservice.mechml.unit.Quantity;
+import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -176,6 +177,11 @@ final class MechanismReader {
             closures,
             forces,
             parameters()));
+  }
+
+  /** Reports driven joints whose positions jump along a run of the mechanism. */
+  void checkMotions(Mechanism mechanism, RunSettings run) {
+    MotionCheck.of(links, mechanism.motionJumps(run.tStart(), run.tEnd()), diagnostics);
   }
 
   private List<ForceElement> forces() {

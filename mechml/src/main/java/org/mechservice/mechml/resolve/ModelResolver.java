@@ -55,13 +55,15 @@ public final class ModelResolver {
     List<SimulationSettings> settings = simulations.read(blocks);
     int chosen = simulations.choose(blocks, options.simulation());
     diagnostics.throwIfErrors();
+    reader.orElseThrow().checkMotions(mechanism.orElseThrow(), settings.get(chosen).run());
+    diagnostics.throwIfErrors();
     return new MechmlModel(
-        mechanism.orElseThrow(),
+        mechanism.get(),
         settings.get(chosen),
         settings,
         parameters.all(),
         outputs,
-        unused(reader.orElseThrow(), parameters, mechanism.get()),
+        unused(reader.get(), parameters, mechanism.get()),
         diagnostics.inFileOrder());
   }
 

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.sim.build.dynamics.ArticulatedBodyEquations;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.scene.BriefPush;
 import org.mechservice.sim.scene.Finding;
@@ -84,17 +83,28 @@ public record CheckReport(
             model.mechanism());
     List<String> notGenerated = GenerationLimits.notGenerated(model.watchedMechanism(), choice);
     if (!notGenerated.isEmpty()) {
-      String why = "none is generated yet for " + String.join(", ", notGenerated);
-      return new Generation(choice, 0, List.of(new Omission("code of its own", why)));
+      return data(choice, notGenerated);
     }
     Links links = Links.of(model.mechanism());
     Program derivative =
         model.mechanism().closures().isEmpty()
-            ? ArticulatedBodyEquations.derive(links)
+            ? ModelFactory.derivative(links, choice)
             : LoopTermsClass.derive(links, choice).equations();
+    List<String> noFaster =
+        GenerationLimits.noFaster(choice.formulation(), derivative.operationCount());
+    if (!noFaster.isEmpty()) {
+      return data(choice, noFaster);
+    }
     BuildOptions options = new BuildOptions(choice.formulation(), Set.of(), model.settings().run());
     return new Generation(
-        choice, derivative.operationCount(), LeftOut.of(model, scene, links, options, derivative));
+        choice.callingForcesOf(model.mechanism()),
+        derivative.operationCount(),
+        LeftOut.of(model, scene, links, options, derivative));
+  }
+
+  private static Generation data(FormulationChoice choice, List<String> notGenerated) {
+    String why = "none is generated yet for " + String.join(", ", notGenerated);
+    return new Generation(choice, 0, List.of(new Omission("code of its own", why)));
   }
 
   /** Returns what looks odd: what the file's reader noticed, then what the scene shows. */

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.build.dynamics.LoopCode;
+import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.TermsClass;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.symbolic.Program;
@@ -32,7 +33,7 @@ final class LoopTermsClass {
             : Optional.empty();
     return new TermsClass(
         mechanism.name(),
-        !mechanism.parameters().isEmpty(),
+        !mechanism.parameters().isEmpty() || ModelClass.hasUserForces(mechanism),
         links.positionCount() + links.velocityCount(),
         loops,
         equations,

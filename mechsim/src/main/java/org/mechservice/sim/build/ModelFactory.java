@@ -36,7 +36,6 @@ import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /**
  * The way from a mechanism to code: generate, compile, pack. Thread-safe; every step is a pure
@@ -148,10 +147,12 @@ public final class ModelFactory {
     Mechanism mechanism = model.mechanism();
     SceneAnalysis scene = SceneAnalysis.of(mechanism);
     Links links = Links.of(mechanism);
-    Program derivative =
-        choice.formulation().equals("DSR")
-            ? CompositeInertiaEquations.derive(links)
-            : ArticulatedBodyEquations.derive(links);
+    Program derivative = derivative(links, choice);
+    List<String> noFaster =
+        GenerationLimits.noFaster(choice.formulation(), derivative.operationCount());
+    if (!noFaster.isEmpty()) {
+      return compact(model, options, choice, noFaster);
+    }
     Optional<Program> residual =
         choice.formulation().startsWith("RR")
             ? Optional.of(ResidualEquations.derive(links))
@@ -194,9 +195,16 @@ public final class ModelFactory {
                     Optional.empty())),
         mechanism.name(),
         choice.formulation(),
-        choice.reason() + calledForces(mechanism),
+        choice.callingForcesOf(mechanism).reason(),
         derivative.operationCount(),
         leftOut);
+  }
+
+  /** Derives y' of an open chain in a formulation. */
+  static Program derivative(Links links, FormulationChoice choice) {
+    return choice.formulation().equals("DSR")
+        ? CompositeInertiaEquations.derive(links)
+        : ArticulatedBodyEquations.derive(links);
   }
 
   /** Code for the terms of the equations; their closure, and what is seldom wanted, from data. */
@@ -206,6 +214,11 @@ public final class ModelFactory {
     requireClosedLoops(mechanism, choice, options);
     Links links = Links.of(mechanism);
     TermsClass terms = LoopTermsClass.derive(links, choice);
+    List<String> noFaster =
+        GenerationLimits.noFaster(choice.formulation(), terms.equations().operationCount());
+    if (!noFaster.isEmpty()) {
+      return compact(model, options, choice, noFaster);
+    }
     TermsPlan written = TermsPlan.of(terms);
     Set<ColumnGroup> further = DataColumns.of(model, options, false);
     String derivatives =
@@ -220,19 +233,9 @@ public final class ModelFactory {
                 Optional.empty())),
         mechanism.name(),
         choice.formulation(),
-        choice.reason() + derivatives,
+        choice.because(derivatives).callingForcesOf(mechanism).reason(),
         terms.equations().operationCount(),
         LeftOut.of(model, SceneAnalysis.of(mechanism), links, options, terms.equations()));
-  }
-
-  /** Says which forces are classes of users: code calls them, it does not contain them. */
-  private static String calledForces(Mechanism mechanism) {
-    String names =
-        mechanism.forces().stream()
-            .filter(UserForceElement.class::isInstance)
-            .map(force -> "\"" + force.name() + "\"")
-            .collect(Collectors.joining(", "));
-    return names.isEmpty() ? "" : "; every evaluation calls the classes of forces " + names;
   }
 
   /** Parameters, user forces and what happens along a run are kept as data beside the code. */
@@ -240,7 +243,7 @@ public final class ModelFactory {
     return !mechanism.parameters().isEmpty()
         || ModelClass.hasUserForces(mechanism)
         || !mechanism.events().isEmpty()
-        || !mechanism.timeJumps(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY).isEmpty();
+        || mechanism.mayJump();
   }
 
   private static Optional<ModelClass.ForceValues> forceValues(Links links, BuildOptions options) {

@@ -10,6 +10,7 @@ import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /**
  * The formulation a scene's equations are written in, and how its loops are closed.
@@ -57,6 +58,18 @@ public record FormulationChoice(String formulation, String closure, String reaso
   /** Returns the same choice with more to say. */
   public FormulationChoice because(String more) {
     return new FormulationChoice(formulation, closure, reason + more);
+  }
+
+  /** Returns the same, saying which forces are classes of users: code calls, not contains, them. */
+  public FormulationChoice callingForcesOf(Mechanism mechanism) {
+    String names =
+        mechanism.forces().stream()
+            .filter(UserForceElement.class::isInstance)
+            .map(force -> "\"" + force.name() + "\"")
+            .collect(Collectors.joining(", "));
+    return names.isEmpty()
+        ? this
+        : because("; every evaluation calls the classes of forces " + names);
   }
 
   private static FormulationChoice open(

@@ -141,6 +141,10 @@ class CheckReportTest {
               q[1..7] v[1..6]  j2  F  1 1 1 1 m m m, rad/s rad/s rad/s m/s m/s m/s
             """,
             """
+            every evaluation calls the classes of forces "fBody", "fFpsSpringDamper"), \
+            1685 operations per evaluation
+            """,
+            """
             Forces besides gravity:
               fBody (class examples.fivepointsuspension.FpsFBody)
               fFpsSpringDamper (class examples.fivepointsuspension.FpsSpringDamper)

@@ -6,6 +6,7 @@ import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Objects;
 import java.util.Random;
 import java.util.stream.IntStream;
@@ -17,6 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.sim.build.dynamics.CompositeInertiaEquations;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.build.emit.MethodSizes;
@@ -158,10 +160,10 @@ class GeneratedFormulationsTest {
     return all;
   }
 
-  /** A row of its mass matrix takes more code than a method may have. */
+  /** As long as code is generated for: 26 234 operations in some 30 methods. */
   @Test
   void aLongChainHasShortMethodsAndTheBitsOfItsEquations() {
-    Mechanism chain = RandomTrees.tree(1, 60);
+    Mechanism chain = RandomTrees.tree(1, 40);
     GeneratedModel generated = generated("DSR", chain);
     byte[] file = Objects.requireNonNull(generated.classFiles().get(generated.className()));
     assertThat(MethodSizes.longest(file)).isLessThan(8000);
@@ -172,6 +174,32 @@ class GeneratedFormulationsTest {
     assertThat(model.derivative(TIME, y, actual)).isEqualTo(ExplicitModel.REGULAR);
     CompositeInertiaEquations.derive(Links.of(chain)).evaluate(TIME, y, expected);
     assertThat(actual).containsExactly(expected);
+  }
+
+  @Test
+  void compositeInertiasThatDataEvaluateAsFastAreLeftToThem() {
+    Mechanism chain = RandomTrees.ofAllJoints(1, 40);
+    GeneratedModel generated = ModelFactory.generate(Scenes.model(chain), options("DSR"));
+    assertThat(generated.formulationReason())
+        .contains("compact form")
+        .contains("DSR of more than 30000 operations (it has ");
+    Model model =
+        ModelFactory.compile(Scenes.model(chain), options("DSR"), generated).newInstance();
+    double[] y = RandomTrees.state(1, chain);
+    double[] actual = new double[y.length];
+    double[] expected = new double[y.length];
+    ((ExplicitModel) model).derivative(TIME, y, actual);
+    new SemiRecursiveModel(chain, Scenes.SETTINGS, UserForceSource.NONE)
+        .derivative(TIME, y, expected);
+    assertThat(actual).containsExactly(expected);
+    SimulationSettings settings = new SimulationSettings(Scenes.SETTINGS, "DSR");
+    assertThat(CheckReport.of(new MechmlModel(chain, settings, List.of())).text())
+        .contains("code of its own: none is generated yet for DSR of more than 30000 operations");
+  }
+
+  @Test
+  void aChainTooLongForCodeByCompositeInertiasIsGeneratedByArticulatedBodies() {
+    assertThat(generated("DTR", RandomTrees.ofAllJoints(1, 40)).operations()).isLessThan(30_000);
   }
 
   @Test

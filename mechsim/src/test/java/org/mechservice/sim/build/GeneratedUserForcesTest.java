@@ -94,7 +94,7 @@ class GeneratedUserForcesTest {
         m.joints(),
         m.motions(),
         m.startRoles(),
-        List.of(),
+        m.closures(),
         forces,
         m.parameters());
   }
@@ -111,11 +111,16 @@ class GeneratedUserForcesTest {
     return loaded(generated(formulation, mechanism), new TreeMap<>());
   }
 
-  static Model loaded(GeneratedModel generated, SortedMap<String, byte[]> instead) {
+  private static Model loaded(GeneratedModel generated, SortedMap<String, byte[]> instead) {
+    return loaded(generated, instead, GeneratedUserForcesTest.class.getClassLoader());
+  }
+
+  /** Returns an instance of generated classes, some replaced, with a loader of users' classes. */
+  static Model loaded(
+      GeneratedModel generated, SortedMap<String, byte[]> instead, ClassLoader users) {
     SortedMap<String, byte[]> files = new TreeMap<>(generated.classFiles());
     files.putAll(instead);
     try {
-      ClassLoader users = GeneratedUserForcesTest.class.getClassLoader();
       Class<?> type = new ModelClassLoader(files, users).loadClass(generated.className());
       return ModelSource.from(type.getConstructor().newInstance()).model();
     } catch (ReflectiveOperationException e) {

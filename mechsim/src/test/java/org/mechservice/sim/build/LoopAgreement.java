@@ -1,9 +1,12 @@
 package org.mechservice.sim.build;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.OptionalDouble;
 import java.util.Random;
+import java.util.TreeMap;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
@@ -82,32 +85,56 @@ record LoopAgreement(
   }
 
   static <T> T model(MechmlModel file, BuildOptions options, Class<T> type) {
+    return model(file, options, LoopAgreement.class.getClassLoader(), type);
+  }
+
+  private static <T> T model(
+      MechmlModel file, BuildOptions options, ClassLoader users, Class<T> type) {
     GeneratedModel generated = ModelFactory.generate(file, options);
     if (generated.formulationReason().contains("compact form") != options.compact()) {
       throw new IllegalStateException(generated.formulationReason());
     }
-    return type.cast(ModelFactory.compile(file, options, generated).newInstance());
+    return type.cast(GeneratedUserForcesTest.loaded(generated, new TreeMap<>(), users));
   }
 
   static LoopAgreement of(Mechanism mechanism) {
-    ResidualModel data = data(mechanism, "RR", "projection", ResidualModel.class);
-    ResidualModel code = code(mechanism, "RR", "projection", ResidualModel.class);
-    double[] closed = new double[data.description().stateCount()];
-    data.initialState(closed);
+    return of(mechanism, LoopAgreement.class.getClassLoader());
+  }
+
+  /** Compares the forms of a mechanism whose forces' classes a loader knows. */
+  static LoopAgreement of(Mechanism mechanism, ClassLoader users) {
+    Forms<ResidualModel> reduced =
+        Forms.of(mechanism, "RR", "projection", users, ResidualModel.class);
+    Forms<ExplicitModel> penalty =
+        Forms.of(mechanism, "DSR", "penalty", users, ExplicitModel.class);
+    Forms<ResidualModel> residual =
+        Forms.of(mechanism, "RR", "penalty", users, ResidualModel.class);
+    double[] closed = new double[reduced.data().description().stateCount()];
+    reduced.data().initialState(closed);
     double[] open = RandomTrees.state(3, mechanism);
     return new LoopAgreement(
-        accelerations(data, code, 0, closed),
-        residuals(data, code, 0, closed),
-        accelerations(
-            data(mechanism, "DSR", "penalty", ExplicitModel.class),
-            code(mechanism, "DSR", "penalty", ExplicitModel.class),
-            TIME,
-            open),
-        residuals(
-            data(mechanism, "RR", "penalty", ResidualModel.class),
-            code(mechanism, "RR", "penalty", ResidualModel.class),
-            TIME,
-            open));
+        accelerations(reduced.data(), reduced.code(), 0, closed),
+        residuals(reduced.data(), reduced.code(), 0, closed),
+        accelerations(penalty.data(), penalty.code(), TIME, open),
+        residuals(residual.data(), residual.code(), TIME, open));
+  }
+
+  /** Fails where a difference is beyond its bound. */
+  void assertWithinBounds() {
+    assertThat(projection.orElse(0)).isLessThanOrEqualTo(PROJECTION);
+    assertThat(reduced.orElse(0)).isLessThanOrEqualTo(REDUCED);
+    assertThat(penalty.orElse(0)).isLessThanOrEqualTo(PENALTY);
+    assertThat(residual.orElse(0)).isLessThanOrEqualTo(RESIDUAL);
+  }
+
+  private record Forms<T>(T data, T code) {
+    static <T> Forms<T> of(
+        Mechanism mechanism, String formulation, String closure, ClassLoader users, Class<T> type) {
+      MechmlModel file = Scenes.model(mechanism);
+      return new Forms<>(
+          model(file, options(formulation, closure, true), users, type),
+          model(file, options(formulation, closure, false), users, type));
+    }
   }
 
   private static OptionalDouble accelerations(

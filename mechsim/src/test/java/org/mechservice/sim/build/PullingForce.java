@@ -51,7 +51,8 @@ public final class PullingForce implements UserForce {
     loads.addForce(c, r[0] + w[1], u[1] * u[2], p[0]);
     loads.addTorque(b, r[3] * w[0], r[7], w[2] * p[0]);
     loads.addTorque(c, u[0], p[1] * r[1], s);
-    for (int coordinate : coordinates) {
+    for (int i = 0; i < coordinates.size(); i++) {
+      int coordinate = coordinates.get(i);
       loads.addJointForce(coordinate, s - 0.3 * state.rate(coordinate));
     }
     loads.setValue(0, u[0]);

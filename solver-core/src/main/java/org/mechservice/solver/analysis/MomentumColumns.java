@@ -124,9 +124,9 @@ final class MomentumColumns implements ColumnValues, MomentumBalance {
   }
 
   @Override
-  public void jump(double t, double[] before, double[] after) {
+  public void jump(double tBefore, double[] before, double t, double[] after) {
     jumpTime = t;
-    addMomentum(t, before, -1);
+    addMomentum(tBefore, before, -1);
     addMomentum(t, after, 1);
   }
 

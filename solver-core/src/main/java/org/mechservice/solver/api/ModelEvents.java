@@ -7,7 +7,16 @@ import java.util.List;
  * where its equations jump at known times. Workspace of one run and thread.
  */
 public interface ModelEvents {
-  /** Returns the events, in file order. */
+  /**
+   * Begins a run: looks for what happens at known times.
+   *
+   * @param from begin of the run, s
+   * @param to its end, s
+   * @return the times at which the equations jump
+   */
+  List<Double> begin(double from, double to);
+
+  /** Returns the events, in file order, then the jumps of prescribed motions in the run begun. */
   List<Kind> kinds();
 
   /**
@@ -32,12 +41,22 @@ public interface ModelEvents {
   boolean changes(int event, int component);
 
   /**
-   * Returns the times at which the equations jump.
-   *
-   * @param from first time of interest, s
-   * @param to last one, s
+   * Returns where to evaluate instead of at {@code t}, which may be the very time at which a motion
+   * jumps: before it until {@link #goOn}, then behind it.
    */
-  List<Double> jumps(double from, double to);
+  double beside(double t);
+
+  /** Notes that the run goes on from events at a time. */
+  void goOn(double t);
+
+  /**
+   * Returns the first time behind the events that have occurred.
+   *
+   * @param occurred one truth value per event; not modified
+   * @param t time at which they were found, s
+   * @return {@code t} for events of the state
+   */
+  double after(boolean[] occurred, double t);
 
   /** Which passages through zero count. */
   enum Direction {
@@ -56,13 +75,17 @@ public interface ModelEvents {
     /** The instant becomes a row of the results. */
     RECORD,
     /** Coordinates take new values; the run goes on from there. */
-    SET
+    SET,
+    /** The velocity of a driven joint jumps; others take their part of the impulse. */
+    IMPULSE,
+    /** The position of a driven joint jumps; the run ends there as failed. */
+    BREAK
   }
 
   /**
    * An event.
    *
-   * @param name name in the model file
+   * @param name name in the model file, of the event or of the driven joint
    * @param direction which passages count
    * @param action what happens
    */

@@ -24,10 +24,12 @@ public interface MomentumBalance extends ModelState {
   /**
    * Takes an event that has set the state for an impulse.
    *
-   * @param before state before it; not modified
-   * @param after state after it, loops closed; not modified
+   * @param tBefore last time before it, s
+   * @param before state then; not modified
+   * @param t first time after it, s
+   * @param after state then, loops closed; not modified
    */
-  void jump(double t, double[] before, double[] after);
+  void jump(double tBefore, double[] before, double t, double[] after);
 
   /**
    * Returns whether the drift at the last row is above a part of the scale so far, or no number.

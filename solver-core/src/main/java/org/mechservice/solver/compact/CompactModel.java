@@ -139,7 +139,6 @@ public record CompactModel(
   }
 
   private boolean somethingHappens() {
-    return !mechanism.events().isEmpty()
-        || !mechanism.timeJumps(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY).isEmpty();
+    return !mechanism.events().isEmpty() || mechanism.mayJump();
   }
 }

@@ -2,6 +2,7 @@ package org.mechservice.solver.dynamics;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.mechservice.solver.api.ModelEvents;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.force.ExpressionInputs;
@@ -10,6 +11,7 @@ import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.MotionJump;
 import org.mechservice.solver.mechanism.StateChange;
 import org.mechservice.solver.spatial.EulerParameters;
 
@@ -23,6 +25,8 @@ public final class StateEvents implements ModelEvents {
   private final ExpressionInputs triggers;
   private final List<Assignment> assignments = new ArrayList<>();
   private final ExpressionInputs values;
+  private final int ownCount;
+  private Optional<DrivenJumps> driven = Optional.empty();
 
   /**
    * Prepares the events of a mechanism.
@@ -43,6 +47,7 @@ public final class StateEvents implements ModelEvents {
         assign(i, v, change.velocities());
       }
     }
+    ownCount = events.size();
     values = new ExpressionInputs(motion, assignments.stream().map(Assignment::value).toList());
   }
 
@@ -57,7 +62,9 @@ public final class StateEvents implements ModelEvents {
 
   @Override
   public List<Kind> kinds() {
-    return kinds;
+    List<Kind> all = new ArrayList<>(kinds);
+    driven.ifPresent(jumps -> all.addAll(jumps.kinds()));
+    return all;
   }
 
   @Override
@@ -65,13 +72,19 @@ public final class StateEvents implements ModelEvents {
     motion.sweep(t, y);
     triggers.evaluate(t);
     triggers.accepted();
-    for (int i = 0; i < g.length; i++) {
+    for (int i = 0; i < ownCount; i++) {
       g[i] = triggers.value(i);
+    }
+    if (driven.isPresent()) {
+      driven.get().values(t, g, ownCount);
     }
   }
 
   @Override
   public void change(boolean[] occurred, double t, double[] y) {
+    if (driven.isPresent()) {
+      driven.get().change(occurred, ownCount, t, y);
+    }
     motion.sweep(t, y);
     values.evaluate(t);
     values.accepted();
@@ -103,7 +116,31 @@ public final class StateEvents implements ModelEvents {
   }
 
   @Override
-  public List<Double> jumps(double from, double to) {
-    return mechanism.timeJumps(from, to);
+  public double beside(double t) {
+    return driven.isPresent() ? driven.get().beside(t) : t;
+  }
+
+  @Override
+  public void goOn(double t) {
+    driven.ifPresent(jumps -> jumps.goOn(t));
+  }
+
+  @Override
+  public double after(boolean[] occurred, double t) {
+    return driven.isPresent() ? driven.get().after(occurred, ownCount, t) : t;
+  }
+
+  @Override
+  public List<Double> begin(double from, double to) {
+    List<MotionJump> jumps = mechanism.motionJumps(from, to);
+    driven = jumps.isEmpty() ? Optional.empty() : Optional.of(new DrivenJumps(motion, jumps));
+    List<Double> times = new ArrayList<>();
+    for (double time : mechanism.timeJumps(from, to)) {
+      if (beside(time) == time) {
+        times.add(time);
+      }
+    }
+    jumps.forEach(jump -> times.add(jump.time()));
+    return times;
   }
 }

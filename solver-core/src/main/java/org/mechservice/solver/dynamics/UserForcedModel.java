@@ -31,18 +31,10 @@ public class UserForcedModel
   }
 
   /**
-   * Returns what generated code is constructed with: the values of the parameters, and room for the
-   * loads of user forces.
-   */
-  public static double[] inputs(Mechanism mechanism) {
-    return UserLoads.inputs(mechanism);
-  }
-
-  /**
    * Puts the user's forces to generated code.
    *
    * @param generated of the same mechanism, constructed with {@code inputs}
-   * @param inputs what {@link #inputs} returned
+   * @param inputs what {@link UserLoads#inputs} returned
    * @param userForces makes the forces
    * @return a model of the same formulation
    * @throws IllegalArgumentException if a user force cannot be made, or asks for what is not there

@@ -19,7 +19,7 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
  * velocity. The forces read a motion that is swept here; what else acts is in the generated code.
  * Workspace of one run and thread.
  */
-final class UserLoads {
+public final class UserLoads {
   private final TreeMotion motion;
   private final TreeLoads loads;
   private final WorldMotion world;
@@ -32,7 +32,7 @@ final class UserLoads {
    *     evaluation
    * @throws IllegalArgumentException if a user force cannot be made, or asks for what is not there
    */
-  UserLoads(Mechanism mechanism, UserForceSource source, double[] inputs) {
+  public UserLoads(Mechanism mechanism, UserForceSource source, double[] inputs) {
     motion = new TreeMotion(new TreeGeometry(withUserForcesAlone(mechanism)));
     loads = new TreeLoads(motion, source);
     world = new WorldMotion(motion);
@@ -56,8 +56,11 @@ final class UserLoads {
         m.parameters());
   }
 
-  /** Returns the parameters of a mechanism, SI units, with room for loads behind them. */
-  static double[] inputs(Mechanism mechanism) {
+  /**
+   * Returns what generated code is constructed with: the parameters of a mechanism, SI units, with
+   * room for loads behind them.
+   */
+  public static double[] inputs(Mechanism mechanism) {
     TreeGeometry tree = new TreeGeometry(mechanism);
     List<Parameter> parameters = mechanism.parameters();
     double[] inputs = new double[parameters.size() + 6 * tree.linkCount + tree.velocityCount];
@@ -73,7 +76,7 @@ final class UserLoads {
    * @param y state; not modified
    * @return {@link ExplicitModel#REGULAR}, or {@link Defects#DEFECT}: see {@link #defect}
    */
-  int evaluate(double t, double[] y) {
+  public int evaluate(double t, double[] y) {
     motion.sweep(t, y);
     if (loads.evaluate(t) != ForceSet.REGULAR) {
       defect = Optional.of(loads.forces().defect());

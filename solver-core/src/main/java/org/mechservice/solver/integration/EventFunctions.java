@@ -41,6 +41,9 @@ public interface EventFunctions {
    */
   Reaction occurred(double t, double[] y, boolean[] occurred);
 
+  /** Notes that the integration goes on from a place at which the reaction was a restart. */
+  default void restarting(double t) {}
+
   /** Changes of sign. */
   enum Direction {
     /** From negative to positive. */

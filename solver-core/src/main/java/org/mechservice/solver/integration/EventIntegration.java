@@ -141,6 +141,7 @@ public final class EventIntegration implements ResidualIntegrator {
       throw new IllegalStateException("nothing to integrate: the end is reached, or it failed");
     }
     if (restartDue) {
+      functions.restarting(time);
       StepResult result = integrator.restart(time, restarted, FIRST_STEP * accumulation.distance());
       if (result == StepResult.STOPPED) {
         return result;

@@ -3,9 +3,6 @@ package org.mechservice.solver.integration;
 import java.util.Arrays;
 import org.mechservice.solver.integration.IntegrationFailure.Cause;
 import org.mechservice.solver.integration.IntegratorSettings.Mode;
-import org.mechservice.solver.linear.BandLayout;
-import org.mechservice.solver.linear.BandLu;
-import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
 
 /**
@@ -16,8 +13,9 @@ import org.mechservice.solver.linear.LinearSolver;
  * </pre>
  *
  * <p>J = ∂f/∂y comes from the problem if it is a {@link JacobianSystem}, else from differences; a
- * {@link BandedSystem} spares the zeros outside of its band. For a {@link CompletedSystem} it is
- * the derivative along completed states.
+ * {@link BandedSystem} spares the zeros outside of its band, a {@link SparseSystem} evaluations for
+ * columns that share no row. For a {@link CompletedSystem} it is the derivative along completed
+ * states.
  */
 final class ExplicitEquations extends StepEquations {
   private static final double SQRT_ROUNDOFF = Math.sqrt(Math.ulp(1.0));
@@ -40,18 +38,16 @@ final class ExplicitEquations extends StepEquations {
   ExplicitEquations(RightHandSide rightHandSide, double[] smallSizes) {
     super(new Manifold(rightHandSide.system()));
     this.rightHandSide = rightHandSide;
-    LinearSolver solver = solverFor(rightHandSide.system());
+    LinearSolver solver = IterationMatrix.solverFor(rightHandSide.system(), smallSizes.length);
     jacobian = new KeptJacobian(solver.layout());
-    differencing = new JacobianDifferences(solver.layout(), smallSizes, manifold());
+    differencing =
+        new JacobianDifferences(
+            solver.layout(),
+            ColumnGroups.of(rightHandSide.system(), solver.layout()),
+            smallSizes,
+            manifold());
     matrix = new IterationMatrix(solver, manifold());
     derivative = new double[smallSizes.length];
-  }
-
-  private static LinearSolver solverFor(OdeSystem system) {
-    int n = system.dimension();
-    return system instanceof BandedSystem banded
-        ? new BandLu(new BandLayout(n, banded.lowerBandwidth(), banded.upperBandwidth()))
-        : new DenseLu(n);
   }
 
   @Override

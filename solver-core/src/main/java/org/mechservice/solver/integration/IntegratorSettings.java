@@ -246,12 +246,13 @@ public record IntegratorSettings(
 
   /** Carries over what decides the steps; refuses other settings than those saved. */
   void transfer(StateTransfer state) {
+    // First, as a mode decides the tolerances inside: they would be told apart instead.
+    state.require("mode", mode);
     state.require("relative tolerance", relativeTolerance);
     state.require("list of absolute tolerances", absoluteTolerance);
     state.require("largest step", maxStep);
     state.require("first step", initialStep);
     state.require("highest order", maxOrder);
-    state.require("mode", mode);
   }
 
   /** Returns the highest order to use by a method that knows the given one. */

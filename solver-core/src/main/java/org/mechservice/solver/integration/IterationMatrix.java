@@ -1,5 +1,8 @@
 package org.mechservice.solver.integration;
 
+import org.mechservice.solver.linear.BandLayout;
+import org.mechservice.solver.linear.BandLu;
+import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.linear.MatrixLayout;
 
@@ -27,6 +30,19 @@ final class IterationMatrix {
     this.layout = solver.layout();
     this.manifold = manifold;
     matrix = new double[layout.length()];
+  }
+
+  /**
+   * Returns a solver for what a problem declares its matrix to be.
+   *
+   * @param system the problem, asked for its band
+   * @param dimension n
+   * @throws IllegalArgumentException if the band is wider than the matrix
+   */
+  static LinearSolver solverFor(Object system, int dimension) {
+    return system instanceof BandedSystem banded
+        ? new BandLu(new BandLayout(dimension, banded.lowerBandwidth(), banded.upperBandwidth()))
+        : new DenseLu(dimension);
   }
 
   /** Factors I − hγ J; returns whether it is regular. */

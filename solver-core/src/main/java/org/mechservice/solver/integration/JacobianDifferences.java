@@ -5,7 +5,8 @@ import org.mechservice.solver.linear.MatrixLayout;
 
 /**
  * The derivatives ∂f/∂x of a vector function by one-sided differences, one evaluation per column,
- * or per group of columns of a band that share no row. Columns of passive components are left zero.
+ * or per group of columns that share no row ({@link ColumnGroups}). Columns of passive components
+ * are left zero.
  *
  * <p>Column j is differenced over δ_j = share_j max(|x_j|, threshold_j), in the direction in which
  * x_j is about to move. The share starts at the root of the round-off and is adapted from one
@@ -30,6 +31,7 @@ final class JacobianDifferences {
   private static final double ADAPTATION = 10;
 
   private final MatrixLayout layout;
+  private final ColumnGroups groups;
   private final Manifold manifold;
   private final double[] threshold;
 
@@ -68,8 +70,9 @@ final class JacobianDifferences {
    *
    * @param threshold size below which a component is negligible; kept, not modified
    */
-  JacobianDifferences(MatrixLayout layout, double[] threshold, Manifold manifold) {
-    this(layout, threshold, manifold, FIRST_SHARE);
+  JacobianDifferences(
+      MatrixLayout layout, ColumnGroups groups, double[] threshold, Manifold manifold) {
+    this(layout, groups, threshold, manifold, FIRST_SHARE);
     magnitude = new double[layout.dimension()];
     adapting = true;
   }
@@ -81,9 +84,14 @@ final class JacobianDifferences {
    * @param firstShare share of a component to begin with
    */
   JacobianDifferences(
-      MatrixLayout layout, double[] threshold, Manifold manifold, double firstShare) {
+      MatrixLayout layout,
+      ColumnGroups groups,
+      double[] threshold,
+      Manifold manifold,
+      double firstShare) {
     int n = layout.dimension();
     this.layout = layout;
+    this.groups = groups;
     this.manifold = manifold;
     this.threshold = threshold;
     share = new double[n];
@@ -158,8 +166,7 @@ final class JacobianDifferences {
       baseKnown = true;
     }
     System.arraycopy(x, 0, moved, 0, moved.length);
-    int groups = Math.min(layout.columnDistance(), layout.dimension());
-    for (; group < groups; group++) {
+    for (; group < groups.count(); group++) {
       Attempt attempt =
           differenced(group) ? differenceGroup(function, x, jacobian) : clearGroup(jacobian);
       if (attempt != Attempt.PASSED) {
@@ -171,7 +178,7 @@ final class JacobianDifferences {
 
   /** Returns whether the group has a column to be differenced. */
   private boolean differenced(int group) {
-    for (int j = group; j < share.length; j += layout.columnDistance()) {
+    for (int j = groups.first(group); j >= 0; j = groups.next(j)) {
       if (manifold.independent(j)) {
         return true;
       }
@@ -180,7 +187,7 @@ final class JacobianDifferences {
   }
 
   private Attempt clearGroup(double[] jacobian) {
-    for (int j = group; j < share.length; j += layout.columnDistance()) {
+    for (int j = groups.first(group); j >= 0; j = groups.next(j)) {
       clearColumn(j, jacobian);
     }
     return Attempt.PASSED;
@@ -206,7 +213,7 @@ final class JacobianDifferences {
         return Attempt.NOT_FINITE;
       }
     }
-    for (int j = group; j < share.length; j += layout.columnDistance()) {
+    for (int j = groups.first(group); j >= 0; j = groups.next(j)) {
       moved[j] = x[j];
       if (manifold.independent(j)) {
         double change = writeColumn(j, jacobian);
@@ -221,7 +228,7 @@ final class JacobianDifferences {
 
   /** Moves the columns of the group; after a stop the same way again. */
   private void moveGroup(double[] x, int sign) {
-    for (int j = group; j < share.length; j += layout.columnDistance()) {
+    for (int j = groups.first(group); j >= 0; j = groups.next(j)) {
       if (manifold.independent(j)) {
         move(j, x, sign, share[j]);
       }
@@ -243,7 +250,7 @@ final class JacobianDifferences {
   private double writeColumn(int j, double[] jacobian) {
     double largest = 0;
     for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
-      double change = movedValue[i] - base[i];
+      double change = groups.couples(i, j) ? movedValue[i] - base[i] : 0;
       jacobian[layout.index(i, j)] = change / increment[j];
       largest = Math.max(largest, Math.abs(change));
     }
@@ -271,14 +278,15 @@ final class JacobianDifferences {
 
   private int rowOf(double change, int j) {
     int row = layout.firstRow(j);
-    while (row < layout.lastRow(j) && Math.abs(movedValue[row] - base[row]) != change) {
+    while (row < layout.lastRow(j)
+        && !(groups.couples(row, j) && Math.abs(movedValue[row] - base[row]) == change)) {
       row++;
     }
     return row;
   }
 
   private Attempt repeatLost(DifferencedFunction function, double[] x, double[] jacobian) {
-    for (int j = group; j < share.length; j += layout.columnDistance()) {
+    for (int j = groups.first(group); j >= 0; j = groups.next(j)) {
       double larger = Math.min(Math.sqrt(share[j]), LARGEST_SHARE);
       if (!lost[j] || larger == share[j]) {
         continue;

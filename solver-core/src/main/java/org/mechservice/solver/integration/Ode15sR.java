@@ -9,7 +9,9 @@ package org.mechservice.solver.integration;
  * kept until an iteration fails with them, so that a change of step or order costs a factorisation
  * of hγ ∂F/∂y + ∂F/∂y' alone. They come from the problem if it is a {@link ResidualJacobianSystem}
  * or, with all linear algebra, if it is a {@link LinearisedSystem}, else from differences: 2n + 1
- * evaluations of F.
+ * evaluations of F, or n + 1 where only their sum is renewed. For a {@link BandedSystem} n is to be
+ * read as the number of its diagonals, and factors and solutions cost in proportion to the number
+ * of components; for a {@link SparseSystem} as the number of groups of columns that share no row.
  *
  * <p>A problem starts from consistent values: y'_d and y_a are corrected until F(t0, y0, y'0) = 0,
  * the differential part y_d staying as given. The first step is a tenth of what ode15s would take,

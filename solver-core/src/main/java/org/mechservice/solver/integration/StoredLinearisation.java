@@ -1,13 +1,15 @@
 package org.mechservice.solver.integration;
 
-import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.EquilibratedSolver;
 import org.mechservice.solver.linear.LinearSolver;
+import org.mechservice.solver.linear.MatrixLayout;
 
 /**
  * ∂F/∂y and ∂F/∂y' stored apart, so that a change of hγ costs a factorisation but no derivatives.
  * They come from the problem if it is a {@link ResidualJacobianSystem}, else from differences of F
- * in y' and in y. Rows are equilibrated before they are factored.
+ * in y' and in y; a {@link BandedSystem} spares the zeros outside of its band, a {@link
+ * SparseSystem} evaluations for columns that share no row. Rows are equilibrated before they are
+ * factored.
  *
  * <p>Later differences are taken along the step instead: moving y by δ moves y' by δ / hγ, which
  * gives hγ ∂F/∂y + ∂F/∂y' as a whole for half the evaluations. ∂F/∂y' stays as it was, and ∂F/∂y
@@ -54,6 +56,7 @@ final class StoredLinearisation implements ResidualLinearisation {
 
   /**
    * @param smallSizes size below which a component is negligible; kept, not modified
+   * @throws IllegalArgumentException if the problem's band is wider than its matrix
    */
   StoredLinearisation(ResidualSystem system, Residual residual, double[] smallSizes) {
     int n = smallSizes.length;
@@ -62,13 +65,15 @@ final class StoredLinearisation implements ResidualLinearisation {
     this.smallSizes = smallSizes;
     smallSlopes = smallSizes.clone();
     Manifold manifold = residual.manifold();
-    LinearSolver solver = new EquilibratedSolver(new DenseLu(n));
-    fy = new KeptJacobian(solver.layout());
-    fyDot = new KeptJacobian(solver.layout());
-    inState = new JacobianDifferences(solver.layout(), smallSizes, manifold, SHARE_OF_STATE);
+    LinearSolver solver = new EquilibratedSolver(IterationMatrix.solverFor(system, n));
+    MatrixLayout layout = solver.layout();
+    ColumnGroups groups = ColumnGroups.of(system, layout);
+    fy = new KeptJacobian(layout);
+    fyDot = new KeptJacobian(layout);
+    inState = new JacobianDifferences(layout, groups, smallSizes, manifold, SHARE_OF_STATE);
     inDerivative =
-        new JacobianDifferences(solver.layout(), smallSlopes, manifold, SHARE_OF_DERIVATIVE);
-    inStep = new JacobianDifferences(solver.layout(), smallSizes, manifold, SHARE_OF_STATE);
+        new JacobianDifferences(layout, groups, smallSlopes, manifold, SHARE_OF_DERIVATIVE);
+    inStep = new JacobianDifferences(layout, groups, smallSizes, manifold, SHARE_OF_STATE);
     alongStep = new AlongStep(n);
     matrix = new IterationMatrix(solver, manifold);
     magnitude = new double[n];

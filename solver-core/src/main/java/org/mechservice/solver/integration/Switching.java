@@ -34,6 +34,11 @@ public final class Switching implements Integrator {
   private final StiffPhase stiffPhase = new StiffPhase();
   private final MethodChanges changes = new MethodChanges();
 
+  private final double rootOfTolerance;
+
+  /** Of both methods. */
+  private final StepBounds bounds = new StepsToEnd();
+
   private OdeSystem system = RightHandSide.none().system();
   private double tEnd;
 
@@ -62,6 +67,7 @@ public final class Switching implements Integrator {
    * @throws IllegalArgumentException if a setting is out of range
    */
   public Switching(IntegratorSettings settings) {
+    rootOfTolerance = Math.sqrt(settings.relativeTolerance());
     adams = new Ode113(settings, progress);
     backward = new Ode15s(settings, progress);
   }
@@ -133,7 +139,16 @@ public final class Switching implements Integrator {
 
   private boolean backwardCostsMore() {
     stiffPhase.record(progress.time(), backward.evaluations());
-    return stiffPhase.costsMoreThanAdams(backward.fastestRate());
+    return stiffPhase.costsMoreThanAdams(backward.fastestRate()) && roomToBegin();
+  }
+
+  /**
+   * Returns whether a method can begin here: at order 1 it takes steps that are shorter, by about
+   * the root of the tolerance, and t has to tell them apart.
+   */
+  private boolean roomToBegin() {
+    double begun = Math.abs(progress.stepSize()) * rootOfTolerance;
+    return begun > bounds.smallest(progress.time());
   }
 
   /** Hands the problem over where the last step ended. */

@@ -69,7 +69,8 @@
  * the steps of ode113 at six digits, six times at nine, each with more work besides f. It needs
  * ∂f/∂y: tell it by {@link org.mechservice.solver.integration.JacobianSystem} or leave it to
  * differences; with many unknowns in a line say so by {@link
- * org.mechservice.solver.integration.BandedSystem}. Fast oscillations that are hardly damped hold
+ * org.mechservice.solver.integration.BandedSystem}, with many that know few others by {@link
+ * org.mechservice.solver.integration.SparseSystem}. Fast oscillations that are hardly damped hold
  * it up. If neither method is known to suit, let {@link
  * org.mechservice.solver.integration.Switching} find out.
  *
@@ -106,7 +107,8 @@
  * both parts are kept. Components whose derivative does not appear in F, such as multipliers, are
  * found with the others but are in no test: they only have to be finite. Such a system starts from
  * values that obey its equations; the derivatives and the algebraic components are corrected until
- * they do, the rest stays as given.
+ * they do, the rest stays as given. What was said of bands and patterns holds here, too, for both
+ * parts of the matrix.
  *
  * <h2>Events, jumps, manifolds</h2>
  *

@@ -300,6 +300,25 @@ public final class Mechanism {
     return TimeJumps.of(this, from, to);
   }
 
+  /**
+   * Returns the times at which the position or the velocity of a driven joint jumps, in order.
+   *
+   * @param from first time of interest, s; what happens there is left out
+   * @param to last one, s
+   */
+  public List<MotionJump> motionJumps(double from, double to) {
+    return MotionJumps.of(this, from, to);
+  }
+
+  /**
+   * Returns whether something may happen along a run at times that formulas know: a jump of the
+   * equations, or of the motion of a driven joint.
+   */
+  public boolean mayJump() {
+    return MotionJumps.possible(this)
+        || !timeJumps(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY).isEmpty();
+  }
+
   /** Returns the same mechanism with other events along its simulation. */
   public Mechanism withEvents(List<Event> other) {
     return new Mechanism(this, parameters, other);

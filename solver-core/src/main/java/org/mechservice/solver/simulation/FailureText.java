@@ -148,6 +148,16 @@ final class FailureText {
         "Tighten the tolerances; the mechanism may branch there.");
   }
 
+  /** Explains a prescribed position that jumps. */
+  static Failure motionJumps(double t, String joint) {
+    return atEvent(
+        "N-026",
+        "The position prescribed for a driven joint jumps, and no mechanism can follow.",
+        t,
+        joint,
+        "End the run before, or write a motion that takes time, such as smoothStep((t-1)/0.1).");
+  }
+
   /** Explains an event that sets a state to what is no number. */
   static Failure eventNotFinite(double t, String event, String state) {
     return atEvent(

@@ -8,6 +8,9 @@ interface LoopCompletion extends CompletedSystem {
   /** Returns what the model knows. */
   DependentStates loops();
 
+  /** Returns where to evaluate instead of at {@code t}. */
+  double beside(double t);
+
   @Override
   default boolean independent(int component) {
     return loops().independent(component);
@@ -15,11 +18,11 @@ interface LoopCompletion extends CompletedSystem {
 
   @Override
   default boolean complete(double t, double[] y) {
-    return loops().complete(t, y);
+    return loops().complete(beside(t), y);
   }
 
   @Override
   default boolean accepted(double t, double[] y) {
-    return loops().accepted(t, y);
+    return loops().accepted(beside(t), y);
   }
 }

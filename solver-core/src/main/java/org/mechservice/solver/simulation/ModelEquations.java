@@ -34,6 +34,7 @@ public abstract class ModelEquations implements UnitGroups, PiecewiseSystem, Sav
   private final int[] groupStarts;
   private final boolean[] angle;
   private List<Double> breakpoints = List.of();
+  private RunEvents events = new RunEvents();
   private int result = ExplicitModel.REGULAR;
 
   ModelEquations(ExplicitModel model, int dimension) {
@@ -121,9 +122,9 @@ public abstract class ModelEquations implements UnitGroups, PiecewiseSystem, Sav
    */
   final boolean closeLoops(double t, double[] y) {
     if (model instanceof DependentStates loops) {
-      return loops.complete(t, y);
+      return loops.complete(beside(t), y);
     }
-    return !(model instanceof ProjectedStates loops) || loops.project(t, y);
+    return !(model instanceof ProjectedStates loops) || loops.project(beside(t), y);
   }
 
   /**
@@ -135,6 +136,16 @@ public abstract class ModelEquations implements UnitGroups, PiecewiseSystem, Sav
    */
   final boolean closeLoopsAfterJump(double t, double[] y, boolean[] set) {
     return model instanceof StateJumps loops ? loops.jump(t, y, set) : closeLoops(t, y);
+  }
+
+  /** Takes what happens along the run. */
+  final void follow(RunEvents along) {
+    events = along;
+  }
+
+  /** Returns where to evaluate instead of at {@code t}, at which a prescribed motion may jump. */
+  public final double beside(double t) {
+    return events.beside(t);
   }
 
   /** Takes the times at which the equations jump. */

@@ -107,7 +107,7 @@ public final class ResidualForm implements EquationForm {
 
     @Override
     public boolean project(double t, double[] y) {
-      return loops.project(t, y);
+      return loops.project(beside(t), y);
     }
 
     @Override

@@ -58,7 +58,8 @@ final class RowWriter {
   /**
    * Puts out the row of one state.
    *
-   * @param t time, s
+   * @param time what the row says, s
+   * @param t time to evaluate at: the same, but for jumps of a prescribed motion
    * @param y state, which multipliers may follow; not modified
    * @param work of what has no potential energy, J
    * @param turnover what of it was put in and what was taken out, added up, J
@@ -66,8 +67,8 @@ final class RowWriter {
    *     then not put out
    * @throws IOException if the sink cannot keep the row
    */
-  int write(double t, double[] y, double work, double turnover) throws IOException {
-    row[0] = t;
+  int write(double time, double t, double[] y, double work, double turnover) throws IOException {
+    row[0] = time;
     System.arraycopy(y, 0, row, 1, yDot.length);
     unitOutput.normalize(t, row, 1);
     if (layout.accelerations() != RowLayout.ABSENT) {

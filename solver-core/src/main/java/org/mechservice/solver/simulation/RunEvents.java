@@ -31,6 +31,11 @@ public class RunEvents {
     return 0;
   }
 
+  /** Returns where to evaluate instead of at {@code t}, at which a prescribed motion may jump. */
+  double beside(double t) {
+    return t;
+  }
+
   /** Takes the balance of momentum, which is told what changes of the state do to it. */
   void tell(MomentumBalance momentum) {}
 

@@ -231,7 +231,8 @@ public final class Simulation implements Solver {
       if (strict && notes.firstWarning().isPresent()) {
         return warned(notes.firstWarning().get());
       }
-      int badColumn = rows.write(outputTimes.time(nextRow), y, 0, 0);
+      double first = outputTimes.time(nextRow);
+      int badColumn = rows.write(first, first, y, 0, 0);
       if (badColumn != RowWriter.ALL_FINITE) {
         return rowFailed(outputTimes.time(nextRow), badColumn);
       }
@@ -317,7 +318,7 @@ public final class Simulation implements Solver {
         if (!equations.closeLoops(t, y) || !work.advance(t)) {
           return LOOPS_OPEN;
         }
-        int badColumn = rows.write(t, y, work.work(), work.turnover());
+        int badColumn = rows.write(t, equations.beside(t), y, work.work(), work.turnover());
         if (badColumn != RowWriter.ALL_FINITE) {
           return badColumn;
         }

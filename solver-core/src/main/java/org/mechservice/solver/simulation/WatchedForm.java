@@ -22,7 +22,7 @@ public record WatchedForm(EquationForm equations) implements EquationForm {
     ModelEvents events =
         WatchedModel.eventsOf(model)
             .orElseThrow(() -> new IllegalArgumentException("nothing happens to the model"));
-    of.breakAt(events.jumps(settings.tStart(), settings.tEnd()));
+    of.breakAt(events.begin(settings.tStart(), settings.tEnd()));
     return events.kinds().isEmpty() ? new RunEvents() : new WatchedRun(events, of);
   }
 }

@@ -31,6 +31,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   private final ModelEvents events;
   private final ModelEquations equations;
   private final String[] names;
+  private final Action[] actions;
   private final double[] wanted;
   private final boolean[] set;
   private final double[] energy = new double[2];
@@ -46,7 +47,9 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   WatchedRun(ModelEvents events, ModelEquations equations) {
     this.events = events;
     this.equations = equations;
+    equations.follow(this);
     names = events.kinds().stream().map(ModelEvents.Kind::name).toArray(String[]::new);
+    actions = events.kinds().stream().map(ModelEvents.Kind::action).toArray(Action[]::new);
     wanted = new double[equations.dimension()];
     set = new boolean[wanted.length];
   }
@@ -95,11 +98,16 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     boolean records = false;
     for (int i = 0; i < occurred.length; i++) {
       if (occurred[i]) {
+        Action action = actions[i];
+        if (action == Action.BREAK) {
+          latest = i;
+          fail(FailureText.motionJumps(t, part()));
+          return Reaction.STOP;
+        }
         remember(i, t);
-        Action action = events.kinds().get(i).action();
-        sets |= action == Action.SET;
+        sets |= action == Action.SET || action == Action.IMPULSE;
         stops |= action == Action.STOP;
-        records |= action != Action.SET;
+        records |= action == Action.STOP || action == Action.RECORD;
       }
     }
     if (records) {
@@ -121,20 +129,22 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
 
   /** Changes the state and closes loops again; returns false if that cannot be done. */
   private boolean change(double t, double[] y, boolean[] occurred) {
-    double before = energy(t, y);
+    double tBefore = events.beside(t);
+    double tAfter = events.after(occurred, t);
+    double before = energy(tBefore, y);
     double[] from = momentum.isPresent() ? y.clone() : y;
-    events.change(occurred, t, y);
+    events.change(occurred, tAfter, y);
     for (int l = 0; l < y.length; l++) {
       if (!Double.isFinite(y[l])) {
         return fail(FailureText.eventNotFinite(t, part(), equations.name(l)));
       }
     }
     System.arraycopy(y, 0, wanted, 0, y.length);
-    double open = energy(t, y);
+    double open = energy(tAfter, y);
     for (int l = 0; l < y.length; l++) {
       set[l] = isSet(l, occurred);
     }
-    if (!equations.closeLoopsAfterJump(t, y, set)) {
+    if (!equations.closeLoopsAfterJump(tAfter, y, set)) {
       return fail(FailureText.eventOpensLoops(t, part(), equations.obstacle()));
     }
     for (int l = 0; l < y.length; l++) {
@@ -144,8 +154,8 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
             FailureText.eventContradictsLoops(t, part(), equations.name(l), y[l], wanted[l]));
       }
     }
-    momentum.ifPresent(balance -> balance.jump(t, from, y));
-    double after = energy(t, y);
+    momentum.ifPresent(balance -> balance.jump(tBefore, from, tAfter, y));
+    double after = energy(tAfter, y);
     work += after - before;
     tellEnergy(after - before, Arrays.equals(y, wanted) ? Double.NaN : after - open);
     return true;
@@ -182,6 +192,16 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   }
 
   @Override
+  double beside(double t) {
+    return events.beside(t);
+  }
+
+  @Override
+  public void restarting(double t) {
+    events.goOn(t);
+  }
+
+  @Override
   double dueRow() {
     return dueRows.isEmpty() ? Double.POSITIVE_INFINITY : dueRows.get(0);
   }
@@ -211,15 +231,19 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   @Override
   String part() {
     int event = notFinite >= 0 ? notFinite : latest;
-    return event < 0 ? "" : "event \"" + names[event] + "\"";
+    return event < 0 ? "" : (isMotion(event) ? "joint" : "event") + " \"" + names[event] + "\"";
+  }
+
+  private boolean isMotion(int event) {
+    return actions[event] == Action.IMPULSE || actions[event] == Action.BREAK;
   }
 
   @Override
   List<Note> notes() {
     List<Note> notes = new ArrayList<>();
     for (Occurrence one : told) {
-      String text = "Event \"" + names[one.event()] + "\"" + what(one.event()) + energy(one) + ".";
-      notes.add(new Note("N-012", one.time(), false, text));
+      String code = isMotion(one.event()) ? "N-027" : "N-012";
+      notes.add(new Note(code, one.time(), false, what(one.event()) + energy(one) + "."));
     }
     if (count > told.size()) {
       Occurrence last = told.get(told.size() - 1);
@@ -230,10 +254,14 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   }
 
   private String what(int event) {
-    return switch (events.kinds().get(event).action()) {
-      case STOP -> " ends the run";
-      case RECORD -> " is recorded";
-      case SET -> " changes the state";
+    String name = "\"" + names[event] + "\"";
+    return switch (actions[event]) {
+      case STOP -> "Event " + name + " ends the run";
+      case RECORD -> "Event " + name + " is recorded";
+      case SET -> "Event " + name + " changes the state";
+      case IMPULSE ->
+          "The velocity of driven joint " + name + " jumps, and the others take the impulse";
+      case BREAK -> "The position of driven joint " + name + " jumps";
     };
   }
 

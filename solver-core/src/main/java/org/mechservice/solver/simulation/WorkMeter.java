@@ -17,6 +17,10 @@ final class WorkMeter {
   private static final double[] POINTS = {-1, -1 / Math.sqrt(5), 1 / Math.sqrt(5), 1};
 
   private static final double[] WEIGHTS = {1.0 / 6, 5.0 / 6, 5.0 / 6, 1.0 / 6};
+
+  /** Rounding units within which a jump of prescribed motions lies. */
+  private static final double BESIDE_JUMPS = 8;
+
   private static final PowerInput NOTHING = (t, y) -> 0;
 
   private final ModelEquations equations;
@@ -56,8 +60,13 @@ final class WorkMeter {
     }
     double half = 0.5 * (t - reached);
     double middle = reached + half;
+    // At a jump itself the equations may have either value.
+    double inset = equations.breakpoints().isEmpty() ? 0 : BESIDE_JUMPS * Math.ulp(t);
     for (int i = 0; i < POINTS.length; i++) {
-      double at = i == 0 ? reached : i == POINTS.length - 1 ? t : middle + half * POINTS[i];
+      double at = middle + half * POINTS[i];
+      if (i == 0 || i == POINTS.length - 1) {
+        at = i == 0 ? Math.min(middle, reached + inset) : Math.max(middle, t - inset);
+      }
       integrator.interpolate(at, y, yDot);
       if (!equations.closeLoops(at, y)) {
         return false;

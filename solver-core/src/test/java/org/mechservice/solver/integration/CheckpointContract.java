@@ -10,7 +10,9 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.integration.IntegratorSettings.Mode;
 import org.mechservice.solver.integration.suite.Kepler;
 import org.mechservice.solver.integration.suite.SuiteProblem;
 import org.mechservice.solver.integration.suite.VanDerPol;
@@ -236,6 +238,15 @@ abstract class CheckpointContract {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> create(1e-7).resume(new Kepler(), saved()))
         .withMessage("the relative tolerance is 1.0E-7, but that of the saved state is 1.0E-6");
+  }
+
+  @ParameterizedTest
+  @EnumSource(value = Mode.class, names = "STANDARD", mode = EnumSource.Mode.EXCLUDE)
+  void otherModeIsRefusedByName(Mode mode) {
+    Integrator other = create(new IntegratorSettings(1e-6, 1e-6).withMode(mode));
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> other.resume(new Kepler(), saved()))
+        .withMessage("the mode is " + mode + ", but that of the saved state is STANDARD");
   }
 
   @Test

@@ -4,8 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.integration.IntegrationFailure.Cause;
 
 /**
  * Problems of the literature that are not in the suite, judged by a run at a much smaller
@@ -179,5 +182,58 @@ class FurtherProblemsTest {
         assertThat(digits(problem, run.atEnd(), reference)).as(which).isGreaterThan(k - 3);
       }
     }
+  }
+
+  /** Van der Pol with mu = 1e6 in its own time scale: two jumps that last 1e-12 of the time. */
+  private static final Ode SHARP =
+      new Ode(
+          2,
+          (t, y, d) -> {
+            d[0] = y[1];
+            d[1] = ((1 - y[0] * y[0]) * y[1] - y[0]) * 1e12;
+          });
+
+  private static final double[] SHARP_START = {2, -2.0 / 3};
+
+  /**
+   * By collocation of orders 9 and 13, with time counted anew before each jump; 14 digits agree.
+   */
+  private static final double[] SHARP_AT_2 = {1.70554621753508, -0.893476362546847};
+
+  private static double sharpDigits(double[] y) {
+    double worst = 0;
+    for (int i = 0; i < 2; i++) {
+      worst = Math.max(worst, Math.abs(y[i] - SHARP_AT_2[i]) / (1 + Math.abs(SHARP_AT_2[i])));
+    }
+    return -StrictMath.log10(worst);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {4, 5, 6, 7, 8, 9, 10, 11, 12, 13})
+  void jumpsHardlyLongerThanTheUnitsOfTimeAreFollowedOrRefused(int k) {
+    double tolerance = StrictMath.pow(10, -k);
+    IntegratorSettings settings = new IntegratorSettings(tolerance, tolerance);
+    for (Integrator integrator : List.of(new Ode15s(settings), new Switching(settings))) {
+      Run run = Run.of(integrator, SHARP, 0, SHARP_START, 2);
+      if (k <= 10) {
+        assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+        // As far as with jumps of any length: no floor.
+        assertThat(sharpDigits(run.atEnd())).isGreaterThan(k - 1.5);
+      } else {
+        assertThat(run.result()).isEqualTo(StepResult.FAILED);
+        assertThat(integrator.failure().cause()).isEqualTo(Cause.STEP_TOO_SMALL);
+      }
+    }
+  }
+
+  @Test
+  void sharpJumpsKeepAllDigitsWithTimeCountedAnewBeforeEach() {
+    double[] cuts = {0, 0.8068528427, 0.8068528429, 1.6137056967, 1.6137056974, 2};
+    double[] y = SHARP_START;
+    for (int i = 1; i < cuts.length; i++) {
+      Ode15s integrator = new Ode15s(new IntegratorSettings(1e-13, 1e-13));
+      y = Run.of(integrator, SHARP, 0, y, cuts[i] - cuts[i - 1]).atEnd();
+    }
+    assertThat(sharpDigits(y)).isGreaterThan(11);
   }
 }

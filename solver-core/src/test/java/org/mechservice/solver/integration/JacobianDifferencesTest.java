@@ -21,7 +21,8 @@ class JacobianDifferencesTest {
 
   private static JacobianDifferences differences(MatrixLayout layout, double[] threshold) {
     OdeSystem any = new Ode(threshold.length, (t, y, yDot) -> {});
-    return new JacobianDifferences(layout, threshold, new Manifold(any));
+    ColumnGroups groups = ColumnGroups.of(any, layout);
+    return new JacobianDifferences(layout, groups, threshold, new Manifold(any));
   }
 
   private static DifferencedFunction at0(OdeSystem ode) {
@@ -91,9 +92,11 @@ class JacobianDifferencesTest {
           value[0] = 1e8 * x[0] - 1e8;
           return true;
         };
-    Manifold manifold = new Manifold(new Ode(1, (t, y, yDot) -> {}));
+    OdeSystem any = new Ode(1, (t, y, yDot) -> {});
+    MatrixLayout layout = new DenseLayout(1);
     JacobianDifferences differences =
-        new JacobianDifferences(new DenseLayout(1), new double[] {1}, manifold, 1e-8);
+        new JacobianDifferences(
+            layout, ColumnGroups.of(any, layout), new double[] {1}, new Manifold(any), 1e-8);
     double[] derivative = new double[1];
     for (int i = 0; i < 10; i++) {
       form(differences, balance, new double[] {1}, derivative);

@@ -207,6 +207,36 @@ class Ode15sTest extends IntegratorContract {
         .isEqualTo(dense.statistics().evaluations() - 35 * jacobians);
   }
 
+  /** The Brusselator: each species diffuses, and reacts with the other at its own point. */
+  private record Patterned(SuiteProblem problem) implements SuiteProblem, SparseSystem {
+    @Override
+    public Reference reference() {
+      return problem.reference();
+    }
+
+    @Override
+    public void derivative(double t, double[] y, double[] yDot) {
+      problem.derivative(t, y, yDot);
+    }
+
+    @Override
+    public boolean couples(int equation, int component) {
+      return Math.abs(equation - component) == 2 || equation / 2 == component / 2;
+    }
+  }
+
+  @Test
+  void patternTakesTheSameStepsWithFewerEvaluations() {
+    SuiteProblem full = new Brusselator();
+    Run dense = Run.of(create(Run.settings(full, 1e-6)), full);
+    Run sparse = Run.of(create(Run.settings(full, 1e-6)), new Patterned(full));
+    long jacobians = dense.statistics().jacobians();
+    assertThat(sparse.atEnd()).isEqualTo(dense.atEnd());
+    // 4 groups of columns, one fewer than as a band.
+    assertThat(sparse.statistics().evaluations())
+        .isEqualTo(dense.statistics().evaluations() - 36 * jacobians);
+  }
+
   @Test
   void bandWiderThanTheMatrixIsRefused() {
     SuiteProblem tooWide = new Banded(new DetestA3(), 1, 0);

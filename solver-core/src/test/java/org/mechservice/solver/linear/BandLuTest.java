@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** A band as wide as the matrix does what every solver does; a narrow one the same as a dense. */
 class BandLuTest extends LuFactorsContract {
   @Override
-  LinearSolver create(int n) {
+  protected LinearSolver create(int n) {
     int all = Math.max(0, n - 1);
     return new BandLu(new BandLayout(n, all, all));
   }

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 
 class DenseLuTest extends LuFactorsContract {
   @Override
-  LinearSolver create(int n) {
+  protected LinearSolver create(int n) {
     return new DenseLu(n);
   }
 

@@ -13,8 +13,8 @@ import org.mechservice.solver.spatial.Vector3;
 
 /**
  * What forces written as classes do: inputs behind the parameters of the model, in the order of
- * {@link org.mechservice.solver.dynamics.UserForcedModel}. Which bodies and joints they act on is
- * known only where the classes are loaded, so there is an input for every one.
+ * {@link org.mechservice.solver.dynamics.UserLoads}. Which bodies and joints they act on is known
+ * only where the classes are loaded, so there is an input for every one.
  */
 final class GivenLoads {
   private final Expressions expressions;

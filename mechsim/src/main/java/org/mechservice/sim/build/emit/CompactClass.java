@@ -7,9 +7,11 @@ import org.mechservice.solver.analysis.ExtendedSource;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.closure.LoopTerms;
+import org.mechservice.solver.closure.UserForcedTerms;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.compact.CompactSource;
 import org.mechservice.solver.dynamics.UserForcedModel;
+import org.mechservice.solver.dynamics.UserLoads;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.objectweb.asm.ClassWriter;
@@ -70,7 +72,8 @@ public record CompactClass(
       source.line("import " + CompactModel.class.getName() + ";");
       source.line("import " + UserForceSource.class.getName() + ";");
       if (hasUserForces()) {
-        source.line("import " + UserForcedModel.class.getName() + ";");
+        source.line("import " + forced().getName() + ";");
+        source.line("import " + UserLoads.class.getName() + ";");
       }
     }
     source.blank();
@@ -89,18 +92,17 @@ public record CompactClass(
     if (!generated.isEmpty()) {
       source.line("@Override");
       source.open("protected Object bare(CompactModel data, UserForceSource userForces)");
-      String given = hasParameters() ? "data.parameterValues()" : "";
-      if (hasLoops()) {
-        source.line("return data.model(userForces, new " + generated + "(" + given + "));");
-      } else if (hasUserForces()) {
-        source.line("double[] p = UserForcedModel.inputs(data.mechanism());");
-        source.line(
-            "return data.watched(UserForcedModel.of(new "
+      String code = "new " + generated + "(" + (hasParameters() ? "data.parameterValues())" : ")");
+      if (hasUserForces()) {
+        source.line("double[] p = UserLoads.inputs(data.mechanism());");
+        code =
+            forced().getSimpleName()
+                + ".of(new "
                 + generated
-                + "(p), p, data.mechanism(), userForces));");
-      } else {
-        source.line("return data.watched(new " + generated + "(" + given + "));");
+                + "(p), p, data.mechanism(), userForces)";
       }
+      String made = hasLoops() ? "data.model(userForces, " : "data.watched(";
+      source.line("return " + made + code + ");");
       source.close().blank();
     }
     source.line("@Override").open("protected String[] texts()");
@@ -156,6 +158,11 @@ public record CompactClass(
     return ModelClass.hasUserForces(model.mechanism());
   }
 
+  /** Returns what calls forces that users have written before the code. */
+  private Class<?> forced() {
+    return hasLoops() ? UserForcedTerms.class : UserForcedModel.class;
+  }
+
   private boolean hasParameters() {
     return !model.mechanism().parameters().isEmpty();
   }
@@ -178,37 +185,38 @@ public record CompactClass(
     MethodVisitor code = ClassMethods.begin(file, Opcodes.ACC_PROTECTED, "bare", BARE);
     String data = Type.getInternalName(CompactModel.class);
     String model = Type.getDescriptor(Model.class);
+    code.visitVarInsn(Opcodes.ALOAD, 1);
     if (hasLoops()) {
-      code.visitVarInsn(Opcodes.ALOAD, 1);
       code.visitVarInsn(Opcodes.ALOAD, 2);
-      unforced(code, data);
-      String given =
-          Type.getDescriptor(UserForceSource.class) + Type.getDescriptor(LoopTerms.class);
-      code.visitMethodInsn(Opcodes.INVOKEVIRTUAL, data, "model", "(" + given + ")" + model, false);
-      ClassMethods.end(code, Opcodes.ARETURN);
-      return;
     }
     if (hasUserForces()) {
       forced(code, data);
     } else {
-      code.visitVarInsn(Opcodes.ALOAD, 1);
       unforced(code, data);
     }
-    code.visitMethodInsn(Opcodes.INVOKEVIRTUAL, data, "watched", "(" + model + ")" + model, false);
+    String given =
+        hasLoops()
+            ? Type.getDescriptor(UserForceSource.class) + Type.getDescriptor(LoopTerms.class)
+            : model;
+    code.visitMethodInsn(
+        Opcodes.INVOKEVIRTUAL,
+        data,
+        hasLoops() ? "model" : "watched",
+        "(" + given + ")" + model,
+        false);
     ClassMethods.end(code, Opcodes.ARETURN);
   }
 
-  /** Pushes the generated model with the forces that users have written, below it the data. */
+  /** Pushes what was generated with the forces that users have written, above what is there. */
   private void forced(MethodVisitor code, String data) {
     String mechanism = Type.getDescriptor(Mechanism.class);
-    String forced = Type.getInternalName(UserForcedModel.class);
-    String explicit = Type.getDescriptor(ExplicitModel.class);
+    String inputs = Type.getInternalName(UserLoads.class);
+    String coded = Type.getDescriptor(hasLoops() ? LoopTerms.class : ExplicitModel.class);
     String source = Type.getDescriptor(UserForceSource.class);
     code.visitVarInsn(Opcodes.ALOAD, 1);
     code.visitMethodInsn(Opcodes.INVOKEVIRTUAL, data, "mechanism", "()" + mechanism, false);
-    code.visitMethodInsn(Opcodes.INVOKESTATIC, forced, "inputs", "(" + mechanism + ")[D", false);
+    code.visitMethodInsn(Opcodes.INVOKESTATIC, inputs, "inputs", "(" + mechanism + ")[D", false);
     code.visitVarInsn(Opcodes.ASTORE, 3);
-    code.visitVarInsn(Opcodes.ALOAD, 1);
     code.visitTypeInsn(Opcodes.NEW, internal(generated));
     code.visitInsn(Opcodes.DUP);
     code.visitVarInsn(Opcodes.ALOAD, 3);
@@ -219,9 +227,9 @@ public record CompactClass(
     code.visitVarInsn(Opcodes.ALOAD, 2);
     code.visitMethodInsn(
         Opcodes.INVOKESTATIC,
-        forced,
+        Type.getInternalName(forced()),
         "of",
-        "(" + explicit + "[D" + mechanism + source + ")" + explicit,
+        "(" + coded + "[D" + mechanism + source + ")" + coded,
         false);
   }
 

@@ -9,7 +9,7 @@ import org.mechservice.sim.symbolic.Program;
  * org.mechservice.solver.closure.LoopTerms}).
  *
  * @param modelName the model's name in its file
- * @param hasParameters whether the class is given the values of parameters
+ * @param hasInputs whether the class is given the values of parameters or loads of user forces
  * @param stateCount number of states [q; v]
  * @param loops program of the method of that name
  * @param equations program of the method of that name
@@ -18,7 +18,7 @@ import org.mechservice.sim.symbolic.Program;
  */
 public record TermsClass(
     String modelName,
-    boolean hasParameters,
+    boolean hasInputs,
     int stateCount,
     Program loops,
     Program equations,

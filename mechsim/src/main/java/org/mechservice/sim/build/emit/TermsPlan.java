@@ -83,7 +83,7 @@ public final class TermsPlan implements WrittenClass {
     if (slots > 0) {
       source.line("private final double[] w = new double[" + slots + "];");
     }
-    if (content.hasParameters()) {
+    if (content.hasInputs()) {
       source.line("private final double[] p;");
       source.blank().open("public " + simpleName() + "(double[] p)");
       source.line("this.p = p;").close();
@@ -127,7 +127,7 @@ public final class TermsPlan implements WrittenClass {
   }
 
   private void constructor(ClassWriter file, String name) {
-    String given = content.hasParameters() ? "([D)V" : "()V";
+    String given = content.hasInputs() ? "([D)V" : "()V";
     MethodVisitor code = ClassMethods.beginPublic(file, "<init>", given);
     code.visitVarInsn(Opcodes.ALOAD, 0);
     code.visitMethodInsn(Opcodes.INVOKESPECIAL, "java/lang/Object", "<init>", "()V", false);
@@ -138,7 +138,7 @@ public final class TermsPlan implements WrittenClass {
       code.visitIntInsn(Opcodes.NEWARRAY, Opcodes.T_DOUBLE);
       code.visitFieldInsn(Opcodes.PUTFIELD, name, Parameters.WORKSPACE, "[D");
     }
-    if (content.hasParameters()) {
+    if (content.hasInputs()) {
       String parameters = Head.MODEL_PARAMETERS.name();
       field(file, parameters);
       code.visitVarInsn(Opcodes.ALOAD, 0);

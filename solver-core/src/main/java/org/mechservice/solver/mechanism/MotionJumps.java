@@ -1,0 +1,243 @@
+package org.mechservice.solver.mechanism;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Expression.Call;
+import org.mechservice.solver.expression.Expression.Constant;
+import org.mechservice.solver.expression.Expression.Negation;
+import org.mechservice.solver.expression.Expression.ParameterValue;
+import org.mechservice.solver.expression.Expression.Power;
+import org.mechservice.solver.expression.Expression.Product;
+import org.mechservice.solver.expression.Expression.Quotient;
+import org.mechservice.solver.expression.Expression.Sum;
+import org.mechservice.solver.expression.Expression.Time;
+import org.mechservice.solver.expression.Tape;
+import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
+
+/**
+ * Finds where prescribed coordinates and their velocities jump: a function is evaluated at many
+ * times, closely around those at which its formula is known to change, and a stretch over which it
+ * changes is halved towards the greater change until nothing is left of that, or no number lies
+ * between. Two jumps within a two-thousandth of the interval that take each other back, at times
+ * that do not follow from the formula, may go unnoticed.
+ */
+final class MotionJumps {
+  private static final int SAMPLES = 2000;
+
+  /** Half the stretch looked at around a known time, relative to the interval. */
+  private static final double NEAR = 1e-9;
+
+  /** A change that is none, relative to the largest value: rounding in long formulas. */
+  private static final double NOTHING = 1e-9;
+
+  private final Mechanism mechanism;
+  private final double near;
+  private final TreeSet<Double> grid = new TreeSet<>();
+  private final List<MotionJump> found = new ArrayList<>();
+
+  private MotionJumps(Mechanism mechanism, double from, double to) {
+    this.mechanism = mechanism;
+    near = NEAR * (to - from);
+    // What happens at the very start belongs to the start.
+    double begin = from + near;
+    for (int i = 0; i <= SAMPLES; i++) {
+      grid.add(i == SAMPLES ? to : begin + (to - begin) * i / SAMPLES);
+    }
+    for (double time : TimeJumps.of(mechanism, from, to)) {
+      if (time > begin) {
+        grid.add(Math.max(begin, time - near));
+        grid.add(Math.min(to, time + near));
+      }
+    }
+  }
+
+  /** Returns the jumps in an interval, in order of time. */
+  static List<MotionJump> of(Mechanism mechanism, double from, double to) {
+    if (!(to > from) || !possible(mechanism)) {
+      return List.of();
+    }
+    MotionJumps jumps = new MotionJumps(mechanism, from, to);
+    jumps.search();
+    return jumps.found.stream().sorted(Comparator.comparingDouble(MotionJump::time)).toList();
+  }
+
+  /** Returns whether a formula of a prescribed motion leaves that open. */
+  static boolean possible(Mechanism mechanism) {
+    Stream<Expression> inTree = mechanism.motions().stream().flatMap(m -> m.coordinates().stream());
+    Stream<Expression> cut =
+        mechanism.closures().stream().flatMap(closure -> motion(closure).stream());
+    return Stream.concat(inTree, cut).anyMatch(formula -> !isSmooth(formula));
+  }
+
+  private static List<Expression> motion(LoopClosure closure) {
+    return closure instanceof JointClosure joint ? joint.motion() : List.of();
+  }
+
+  /** Whether a formula surely has a velocity that does not jump. */
+  private static boolean isSmooth(Expression formula) {
+    if (formula instanceof Sum sum) {
+      return isSmooth(sum.left()) && isSmooth(sum.right());
+    } else if (formula instanceof Product product) {
+      return isSmooth(product.left()) && isSmooth(product.right());
+    } else if (formula instanceof Negation negation) {
+      return isSmooth(negation.operand());
+    } else if (formula instanceof Quotient quotient) {
+      return isSmooth(quotient.dividend()) && isFixed(quotient.divisor());
+    } else if (formula instanceof Power power) {
+      return isSmooth(power.base())
+          && power.exponent() instanceof Constant n
+          && n.value() >= 1
+          && n.value() == Math.rint(n.value());
+    } else if (formula instanceof Call call) {
+      return switch (call.function()) {
+        case SIN, COS, EXP, ATAN, SINH, COSH, TANH, SMOOTH_STEP ->
+            isSmooth(call.arguments().get(0));
+        default -> call.arguments().stream().allMatch(MotionJumps::isFixed);
+      };
+    }
+    return formula instanceof Time || isFixed(formula);
+  }
+
+  private static boolean isFixed(Expression formula) {
+    return formula instanceof Constant || formula instanceof ParameterValue;
+  }
+
+  private void search() {
+    List<PrescribedMotion> motions =
+        mechanism.motions().stream()
+            .sorted(Comparator.comparingInt(PrescribedMotion::joint))
+            .toList();
+    int velocity = 0;
+    for (PrescribedMotion motion : motions) {
+      Joint joint = mechanism.joints().get(motion.joint());
+      for (Expression coordinate : motion.coordinates()) {
+        search(joint, velocity++, coordinate);
+      }
+    }
+    for (LoopClosure closure : mechanism.closures()) {
+      if (closure instanceof JointClosure cut) {
+        cut.motion().forEach(coordinate -> search(cut.joint(), -1, coordinate));
+      }
+    }
+  }
+
+  private void search(Joint joint, int velocity, Expression coordinate) {
+    if (!isSmooth(coordinate)) {
+      Curve curve = new Curve(coordinate, mechanism.parameters());
+      search(joint, velocity, curve, true);
+      search(joint, velocity, curve, false);
+    }
+  }
+
+  private void search(Joint joint, int velocity, Curve curve, boolean position) {
+    double[] times = grid.stream().mapToDouble(Double::doubleValue).toArray();
+    double[] values = new double[times.length];
+    double largest = 0;
+    for (int i = 0; i < times.length; i++) {
+      values[i] = curve.at(times[i], position);
+      largest = Double.isFinite(values[i]) ? Math.max(largest, Math.abs(values[i])) : largest;
+    }
+    for (int i = 1; i < times.length; i++) {
+      double a = times[i - 1];
+      double b = times[i];
+      double before = values[i - 1];
+      double after = values[i];
+      while (changes(before, after, largest)) {
+        double middle = a + 0.5 * (b - a);
+        if (!(middle > a && middle < b)) {
+          add(jump(joint, velocity, curve, position, b));
+          break;
+        }
+        double value = curve.at(middle, position);
+        boolean first =
+            !Double.isFinite(value) || Math.abs(value - before) > Math.abs(after - value);
+        if (first) {
+          b = middle;
+          after = value;
+        } else {
+          a = middle;
+          before = value;
+        }
+      }
+    }
+  }
+
+  /** At the jump itself a function may have a third value. */
+  private static MotionJump jump(
+      Joint joint, int velocity, Curve curve, boolean position, double t) {
+    MotionJump place = new MotionJump(joint.name(), joint.origin(), velocity, position, t, 0, 0);
+    double before = curve.at(place.ahead(), position);
+    double after = curve.at(place.behind(), position);
+    return new MotionJump(
+        joint.name(), joint.origin(), velocity, position, t, before, after);
+  }
+
+  /** A velocity that is not finite is told of where the accelerations are. */
+  private void add(MotionJump jump) {
+    boolean known = Double.isFinite(jump.before()) && Double.isFinite(jump.after());
+    if (!isFound(jump) && (jump.ofPosition() || (known && !jumpsAt(jump)))) {
+      found.add(jump);
+    }
+  }
+
+  private boolean isFound(MotionJump jump) {
+    return found.stream()
+        .anyMatch(
+            other ->
+                other.joint().equals(jump.joint())
+                    && other.velocity() == jump.velocity()
+                    && other.ofPosition() == jump.ofPosition()
+                    && other.behind() >= jump.ahead()
+                    && other.ahead() <= jump.behind());
+  }
+
+  /** Whether the position of the coordinate jumps there, whose velocity is then of no use. */
+  private boolean jumpsAt(MotionJump jump) {
+    return found.stream()
+        .anyMatch(
+            other ->
+                other.ofPosition()
+                    && other.joint().equals(jump.joint())
+                    && Math.abs(other.time() - jump.time()) <= near);
+  }
+
+  private static boolean changes(double before, double after, double largest) {
+    boolean finite = Double.isFinite(after) && Double.isFinite(before);
+    return finite
+        ? Math.abs(after - before) > NOTHING * largest
+        : Double.isFinite(before) != Double.isFinite(after);
+  }
+
+  /** A coordinate over time. */
+  private static final class Curve {
+    private final TapeEvaluation evaluation;
+
+    Curve(Expression coordinate, List<Parameter> parameters) {
+      evaluation = new TapeEvaluation(new Tape(List.of(coordinate)));
+      List<Expression> leaves = evaluation.tape().leaves();
+      for (int i = 0; i < leaves.size(); i++) {
+        if (leaves.get(i) instanceof ParameterValue parameter) {
+          evaluation.setLeaf(i, parameters.get(parameter.index()).value());
+        }
+      }
+    }
+
+    double at(double t, boolean position) {
+      List<Expression> leaves = evaluation.tape().leaves();
+      for (int i = 0; i < leaves.size(); i++) {
+        if (leaves.get(i) instanceof Time) {
+          evaluation.setLeaf(i, t, 1, 0);
+        }
+      }
+      evaluation.derivatives();
+      evaluation.rates();
+      return position ? evaluation.value(0) : evaluation.rate(0);
+    }
+  }
+}
