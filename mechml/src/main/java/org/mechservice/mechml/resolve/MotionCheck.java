@@ -15,6 +15,9 @@ import org.mechservice.solver.mechanism.MotionJump;
 final class MotionCheck {
   private static final MathContext DIGITS = new MathContext(6);
 
+  /** Size of a jump, in SI units, that only a pole makes; that next to it is no number to tell. */
+  private static final double POLE = 1e12;
+
   private MotionCheck() {}
 
   /** Reports the first jump of each driven joint. */
@@ -36,7 +39,7 @@ final class MotionCheck {
 
   private static String text(Element element, MotionJump jump) {
     String what =
-        Double.isFinite(jump.before()) && Double.isFinite(jump.after())
+        Math.abs(jump.size()) < POLE
             ? Phrase.of(
                 "the motion driven jumps at t = %s s, by %s in SI units, and no mechanism can"
                     + " follow",
