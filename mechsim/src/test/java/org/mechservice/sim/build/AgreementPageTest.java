@@ -68,7 +68,8 @@ class AgreementPageTest {
     BuildOptions options = new BuildOptions(formulation, EnumSet.of(ColumnGroup.ENERGY), settings);
     GeneratedModel generated = ModelFactory.generate(model, options);
     assertThat(generated.formulationReason()).doesNotContain("compact form");
-    return (ExplicitModel) GeneratedUserForcesTest.loaded(generated, new TreeMap<>());
+    ClassLoader users = GeneratedUserForcesTest.class.getClassLoader();
+    return (ExplicitModel) GeneratedUserForcesTest.loaded(generated, new TreeMap<>(), users);
   }
 
   private static void compare(Mechanism mechanism, String formulation, Row row) {
