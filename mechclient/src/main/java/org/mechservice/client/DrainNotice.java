@@ -43,7 +43,7 @@ final class DrainNotice {
       id = place.id();
     }
     for (SimEvent event :
-        place.calls().get(() -> place.session().pollEvents(lastEvent, MOST_EVENTS, 0))) {
+        place.calls().read(() -> place.session().pollEvents(lastEvent, MOST_EVENTS, 0))) {
       lastEvent = event.seqNo;
       arrived |=
           event.info.simId.equals(id)

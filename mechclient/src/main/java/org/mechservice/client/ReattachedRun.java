@@ -28,7 +28,7 @@ public final class ReattachedRun implements AutoCloseable {
 
   ReattachedRun(RemoteCalls calls, LeaseRenewal leases, IMechSimRemote simulation) {
     this.calls = calls;
-    id = calls.get(simulation::simId);
+    id = calls.read(simulation::simId);
     this.simulation = simulation;
     rows = RowCursor.open(calls, leases, simulation);
     hold = leases.hold(simulation);
@@ -50,7 +50,7 @@ public final class ReattachedRun implements AutoCloseable {
    * @throws ServiceException if the server is lost
    */
   public RunProgress progress() {
-    return RunProgress.of(calls.get(simulation::getProgress));
+    return RunProgress.of(calls.read(simulation::getProgress));
   }
 
   /**
@@ -71,7 +71,7 @@ public final class ReattachedRun implements AutoCloseable {
 
   private Outcome outcome(RunState state) {
     return switch (state) {
-      case FAILED -> new Outcome.Failed(failure(calls.get(simulation::failure)));
+      case FAILED -> new Outcome.Failed(failure(calls.read(simulation::failure)));
       case CANCELLED -> new Outcome.Stopped();
       default -> new Outcome.Completed();
     };
@@ -85,7 +85,7 @@ public final class ReattachedRun implements AutoCloseable {
   /** A run that was cut off, or cancelled before it began, has no report. */
   private Map<String, Object> report(RunState state) {
     try {
-      return ReportJson.parse(calls.get(simulation::report));
+      return ReportJson.parse(calls.read(simulation::report));
     } catch (InvalidStateException e) {
       Map<String, Object> report = new LinkedHashMap<>();
       report.put("outcome", state == RunState.FAILED ? "failed" : "stopped");

@@ -22,6 +22,9 @@ import org.omg.CORBA.UserException;
  * @param address the server's address, as messages name it
  */
 record RemoteCalls(String address) {
+  /** Before a connection that was cut is tried again, ms; after the last, the server is lost. */
+  private static final long[] PAUSES_MILLIS = {0, 200, 800};
+
   /** A call that returns something. */
   interface Call<T> {
     T run() throws UserException;
@@ -45,6 +48,44 @@ record RemoteCalls(String address) {
     } catch (SystemException e) {
       throw failure(e);
     }
+  }
+
+  /**
+   * Makes a call that may be made twice, over a new connection if the present one is cut.
+   *
+   * @throws ServiceException if the server refuses it or stays lost
+   */
+  <T> T read(Call<T> call) {
+    try {
+      return get(call);
+    } catch (ServerLostException cut) {
+      return again(cut, call);
+    }
+  }
+
+  /**
+   * Makes up for a call that was lost with its connection.
+   *
+   * @param first what became of that call
+   * @throws ServiceException if the server refuses this one or stays lost
+   */
+  <T> T again(ServerLostException first, Call<T> call) {
+    ServerLostException cut = first;
+    for (long pause : PAUSES_MILLIS) {
+      if (!cut.isConnectionCut()) {
+        break;
+      }
+      try {
+        Thread.sleep(pause);
+        return get(call);
+      } catch (ServerLostException next) {
+        cut = next;
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+        break;
+      }
+    }
+    throw cut;
   }
 
   /**

@@ -90,7 +90,7 @@ public final class RemoteRun implements PreparedRun {
   @Override
   public List<TunableParameter> parameters() {
     RunPlace here = place;
-    return Stream.of(here.calls().get(here.simulation()::parameters))
+    return Stream.of(here.calls().read(here.simulation()::parameters))
         .map(p -> new TunableParameter(p.name, p.unit, p.value))
         .toList();
   }
@@ -283,7 +283,7 @@ public final class RemoteRun implements PreparedRun {
 
   private Map<String, Object> report(RunState state) {
     try {
-      return ReportJson.parse(place.calls().get(place.simulation()::report));
+      return ReportJson.parse(place.calls().read(place.simulation()::report));
     } catch (InvalidStateException e) {
       if (state != RunState.CANCELLED) {
         throw e;
@@ -297,7 +297,7 @@ public final class RemoteRun implements PreparedRun {
 
   private Outcome outcome(RunState state) {
     return switch (state) {
-      case FAILED -> new Outcome.Failed(failure(place.calls().get(place.simulation()::failure)));
+      case FAILED -> new Outcome.Failed(failure(place.calls().read(place.simulation()::failure)));
       case CANCELLED -> new Outcome.Stopped();
       default -> new Outcome.Completed();
     };

@@ -14,12 +14,10 @@ import org.mechservice.idl.ResultBlockHolder;
 import org.mechservice.idl.ResultCursor;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.Variable;
+import org.omg.CORBA.UserException;
 
 /** Pulls the rows of a remote run, in order and none twice. */
 final class RowCursor implements AutoCloseable {
-  /** Before a connection that was cut is tried again, ms; after the last, the server is lost. */
-  private static final long[] PAUSES_MILLIS = {0, 200, 800};
-
   private final RemoteCalls calls;
   private final ResultCursor cursor;
   private final LeaseRenewal.Hold hold;
@@ -120,35 +118,20 @@ final class RowCursor implements AutoCloseable {
    */
   private ResultBlock pulled(int maxRows, int waitMillis) {
     try {
-      return nextBlock(maxRows, waitMillis);
+      return calls.get(() -> nextBlock(maxRows, waitMillis));
     } catch (ServerLostException cut) {
-      return pulledAnew(cut, maxRows, waitMillis);
+      return calls.again(
+          cut,
+          () -> {
+            cursor.seekRow(taken);
+            return nextBlock(maxRows, waitMillis);
+          });
     }
   }
 
-  private ResultBlock pulledAnew(ServerLostException first, int maxRows, int waitMillis) {
-    ServerLostException cut = first;
-    for (long pause : PAUSES_MILLIS) {
-      if (!cut.isConnectionCut()) {
-        break;
-      }
-      try {
-        Thread.sleep(pause);
-        calls.run(() -> cursor.seekRow(taken));
-        return nextBlock(maxRows, waitMillis);
-      } catch (ServerLostException again) {
-        cut = again;
-      } catch (InterruptedException e) {
-        Thread.currentThread().interrupt();
-        break;
-      }
-    }
-    throw cut;
-  }
-
-  private ResultBlock nextBlock(int maxRows, int waitMillis) {
+  private ResultBlock nextBlock(int maxRows, int waitMillis) throws UserException {
     ResultBlockHolder holder = new ResultBlockHolder();
-    calls.get(() -> cursor.nextBlock(maxRows, waitMillis, holder));
+    cursor.nextBlock(maxRows, waitMillis, holder);
     return holder.value;
   }
 

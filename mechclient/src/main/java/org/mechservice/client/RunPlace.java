@@ -48,11 +48,11 @@ record RunPlace(
   }
 
   String id() {
-    return calls.get(simulation::simId);
+    return calls.read(simulation::simId);
   }
 
   RunProgress progress() {
-    return RunProgress.of(calls.get(simulation::getProgress));
+    return RunProgress.of(calls.read(simulation::getProgress));
   }
 
   void setParameters(Map<String, String> values) {
