@@ -285,8 +285,6 @@ final class AppliedForces {
     Scalar leaf(Expression leaf) {
       if (leaf instanceof Expression.Argument) {
         return way();
-      } else if (leaf instanceof Expression.ParameterValue parameter) {
-        return expressions.input(Program.PARAMETER + parameter.index());
       }
       throw new IllegalArgumentException("a profile depends on " + leaf);
     }

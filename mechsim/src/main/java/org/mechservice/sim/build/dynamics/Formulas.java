@@ -2,6 +2,7 @@ package org.mechservice.sim.build.dynamics;
 
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.MathFunction;
+import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.expression.Expression;
 
@@ -16,13 +17,17 @@ abstract class Formulas {
     this.e = expressions;
   }
 
-  /** Returns a leaf that is no constant. */
+  /** Returns a leaf that is neither a constant nor the time nor a parameter, which are inputs. */
   abstract Scalar leaf(Expression leaf);
 
   /** Returns a formula as a scalar. */
   final Scalar scalar(Expression formula) {
     if (formula instanceof Expression.Constant constant) {
       return e.constant(constant.value());
+    } else if (formula instanceof Expression.Time) {
+      return e.input(Program.TIME);
+    } else if (formula instanceof Expression.ParameterValue parameter) {
+      return e.input(Program.PARAMETER + parameter.index());
     } else if (formula instanceof Expression.Sum sum) {
       return scalar(sum.left()).plus(scalar(sum.right()));
     } else if (formula instanceof Expression.Product product) {

@@ -45,11 +45,7 @@ final class RelationRow extends Formulas {
 
   @Override
   Scalar leaf(Expression leaf) {
-    if (leaf instanceof Expression.Time) {
-      return expressions.input(Program.TIME);
-    } else if (leaf instanceof Expression.ParameterValue parameter) {
-      return expressions.input(Program.PARAMETER + parameter.index());
-    } else if (leaf instanceof Expression.CoordinatePosition position
+    if (leaf instanceof Expression.CoordinatePosition position
         && position.coordinate() instanceof JointCoordinate joint) {
       return stand(joint);
     }

@@ -1,7 +1,6 @@
 package org.mechservice.sim.build.dynamics;
 
 import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.expression.BodyPoint;
@@ -11,7 +10,6 @@ import org.mechservice.solver.expression.JointCoordinate;
 
 /** Formulas of time, parameters and the state as scalars; parameters are inputs. */
 final class StateFormulas extends Formulas {
-  private final Expressions expressions;
   private final JointLinks joints;
   private final BodyPoints points;
   private final LinkKinematics kinematics;
@@ -19,7 +17,6 @@ final class StateFormulas extends Formulas {
   StateFormulas(
       Expressions expressions, JointLinks joints, BodyPoints points, LinkKinematics kinematics) {
     super(expressions);
-    this.expressions = expressions;
     this.joints = joints;
     this.points = points;
     this.kinematics = kinematics;
@@ -27,11 +24,7 @@ final class StateFormulas extends Formulas {
 
   @Override
   Scalar leaf(Expression leaf) {
-    if (leaf instanceof Expression.Time) {
-      return expressions.input(Program.TIME);
-    } else if (leaf instanceof Expression.ParameterValue parameter) {
-      return expressions.input(Program.PARAMETER + parameter.index());
-    } else if (leaf instanceof Expression.CoordinatePosition position) {
+    if (leaf instanceof Expression.CoordinatePosition position) {
       return joints.position(joint(position.coordinate()));
     } else if (leaf instanceof Expression.CoordinateVelocity velocity) {
       return joints.velocity(joint(velocity.coordinate()));
