@@ -185,8 +185,10 @@ final class SimulationServant implements HostedServant {
     return session.limits().leaseSeconds();
   }
 
+  /** Who looks the run up when this has returned finds how it ended. */
   @Override
   public void destroy() {
+    cancel();
     session.destroy(run);
   }
 }
