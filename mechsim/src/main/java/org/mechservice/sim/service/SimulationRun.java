@@ -67,7 +67,7 @@ final class SimulationRun implements Runnable {
     ResultSpool spool = store.newRows(plan.identity().simId(), plan.columns().count());
     task = plan.task();
     rows = new RunRows(task, plan.columns(), spool, control);
-    task.checkpointsOfRun().ifPresent(checkpoints -> checkpoints.countRowsWith(spool::rows));
+    task.checkpoints().countRowsWith(spool::rows);
   }
 
   String simId() {
@@ -92,7 +92,7 @@ final class SimulationRun implements Runnable {
 
   /** Returns its checkpoints; empty if it can have none. */
   Optional<RunCheckpoints> checkpoints() {
-    return task().checkpointsOfRun().filter(RunCheckpoints::possible);
+    return Optional.of(task().checkpoints()).filter(RunCheckpoints::possible);
   }
 
   private synchronized RunTask task() {
