@@ -97,7 +97,7 @@ final class RunStore implements AutoCloseable {
         keep(found, rows);
       }
     } catch (IOException e) {
-      throw new IllegalArgumentException("S-114 the spool folder cannot be read: " + e, e);
+      throw new IllegalArgumentException("S-114 the spool folder cannot be read: " + FileTrouble.why(e), e);
     }
   }
 

@@ -31,7 +31,7 @@ final class SimulationRun implements Runnable {
    * How long who cancels waits for the solver, which looks at its control at every evaluation. An
    * evaluation or a factorisation that takes longer goes on for nobody.
    */
-  private static final long SOLVER_MILLIS = 50;
+  private static final long SOLVER_MILLIS = 30;
 
   /** How long who cancels waits then for the disk. */
   private static final long DISK_MILLIS = 20;
