@@ -93,25 +93,37 @@ class GeneratedLoopsTest {
   void theClassFileHasTheBitsOfTheCompiledSource(int seed) {
     Mechanism mechanism = LoopAgreement.scene(seed);
     MechmlModel file = Scenes.model(mechanism);
-    GeneratedModel generated = generated(mechanism, "RR", "penalty");
-    BuildOptions options = LoopAgreement.options("RR", "penalty", false);
+    GeneratedModel generated = generated(mechanism, "RR-JF", "penalty");
+    BuildOptions options = LoopAgreement.options("RR-JF", "penalty", false);
     Model direct = ModelFactory.compile(file, options, generated).newInstance();
     Model compiled = ModelFactory.compileSource(file, options, generated).newInstance();
     assertThat(everything(direct)).containsExactly(everything(compiled));
   }
 
-  /** Returns y' at the start and a residual there. */
+  @Test
+  void derivativesOfTheResidualAreCode() {
+    GeneratedModel generated = generated(LoopAgreement.scene(1), "RR-JF", "projection");
+    assertThat(generated.source()).contains("implements LoopTerms.OfDerivatives");
+    assertThat(generated.formulationReason()).doesNotContain("from data");
+  }
+
+  /** Returns y' at the start, a residual there, and the solution of an implicit step if it has one. */
   static double[] everything(Model model) {
     ResidualModel residual = (ResidualModel) model;
     double[] y = new double[residual.unknownCount()];
     double[] rates = new Random(1).doubles(y.length, -1, 1).toArray();
-    double[] all = new double[2 * y.length];
+    double[] all = new double[3 * y.length];
     double[] out = new double[y.length];
     model.initialState(y);
     residual.derivative(0, y, out);
     System.arraycopy(out, 0, all, 0, y.length);
     residual.residual(0, y, rates, out);
     System.arraycopy(out, 0, all, y.length, y.length);
+    if (model instanceof LinearisedModel linearised) {
+      assertThat(linearised.linearise(0, y, rates) && linearised.factor(0.1)).isTrue();
+      linearised.solve(out);
+      System.arraycopy(out, 0, all, 2 * y.length, y.length);
+    }
     return all;
   }
 
@@ -126,8 +138,8 @@ class GeneratedLoopsTest {
   @ParameterizedTest
   @ValueSource(strings = {"projection", "penalty"})
   void anEvaluationAllocatesNothing(String closure) {
-    ResidualModel model =
-        LoopAgreement.code(LoopAgreement.scene(1), "RR", closure, ResidualModel.class);
+    LinearisedModel model =
+        LoopAgreement.code(LoopAgreement.scene(1), "RR-JF", closure, LinearisedModel.class);
     double[] y = new double[model.unknownCount()];
     double[] rates = new double[y.length];
     double[] residual = new double[y.length];
@@ -140,6 +152,9 @@ class GeneratedLoopsTest {
       for (int i = 0; i < 50; i++) {
         model.derivative(0, y, rates);
         model.residual(0, y, rates, residual);
+        model.linearise(0, y, rates);
+        model.factor(0.1);
+        model.solve(residual);
         if (model instanceof DependentStates dependent) {
           dependent.complete(0, y);
         }

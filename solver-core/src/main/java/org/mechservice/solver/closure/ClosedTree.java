@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.mechservice.solver.dynamics.MassiveRods;
 import org.mechservice.solver.dynamics.OpenTree;
+import org.mechservice.solver.dynamics.ResidualJacobian;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.UserForceSource;
@@ -35,6 +36,10 @@ class ClosedTree {
   final double[] wrench;
 
   final double[] tau;
+
+  /** The wrenches with those of the loops. */
+  private final double[] loaded;
+
   private final double[] noAcceleration;
 
   ClosedTree(TreeGeometry tree, UserForceSource userForces) {
@@ -51,6 +56,7 @@ class ClosedTree {
     mass = new double[nv * nv];
     wrench = new double[6 * tree.linkCount];
     tau = new double[tree.velocityCount];
+    loaded = new double[wrench.length];
     noAcceleration = new double[nv];
   }
 
@@ -187,10 +193,23 @@ class ClosedTree {
   }
 
   /**
-   * Sweeps motion and forces at the state and the accelerations of the last {@link #formResidual},
-   * for what takes its derivatives from them.
+   * Evaluates the derivatives of M v' + b − τ + Jᵀ λ by v', v and q where the last {@link
+   * #formResidual} was, for the same accelerations.
+   *
+   * @param a accelerations that begin at {@code aAt}; not modified
+   * @param lambda multipliers, one per equation; not modified
+   * @param jacobian of this tree; overwritten
+   * @return whether all forces have values
    */
-  void sweepForDerivatives(double t, double[] a, int aAt, double[] residual) {
-    // The residual has left them swept.
+  boolean linearise(double t, double[] a, int aAt, double[] lambda, ResidualJacobian jacobian) {
+    System.arraycopy(wrench, 0, loaded, 0, loaded.length);
+    loops.addForces(lambda, -1, loaded, tau);
+    jacobian.evaluate(loaded);
+    if (forces.linearise(t, jacobian.forces()) != ForceSet.REGULAR) {
+      return false;
+    }
+    loops.linearise(lambda, -1, jacobian.forces());
+    jacobian.finish();
+    return true;
   }
 }

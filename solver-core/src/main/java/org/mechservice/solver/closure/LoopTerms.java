@@ -98,4 +98,21 @@ public interface LoopTerms {
      */
     int residual(double t, double[] y, double[] a, double[] residual);
   }
+
+  /** Derivatives of the recursive residual besides. */
+  interface OfDerivatives extends OfResidual {
+    /**
+     * Writes the derivatives of M v' + b − τ + Jᵀ λ by v', v and q, for Euler parameters along the
+     * tangent. What is zero in every state need not be written.
+     *
+     * @param t time, s
+     * @param y state [q; v]; not modified
+     * @param a accelerations v', n numbers, rad/s² or m/s²; not modified
+     * @param lambda multipliers λ, m numbers, N or N·m; not modified
+     * @param derivatives M, of which only the lower triangle and the diagonal are used, then ∂/∂v,
+     *     then ∂/∂q, each n × n row by row; overwritten
+     * @return as {@link #equations}
+     */
+    int derivatives(double t, double[] y, double[] a, double[] lambda, double[] derivatives);
+  }
 }

@@ -11,6 +11,7 @@ import org.mechservice.sim.symbolic.Program;
  * @param modelName the model's name in its file
  * @param hasInputs whether the class is given the values of parameters or loads of user forces
  * @param stateCount number of states [q; v]
+ * @param velocityCount number of v among them
  * @param loops program of the method of that name
  * @param equations program of the method of that name
  * @param ofResidual programs of the recursive residual, if the formulation has one
@@ -20,6 +21,7 @@ public record TermsClass(
     String modelName,
     boolean hasInputs,
     int stateCount,
+    int velocityCount,
     Program loops,
     Program equations,
     Optional<OfResidual> ofResidual,
@@ -29,6 +31,7 @@ public record TermsClass(
    *
    * @param offset program of the method of that name
    * @param residual program of the method of that name
+   * @param derivatives program of the method of that name, if the class has it
    */
-  public record OfResidual(Program offset, Program residual) {}
+  public record OfResidual(Program offset, Program residual, Optional<Program> derivatives) {}
 }
