@@ -3,8 +3,10 @@ package org.mechservice.sim.build;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.mechservice.sim.build.dynamics.EnergyEquations;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.build.dynamics.LoopCode;
+import org.mechservice.sim.build.dynamics.PowerEquations;
 import org.mechservice.sim.build.dynamics.ResidualDerivatives;
 import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.TermsClass;
@@ -42,6 +44,8 @@ final class LoopTermsClass {
         links.velocityCount(),
         loops,
         equations,
+        EnergyEquations.derive(links),
+        PowerEquations.ofForces(links),
         ofResidual,
         notes(choice, loops, equations, ofResidual));
   }

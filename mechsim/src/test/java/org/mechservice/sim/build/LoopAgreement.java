@@ -13,8 +13,10 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.LinearisedModel;
+import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.closure.ClosedMechanism;
@@ -33,6 +35,7 @@ import org.mechservice.solver.mechanism.Mechanism;
  * @param residual of the stabilised equations there, with random multipliers
  * @param reducedStep change of an implicit step by projection where the loops are closed
  * @param step the same of the stabilised equations, with random multipliers
+ * @param energy energies, power and turnover at a random state
  */
 record LoopAgreement(
     OptionalDouble projection,
@@ -40,7 +43,8 @@ record LoopAgreement(
     OptionalDouble penalty,
     OptionalDouble residual,
     OptionalDouble reducedStep,
-    OptionalDouble step) {
+    OptionalDouble step,
+    OptionalDouble energy) {
   /** Other operations in another order: rounding times depth and condition. */
   static final double PROJECTION = 1e-9;
 
@@ -140,7 +144,8 @@ record LoopAgreement(
         accelerations(penalty.data(), penalty.code(), TIME, open),
         residuals(residual.data(), residual.code(), TIME, open),
         steps(reducedStep.data(), reducedStep.code(), 0, closed),
-        steps(step.data(), step.code(), 0, closed));
+        steps(step.data(), step.code(), 0, closed),
+        energies(penalty.data(), penalty.code(), TIME, open));
   }
 
   /** Fails where a difference is beyond its bound. */
@@ -151,6 +156,7 @@ record LoopAgreement(
     assertThat(residual.orElse(0)).isLessThanOrEqualTo(RESIDUAL);
     assertThat(reducedStep.orElse(0)).isLessThanOrEqualTo(STEP);
     assertThat(step.orElse(0)).isLessThanOrEqualTo(STEP);
+    assertThat(energy.orElse(0)).isLessThanOrEqualTo(RESIDUAL);
   }
 
   private record Forms<T>(T data, T code) {
@@ -161,6 +167,23 @@ record LoopAgreement(
           model(file, options(formulation, closure, true), users, type),
           model(file, options(formulation, closure, false), users, type));
     }
+  }
+
+  private static OptionalDouble energies(
+      ExplicitModel data, ExplicitModel code, double t, double[] y) {
+    double[] expected = energies(data, t, y);
+    double[] actual = energies(code, t, y);
+    return Arrays.stream(expected).allMatch(Double::isFinite)
+        ? compared(ExplicitModel.REGULAR, ExplicitModel.REGULAR, actual, expected)
+        : OptionalDouble.empty();
+  }
+
+  private static double[] energies(ExplicitModel model, double t, double[] y) {
+    double[] energies = new double[4];
+    ((Energies) model).energy(t, y, energies);
+    energies[2] = ((PowerInput) model).power(t, y);
+    energies[3] = ((PowerInput) model).turnover(t, y);
+    return energies;
   }
 
   private static OptionalDouble accelerations(

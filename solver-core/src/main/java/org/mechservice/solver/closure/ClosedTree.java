@@ -7,6 +7,7 @@ import org.mechservice.solver.dynamics.MassiveRods;
 import org.mechservice.solver.dynamics.OpenTree;
 import org.mechservice.solver.dynamics.ResidualJacobian;
 import org.mechservice.solver.dynamics.SemiRecursive;
+import org.mechservice.solver.dynamics.WorldMotion;
 import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.kinematics.StateCoordinates;
@@ -26,6 +27,7 @@ class ClosedTree {
   final MassiveRods rods;
   final OpenTree open;
   final ForceSet forces;
+  final WorldMotion world;
   final int nq;
   final int nv;
 
@@ -51,6 +53,7 @@ class ClosedTree {
     rods = new MassiveRods(tree);
     open = new SemiRecursive(tree).newWorkspace(motion);
     forces = new ForceSet(motion, userForces);
+    world = new WorldMotion(motion);
     nq = tree.statePositionCount;
     nv = tree.stateVelocityCount;
     mass = new double[nv * nv];
@@ -190,6 +193,23 @@ class ClosedTree {
     motion.accelerationSweep(a, aAt);
     open.formResidual(wrench, tau, residual);
     return true;
+  }
+
+  /** Writes kinetic and potential energy at a state, J. */
+  void energy(double t, double[] y, double[] energy) {
+    motion.sweep(t, y);
+    applyForces(t);
+    energy[0] = world.kineticEnergy() + rods.kineticEnergy(motion);
+    energy[1] =
+        world.potentialEnergy() + rods.potentialEnergy(motion) + forces.potentialEnergy();
+  }
+
+  /** Writes at a state the power of what has no potential energy, and the sum of its sizes, W. */
+  void power(double t, double[] y, double[] power) {
+    motion.sweep(t, y);
+    applyForces(t);
+    power[0] = forces.power();
+    power[1] = forces.turnover();
   }
 
   /**

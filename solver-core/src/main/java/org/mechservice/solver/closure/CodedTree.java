@@ -7,8 +7,7 @@ import org.mechservice.solver.force.UserForceSource;
 
 /**
  * The equations of a mechanism with loops, evaluated by code that was written for it. The data
- * serve what is asked for seldom: energies, reactions, and the reason where a force has no
- * direction.
+ * serve what is asked for seldom: poses, reactions, and the reason where a force has no direction.
  *
  * <p>Nothing counts whole turns here: code is written only where neither a force nor a relation
  * depends on coordinates of cut joints.
@@ -159,6 +158,17 @@ final class CodedTree extends ClosedTree {
     Arrays.fill(target, 0);
     System.arraycopy(residual, 0, target, 0, nv);
     return true;
+  }
+
+  @Override
+  void energy(double t, double[] y, double[] energy) {
+    terms.energy(t, y, energy);
+  }
+
+  @Override
+  void power(double t, double[] y, double[] power) {
+    Arrays.fill(power, 0);
+    terms.power(t, y, power);
   }
 
   /** {@inheritDoc} The data do it where the code has no derivatives, or a force no value. */

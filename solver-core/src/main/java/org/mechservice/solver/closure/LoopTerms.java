@@ -76,6 +76,25 @@ public interface LoopTerms {
    */
   int equations(double t, double[] y, double[] terms);
 
+  /**
+   * Writes the energies of bodies, rods and springs.
+   *
+   * @param t time, s
+   * @param y state [q; v]; not modified
+   * @param energy kinetic and potential energy, J; overwritten
+   */
+  void energy(double t, double[] y, double[] energy);
+
+  /**
+   * Writes the power of the forces that have no potential energy.
+   *
+   * @param t time, s
+   * @param y state [q; v]; not modified
+   * @param power two zeros; overwritten by the sum and the sum of the sizes, W, if there is such a
+   *     force
+   */
+  void power(double t, double[] y, double[] power);
+
   /** Terms of the recursive residual besides. */
   interface OfResidual extends LoopTerms {
     /**

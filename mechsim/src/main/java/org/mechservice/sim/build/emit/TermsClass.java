@@ -14,6 +14,8 @@ import org.mechservice.sim.symbolic.Program;
  * @param velocityCount number of v among them
  * @param loops program of the method of that name
  * @param equations program of the method of that name
+ * @param energy program of the method of that name
+ * @param power program of the method of that name
  * @param ofResidual programs of the recursive residual, if the formulation has one
  * @param notes further paragraphs of the class comment, for people
  */
@@ -24,6 +26,8 @@ public record TermsClass(
     int velocityCount,
     Program loops,
     Program equations,
+    Program energy,
+    Program power,
     Optional<OfResidual> ofResidual,
     List<String> notes) {
   /**

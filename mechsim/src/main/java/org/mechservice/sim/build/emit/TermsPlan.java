@@ -25,14 +25,16 @@ public final class TermsPlan implements WrittenClass {
 
   private TermsPlan(TermsClass content) {
     this.content = content;
-    add(ofState("loops", false), content.loops());
-    add(ofState("equations", true), content.equations());
+    add(ofState("loops", TERMS, false), content.loops());
+    add(ofState("equations", TERMS, true), content.equations());
+    add(ofState("energy", "energy", false), content.energy());
+    add(ofState("power", "power", false), content.power());
     content
         .ofResidual()
         .ifPresent(
             programs -> {
               Head.Argument given = new Head.Argument("a", true, content.stateCount());
-              add(ofState("offset", false), programs.offset());
+              add(ofState("offset", TERMS, false), programs.offset());
               add(
                   new Head("residual", List.of(TIME, STATE, given), "residual", true, true),
                   programs.residual());
@@ -44,8 +46,8 @@ public final class TermsPlan implements WrittenClass {
     slots = parts.stream().mapToInt(part -> part.plan().slots()).max().orElse(0);
   }
 
-  private static Head ofState(String name, boolean returnsResult) {
-    return new Head(name, List.of(TIME, STATE), TERMS, returnsResult, true);
+  private static Head ofState(String name, String output, boolean returnsResult) {
+    return new Head(name, List.of(TIME, STATE), output, returnsResult, true);
   }
 
   /** Multipliers come behind the accelerations. */
