@@ -248,7 +248,10 @@ public final class ModelFactory {
     }
     Set<ColumnGroup> further = DataColumns.of(model, options, false);
     String derivatives =
-        choice.formulation().equals("RR-JF") ? "; derivatives of the residual from data" : "";
+        choice.formulation().equals("RR-JF")
+                && terms.ofResidual().flatMap(TermsClass.OfResidual::derivatives).isEmpty()
+            ? "; derivatives of the residual from data"
+            : "";
     return new GeneratedModel(
         written,
         Optional.of(
