@@ -29,17 +29,21 @@ public class RunControl {
   private volatile long steps;
 
   private boolean held;
-  private double holdAt = Double.POSITIVE_INFINITY;
-  private long stepsAllowed = Long.MAX_VALUE;
+  // Read by the solver at every step without the lock: who stops a run must not wait for a solver
+  // that has lost its processor while it held it.
+  private volatile double holdAt = Double.POSITIVE_INFINITY;
+  private volatile long stepsAllowed = Long.MAX_VALUE;
   private Optional<StateSource> states = Optional.empty();
   private volatile boolean stateAsked;
   private double[] stateAskedFor = {};
   private double stateTime;
 
   /** Asks the run to stop; it does so within one evaluation, also while it is paused. */
-  public final synchronized void stop() {
+  public final void stop() {
     stopRequested = true;
-    notifyAll();
+    synchronized (this) {
+      notifyAll();
+    }
   }
 
   /** Returns whether the run was asked to stop. */
@@ -201,11 +205,11 @@ public class RunControl {
    * @param time time reached, s
    * @param steps accepted steps so far
    */
-  public synchronized boolean holdsAt(double time, long steps) {
+  public boolean holdsAt(double time, long steps) {
     return !stopRequested && (steps >= stepsAllowed || time >= holdAt);
   }
 
-  private synchronized boolean mustHold() {
+  private boolean mustHold() {
     return holdsAt(time, steps);
   }
 
