@@ -120,7 +120,11 @@ public final class TermsPlan implements WrittenClass {
             "Terms of the equations of motion of model \""
                 + content.modelName()
                 + "\", whose loops the solver closes; generated."));
-    for (String note : content.notes()) {
+    List<String> notes = new ArrayList<>(content.notes());
+    content
+        .derivatives()
+        .ifPresent(program -> notes.add(program.operationCount() + " give its derivatives."));
+    for (String note : notes) {
       lines.add("");
       lines.add("<p>" + JavaText.comment(note));
     }
