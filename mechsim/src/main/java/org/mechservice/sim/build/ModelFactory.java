@@ -186,7 +186,7 @@ public final class ModelFactory {
             PowerEquations.power(links),
             forceValues(links, options),
             notes(choice, derivative, residual, derivatives, leftOut));
-    ModelPlan plan = ModelPlan.of(written);
+    ModelPlan plan = ModelPlan.of(written, options.form());
     List<String> tooLarge = tooLarge(plan, derivative.operationCount());
     if (!tooLarge.isEmpty()) {
       return compact(model, options, choice, tooLarge);
@@ -241,7 +241,7 @@ public final class ModelFactory {
     if (!noFaster.isEmpty()) {
       return compact(model, options, choice, noFaster);
     }
-    TermsPlan written = TermsPlan.of(terms);
+    TermsPlan written = TermsPlan.of(terms, options.form());
     List<String> tooLarge = tooLarge(written, terms.equations().operationCount());
     if (!tooLarge.isEmpty()) {
       return compact(model, options, choice, tooLarge);
