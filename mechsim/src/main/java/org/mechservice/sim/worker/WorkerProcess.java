@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.mechservice.solver.api.Checkpoints;
@@ -26,6 +27,8 @@ public final class WorkerProcess {
 
   /** A worker that has not stopped by then computes in a class that does not come back. */
   private static final long PATIENCE_MILLIS = 1000;
+
+  private static final long DYING_SECONDS = 60;
 
   private static final int MOST_COLUMNS = 1_000_000;
   private static final int MOST_CHECKPOINT_BYTES = 1 << 28;
@@ -74,7 +77,7 @@ public final class WorkerProcess {
             new DataInputStream(new BufferedInputStream(started.getInputStream()))) {
       return new Dialogue(in, out, sink, control, checkpoints).hold(order);
     } catch (PeerGoneException e) {
-      throw lost(started);
+      throw lost(started, memoryBytes);
     } finally {
       started.destroyForcibly();
     }
@@ -122,28 +125,34 @@ public final class WorkerProcess {
     }
   }
 
-  private WorkerLostException lost(Process ended) {
-    int status = -1;
+  /**
+   * Says why a worker is gone that has closed its end. It may take its time to die: its memory goes
+   * back to the system first.
+   */
+  static WorkerLostException lost(Process gone, long memoryBytes) {
     try {
-      if (ended.waitFor(PATIENCE_MILLIS, TimeUnit.MILLISECONDS)) {
-        status = ended.exitValue();
+      if (gone.waitFor(DYING_SECONDS, TimeUnit.SECONDS)) {
+        return lost(gone.exitValue(), memoryBytes);
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
-    if (status == EXIT_OUT_OF_MEMORY) {
+    return new WorkerLostException("the process of the run does not answer any more.", false);
+  }
+
+  private static WorkerLostException lost(int status, long memoryBytes) {
+    if (status != EXIT_OUT_OF_MEMORY) {
       return new WorkerLostException(
-          memoryBytes > 0
-              ? String.format(
-                  java.util.Locale.ROOT,
-                  "the run needed more than the %.0f MB of memory that this host allows one"
-                      + " process.",
-                  memoryBytes / MEGABYTE)
-              : "the run needed more memory than its process could get.",
-          true);
+          "the process of the run ended unexpectedly, with status " + status + ".", false);
     }
     return new WorkerLostException(
-        "the process of the run ended unexpectedly, with status " + status + ".", false);
+        memoryBytes > 0
+            ? String.format(
+                Locale.ROOT,
+                "the run needed more than the %.0f MB of memory that this host allows one process.",
+                memoryBytes / MEGABYTE)
+            : "the run needed more memory than its process could get.",
+        true);
   }
 
   /** The worker has closed its end. */

@@ -29,17 +29,21 @@ public class RunControl {
   private volatile long steps;
 
   private boolean held;
-  private double holdAt = Double.POSITIVE_INFINITY;
-  private long stepsAllowed = Long.MAX_VALUE;
+  // Read by the solver at every step without the lock: who stops a run must not wait for a solver
+  // that has lost its processor while it held it.
+  private volatile double holdAt = Double.POSITIVE_INFINITY;
+  private volatile long stepsAllowed = Long.MAX_VALUE;
   private Optional<StateSource> states = Optional.empty();
   private volatile boolean stateAsked;
   private double[] stateAskedFor = {};
   private double stateTime;
 
   /** Asks the run to stop; it does so within one evaluation, also while it is paused. */
-  public final synchronized void stop() {
+  public final void stop() {
     stopRequested = true;
-    notifyAll();
+    synchronized (this) {
+      notifyAll();
+    }
   }
 
   /** Returns whether the run was asked to stop. */
@@ -212,7 +216,7 @@ public class RunControl {
     return mustHold(time, steps);
   }
 
-  private synchronized boolean mustHold(double time, long steps) {
+  private boolean mustHold(double time, long steps) {
     return !stopRequested && (steps >= stepsAllowed || time >= holdAt);
   }
 
