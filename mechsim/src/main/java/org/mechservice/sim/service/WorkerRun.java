@@ -38,8 +38,7 @@ final class WorkerRun implements RunTask {
         Map.of(),
         request,
         memoryBytes,
-        new RunCheckpoints(
-            compiled::sha256, Simulation.canBeSaved(compiled.describing().model())));
+        new RunCheckpoints(compiled::sha256, Simulation.canBeSaved(compiled.describing().model())));
   }
 
   private WorkerRun(

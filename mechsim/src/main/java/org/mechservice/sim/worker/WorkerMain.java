@@ -83,8 +83,7 @@ public final class WorkerMain implements ResultSink {
     try {
       ModelSource source =
           ModelSource.from(classes.loadClass(order.className()).getConstructor().newInstance());
-      return solver.run(
-          source.model(order.values()), order.request(), this, control, checkpoints);
+      return solver.run(source.model(order.values()), order.request(), this, control, checkpoints);
     } catch (ReflectiveOperationException e) {
       throw new IllegalStateException(e);
     }

@@ -41,8 +41,7 @@ class WorkerOrderTest {
   private static CheckpointOrder received(CheckpointOrder sent) throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     sent.write(new DataOutputStream(bytes));
-    return CheckpointOrder.read(
-        new DataInputStream(new ByteArrayInputStream(bytes.toByteArray())));
+    return CheckpointOrder.read(new DataInputStream(new ByteArrayInputStream(bytes.toByteArray())));
   }
 
   @Test
