@@ -28,23 +28,35 @@ public final class TermsPlan implements WrittenClass {
   private TermsPlan(TermsClass content, CodeForm form) {
     this.content = content;
     this.form = form;
-    add(ofState("loops", false), content.loops());
-    add(ofState("equations", true), content.equations());
+    add(ofState("loops", TERMS, false), content.loops());
+    add(ofState("equations", TERMS, true), content.equations());
+    add(ofState("energy", "energy", false), content.energy());
+    add(ofState("power", "power", false), content.power());
     content
         .ofResidual()
         .ifPresent(
             programs -> {
               Head.Argument given = new Head.Argument("a", true, content.stateCount());
-              add(ofState("offset", false), programs.offset());
+              add(ofState("offset", TERMS, false), programs.offset());
               add(
                   new Head("residual", List.of(TIME, STATE, given), "residual", true, true),
                   programs.residual());
+              programs
+                  .derivatives()
+                  .ifPresent(
+                      derivatives -> add(ofDerivatives(given, content.velocityCount()), derivatives));
             });
     slots = parts.stream().mapToInt(part -> part.plan().slots()).max().orElse(0);
   }
 
-  private static Head ofState(String name, boolean returnsResult) {
-    return new Head(name, List.of(TIME, STATE), TERMS, returnsResult, true);
+  private static Head ofState(String name, String output, boolean returnsResult) {
+    return new Head(name, List.of(TIME, STATE), output, returnsResult, true);
+  }
+
+  /** Multipliers come behind the accelerations. */
+  private static Head ofDerivatives(Head.Argument given, int velocities) {
+    Head.Argument lambda = new Head.Argument("lambda", true, given.first() + velocities);
+    return new Head("derivatives", List.of(TIME, STATE, given, lambda), "derivatives", true, true);
   }
 
   private void add(Head head, Program program) {
@@ -67,7 +79,14 @@ public final class TermsPlan implements WrittenClass {
   }
 
   private Class<?> type() {
-    return content.ofResidual().isPresent() ? LoopTerms.OfResidual.class : LoopTerms.class;
+    return content
+        .ofResidual()
+        .<Class<?>>map(
+            programs ->
+                programs.derivatives().isPresent()
+                    ? LoopTerms.OfDerivatives.class
+                    : LoopTerms.OfResidual.class)
+        .orElse(LoopTerms.class);
   }
 
   @Override
@@ -115,7 +134,11 @@ public final class TermsPlan implements WrittenClass {
             "Terms of the equations of motion of model \""
                 + content.modelName()
                 + "\", whose loops the solver closes; generated."));
-    for (String note : content.notes()) {
+    List<String> notes = new ArrayList<>(content.notes());
+    content
+        .derivatives()
+        .ifPresent(program -> notes.add(program.operationCount() + " give its derivatives."));
+    for (String note : notes) {
       lines.add("");
       lines.add("<p>" + JavaText.comment(note));
     }
