@@ -94,7 +94,7 @@ class CutConnectionTest {
     }
   }
 
-  /** Starts a server that says it is at this port of the relay's address. */
+  /** Starts a server that says it is at the relay, whose port is then its own, too. */
   private static ServiceJvm named(int port) throws IOException {
     return ServiceJvm.start(
         List.of(),
@@ -102,7 +102,7 @@ class CutConnectionTest {
         List.of("-Djacorb.ior_proxy_host=127.0.0.2", "-Djacorb.ior_proxy_port=" + port),
         "server",
         "--port",
-        "0");
+        Integer.toString(port));
   }
 
   private MechConnection connected(Relay relay, ServiceJvm server) {

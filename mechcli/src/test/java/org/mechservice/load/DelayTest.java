@@ -90,7 +90,7 @@ class DelayTest {
                     "-Djacorb.ior_proxy_port=" + relay.port()),
                 "server",
                 "--port",
-                "0")) {
+                Integer.toString(relay.port()))) {
       relay.leadTo(server.port());
       warmUp(relay.port());
       int before = relay.roundTrips();

@@ -139,7 +139,8 @@ final class ModelAssembly {
     List<Omission> leftOut = LeftOut.of(model, scene, links, options, derivative);
     ModelPlan written =
         ModelPlan.of(
-            TreeClass.derive(links, options, choice, derivative, derivatives, leftOut));
+            TreeClass.derive(links, options, choice, derivative, derivatives, leftOut),
+            options.form());
     List<String> tooLarge = tooLarge(written, operations);
     if (!tooLarge.isEmpty()) {
       return compact(tooLarge);
@@ -176,7 +177,7 @@ final class ModelAssembly {
 
   /** Returns the model with these terms, whatever they cost. */
   GeneratedModel looped(Links links, TermsClass terms) {
-    TermsPlan written = TermsPlan.of(terms);
+    TermsPlan written = TermsPlan.of(terms, options.form());
     int operations = terms.equations().operationCount();
     List<String> tooLarge = tooLarge(written, operations);
     if (!tooLarge.isEmpty()) {

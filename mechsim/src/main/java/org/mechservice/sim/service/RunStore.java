@@ -112,7 +112,7 @@ final class RunStore implements AutoCloseable {
     String text = "the run was cut off by the end of its host; its rows up to then are kept";
     FailureRecord failure =
         new FailureRecord(
-            "S-112", text, last.simTime, 0, 0, "", "Start it again.", new StepTried[0]);
+            "S-112", text + ".", last.simTime, 0, 0, "", "Start it again.", new StepTried[0]);
     return new EndedRun(
         run.identity(),
         run.columns(),

@@ -154,6 +154,7 @@ class SpoolRestartTest {
       IMechSimRemote run = found(after, simId);
       assertThat(run.getProgress().state).isEqualTo(SimState.SIM_FAILED);
       assertThat(run.failure().code).isEqualTo("S-112");
+      assertThat(run.failure().text).endsWith("its rows up to then are kept.");
       List<double[]> rows = HostedClient.rows(run.openResults(ALL), 0);
       assertThat(rows).hasSizeGreaterThan(1000);
       for (int i = 0; i < rows.size(); i++) {
