@@ -36,6 +36,7 @@ import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.force.ForceFormulas;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
@@ -185,6 +186,7 @@ public final class ModelFactory {
                 : Optional.empty(),
             PowerEquations.power(links),
             forceValues(links, options),
+            formulaParts(links),
             notes(choice, derivative, residual, derivatives, leftOut));
     ModelPlan plan = ModelPlan.of(written);
     List<String> tooLarge = tooLarge(plan, derivative.operationCount());
@@ -279,6 +281,16 @@ public final class ModelFactory {
             || !options.columns().contains(ColumnGroup.FORCES)
         ? Optional.empty()
         : Optional.of(new ModelClass.ForceValues(columns, PowerEquations.values(links)));
+  }
+
+  private static Optional<ModelClass.FormulaParts> formulaParts(Links links) {
+    return ForceFormulas.of(links.mechanism())
+        .map(
+            parts ->
+                new ModelClass.FormulaParts(
+                    parts.lines(),
+                    parts.expressions().size(),
+                    PowerEquations.formulas(links, parts.expressions())));
   }
 
   private static ModelDescription description(
