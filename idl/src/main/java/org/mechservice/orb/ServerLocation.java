@@ -102,7 +102,18 @@ final class ServerLocation {
 
   private ServiceUnreachableException noConnection(SystemException e) {
     Optional<String> refusal = tls.flatMap(peers -> peers.refusedAt(numeric()));
-    if (refusal.isPresent()) {
+    boolean mixed = e instanceof COMM_FAILURE || refusal.isPresent();
+    if (mixed && TlsProbe.speaksTls(endpoint) != tls.isPresent()) {
+      return new ServiceUnreachableException(
+          tls.isPresent()
+              ? "S-151 this process uses TLS and the server at "
+                  + this
+                  + " does not; give both certificates with --tls FOLDER, or neither"
+              : "S-151 the server at "
+                  + this
+                  + " uses TLS and this process does not; name your certificates with --tls FOLDER",
+          e);
+    } else if (refusal.isPresent()) {
       return new ServiceUnreachableException(
           "S-152 no trust between this process and the server at " + this + ": " + refusal.get(),
           e);

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
+import java.security.cert.CertPathBuilderException;
+import java.security.cert.CertPathValidatorException;
 import java.security.cert.CertificateParsingException;
 import java.security.cert.X509Certificate;
 import java.util.Collection;
@@ -65,13 +67,23 @@ public final class TlsOutboundSocketFactory extends AbstractSocketFactory {
       known.accepted(address.getHostAddress(), port, shown);
       return socket;
     } catch (SSLException e) {
-      known.refused(address.getHostAddress(), port, String.valueOf(e.getMessage()));
+      known.refused(address.getHostAddress(), port, why(e));
       plain.close();
       throw e;
     } catch (IOException e) {
       plain.close();
       throw e;
     }
+  }
+
+  private static String why(SSLException refusal) {
+    for (Throwable cause = refusal; cause != null; cause = cause.getCause()) {
+      if (cause instanceof CertPathBuilderException
+          || cause instanceof CertPathValidatorException) {
+        return "its certificate is of another authority than this process's, or not valid now";
+      }
+    }
+    return String.valueOf(refusal.getMessage());
   }
 
   private static void shakeHands(SSLSocket socket) throws IOException {

@@ -74,7 +74,8 @@ final class VerifyCommand implements Callable<Integer> {
     try (InputStream in = Files.newInputStream(key)) {
       return (X509Certificate) CertificateFactory.getInstance("X.509").generateCertificate(in);
     } catch (CertificateException e) {
-      throw new UsageException("S-150 " + key + " is no certificate: " + e.getMessage());
+      throw new UsageException(
+          "S-150 " + key + " is no certificate; name the identity.crt of the machine that built it");
     }
   }
 }

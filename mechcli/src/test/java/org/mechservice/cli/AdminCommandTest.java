@@ -19,6 +19,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.RemoteRun;
+import org.mechservice.client.RunState;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
@@ -46,8 +47,9 @@ class AdminCommandTest {
   private final StringWriter err = new StringWriter();
 
   @BeforeAll
-  static void runForEver() throws IOException {
+  static void runForEver() throws Exception {
     run = endless();
+    Eventually.holds(() -> run.progress().state() == RunState.RUNNING);
   }
 
   private static RemoteRun endless() throws IOException {

@@ -283,17 +283,7 @@ class SweepCommandTest {
         SimHostProcess.start(new HostSettings(other.url(), "dies", "127.0.0.1", 0, 2));
     try (SimHostProcess stays =
         SimHostProcess.start(new HostSettings(other.url(), "stays", "127.0.0.1", 0, 1))) {
-      Thread killer =
-          new Thread(
-              () -> {
-                try {
-                  Thread.sleep(1500);
-                } catch (InterruptedException e) {
-                  Thread.currentThread().interrupt();
-                }
-                dies.close();
-              });
-      killer.start();
+      Thread killer = whenPointsAreFinished(folder.resolve("r.csv.part"), dies::close);
       assertThat(
               mech(
                   "sweep",
@@ -302,17 +292,37 @@ class SweepCommandTest {
                   "--server",
                   other.url(),
                   "--set",
-                  "damping=100:5000:60"))
+                  "damping=100:5000:60",
+                  "--out",
+                  folder.resolve("r.csv").toString()))
           .as(err.toString())
           .isZero();
       killer.join();
-      assertThat(cells(out.toString()).stream().skip(1).map(row -> row.get(1)))
+      assertThat(cells(Files.readString(folder.resolve("r.csv"))).stream().skip(1).map(row -> row.get(1)))
           .hasSize(60)
           .containsOnly("completed");
       assertThat(stays.address()).isNotEmpty();
     } finally {
       other.close();
     }
+  }
+
+  /** Lets something happen in the midst of a sweep. */
+  private static Thread whenPointsAreFinished(Path part, Runnable event) {
+    Thread thread =
+        new Thread(
+            () -> {
+              try {
+                while (!Files.exists(part) || Files.readAllLines(part).size() < 4) {
+                  Thread.sleep(20);
+                }
+              } catch (IOException | InterruptedException e) {
+                Thread.currentThread().interrupt();
+              }
+              event.run();
+            });
+    thread.start();
+    return thread;
   }
 
   @CsvSource(
@@ -356,19 +366,7 @@ class SweepCommandTest {
         MechServerProcess.start(new ServerSettings("doomed", "127.0.0.1", 0, 1));
     Path file = folder.resolve("r.csv");
     Path part = folder.resolve("r.csv.part");
-    Thread killer =
-        new Thread(
-            () -> {
-              try {
-                while (!Files.exists(part) || Files.readAllLines(part).size() < 4) {
-                  Thread.sleep(20);
-                }
-              } catch (IOException | InterruptedException e) {
-                Thread.currentThread().interrupt();
-              }
-              doomed.close();
-            });
-    killer.start();
+    Thread killer = whenPointsAreFinished(part, doomed::close);
     int status =
         mech(
             "sweep",
@@ -377,14 +375,14 @@ class SweepCommandTest {
             "--server",
             doomed.url(),
             "--set",
-            "damping=100:5000:400",
+            "damping=100:5000:4000",
             "--out",
             file.toString());
     killer.join();
     assertThat(status).isEqualTo(ExitStatus.SERVER);
-    assertThat(err.toString()).contains(" of 400 points are finished; they are in ");
+    assertThat(err.toString()).contains(" of 4000 points are finished; they are in ");
     int finished = Files.readAllLines(file).size() - 1;
-    assertThat(finished).isBetween(3, 399);
+    assertThat(finished).isBetween(3, 3999);
     assertThat(Files.readAllLines(part)).hasSize(finished + 1);
   }
 }

@@ -5,9 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
-import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -86,22 +83,9 @@ class CutConnectionTest {
   }
 
   private void withRelayedRun(Use use) throws Exception {
-    int port = freePort();
-    try (ServiceJvm server =
-            ServiceJvm.start(
-                List.of(),
-                128,
-                List.of("-Djacorb.ior_proxy_host=127.0.0.2", "-Djacorb.ior_proxy_port=" + port),
-                "server",
-                "--port",
-                Integer.toString(port));
-        Relay relay =
-            new Relay(
-                new InetSocketAddress(InetAddress.getByName("127.0.0.2"), port),
-                new InetSocketAddress(InetAddress.getLoopbackAddress(), server.port()),
-                0);
-        MechConnection connection =
-            MechConnection.open("127.0.0.2:" + port, new JarCache(folder.resolve("cache")));
+    try (Relay relay = new Relay(Relay.anyPortOf("127.0.0.2"), 0);
+        ServiceJvm server = named(relay.port());
+        MechConnection connection = connected(relay, server);
         MechSession session = connection.openSession()) {
       session.loadModel(Runs.PENDULUM);
       try (RemoteRun run = session.prepareRemoteRun(LARGE)) {
@@ -110,10 +94,20 @@ class CutConnectionTest {
     }
   }
 
-  private static int freePort() throws IOException {
-    try (ServerSocket socket = new ServerSocket(0)) {
-      return socket.getLocalPort();
-    }
+  /** Starts a server that says it is at the relay, whose port is then its own, too. */
+  private static ServiceJvm named(int port) throws IOException {
+    return ServiceJvm.start(
+        List.of(),
+        128,
+        List.of("-Djacorb.ior_proxy_host=127.0.0.2", "-Djacorb.ior_proxy_port=" + port),
+        "server",
+        "--port",
+        Integer.toString(port));
+  }
+
+  private MechConnection connected(Relay relay, ServiceJvm server) {
+    relay.leadTo(server.port());
+    return MechConnection.open("127.0.0.2:" + relay.port(), new JarCache(folder.resolve("cache")));
   }
 
   @Test

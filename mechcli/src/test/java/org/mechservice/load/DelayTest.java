@@ -2,9 +2,6 @@ package org.mechservice.load;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
-import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
@@ -83,26 +80,25 @@ class DelayTest {
   }
 
   private Cost cost(double delay, boolean local, SimulationOptions options) throws Exception {
-    int port = freePort();
-    try (ServiceJvm server =
+    try (Relay relay = new Relay(Relay.anyPortOf("127.0.0.2"), delay);
+        ServiceJvm server =
             ServiceJvm.start(
                 List.of(),
                 256,
-                List.of("-Djacorb.ior_proxy_host=127.0.0.2", "-Djacorb.ior_proxy_port=" + port),
+                List.of(
+                    "-Djacorb.ior_proxy_host=127.0.0.2",
+                    "-Djacorb.ior_proxy_port=" + relay.port()),
                 "server",
                 "--port",
-                Integer.toString(port));
-        Relay relay =
-            new Relay(
-                new InetSocketAddress(InetAddress.getByName("127.0.0.2"), port),
-                new InetSocketAddress(InetAddress.getLoopbackAddress(), port),
-                delay)) {
-      warmUp(server.port());
+                Integer.toString(relay.port()))) {
+      relay.leadTo(server.port());
+      warmUp(relay.port());
       int before = relay.roundTrips();
       long start = System.nanoTime();
       try (MechConnection connection =
               MechConnection.open(
-                  "127.0.0.2:" + port, new JarCache(folder.resolve("cache" + System.nanoTime())));
+                  "127.0.0.2:" + relay.port(),
+                  new JarCache(folder.resolve("cache" + System.nanoTime())));
           MechSession session = connection.openSession()) {
         session.loadModel(Runs.PENDULUM);
         try (PreparedRun run =
@@ -136,12 +132,6 @@ class DelayTest {
         MechSession session = connection.openSession()) {
       session.loadModel(Runs.PENDULUM);
       Runs.bits(session, SimulationOptions.asInFile(), false);
-    }
-  }
-
-  private static int freePort() throws Exception {
-    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      return socket.getLocalPort();
     }
   }
 }

@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -25,7 +26,7 @@ final class Relay implements AutoCloseable {
   private static final int CHUNKS_UNDER_WAY = 1024;
 
   private final ServerSocket port;
-  private final InetSocketAddress target;
+  private final CompletableFuture<InetSocketAddress> target = new CompletableFuture<>();
   private final long delayNanos;
   private final List<Socket> sockets = new CopyOnWriteArrayList<>();
   private final List<byte[]> sent = new ArrayList<>();
@@ -42,7 +43,18 @@ final class Relay implements AutoCloseable {
    * @param delay of each way, so that a round trip takes twice as long, ms
    */
   Relay(InetSocketAddress address, InetSocketAddress target, double delay) throws IOException {
-    this.target = target;
+    this(address, delay);
+    this.target.complete(target);
+  }
+
+  /**
+   * Listens, and keeps who comes waiting until it knows where to lead them: a server that is to
+   * name this port as its own can only be started afterwards.
+   *
+   * @param address where it listens
+   * @param delay of each way, ms
+   */
+  Relay(InetSocketAddress address, double delay) throws IOException {
     delayNanos = (long) (delay * 1e6);
     port = new ServerSocket();
     port.bind(address);
@@ -70,6 +82,11 @@ final class Relay implements AutoCloseable {
     thread.start();
   }
 
+  /** Says where connections lead to: to this port of the loopback interface. */
+  void leadTo(int serverPort) {
+    target.complete(new InetSocketAddress(InetAddress.getLoopbackAddress(), serverPort));
+  }
+
   int port() {
     return port.getLocalPort();
   }
@@ -77,24 +94,31 @@ final class Relay implements AutoCloseable {
   private void accept() throws IOException, InterruptedException {
     while (true) {
       Socket client = port.accept();
-      // The peer's answer to a new connection is a round trip, too.
-      TimeUnit.NANOSECONDS.sleep(2 * delayNanos);
-      Socket server = new Socket();
-      if (!cut) {
-        server.connect(target);
+      try {
+        join(client, new Socket());
+      } catch (IOException e) {
+        client.close(); // cut before it had begun, or nobody is there; the next one may do better
       }
-      synchronized (this) {
-        connections++;
-        answered = true;
-      }
-      sockets.add(client);
-      sockets.add(server);
-      client.setTcpNoDelay(true);
-      if (!cut) {
-        server.setTcpNoDelay(true);
-        pass(client, server, true);
-        pass(server, client, false);
-      }
+    }
+  }
+
+  private void join(Socket client, Socket server) throws IOException, InterruptedException {
+    // The peer's answer to a new connection is a round trip, too.
+    TimeUnit.NANOSECONDS.sleep(2 * delayNanos);
+    sockets.add(client);
+    sockets.add(server);
+    if (!cut) {
+      server.connect(target.join());
+    }
+    synchronized (this) {
+      connections++;
+      answered = true;
+    }
+    client.setTcpNoDelay(true);
+    if (!cut) {
+      server.setTcpNoDelay(true);
+      pass(client, server, true);
+      pass(server, client, false);
     }
   }
 
@@ -189,6 +213,7 @@ final class Relay implements AutoCloseable {
 
   @Override
   public void close() throws IOException {
+    target.cancel(false);
     port.close();
     for (Socket socket : sockets) {
       socket.close();

@@ -10,6 +10,7 @@ import java.nio.file.StandardOpenOption;
 import java.time.Instant;
 import org.mechservice.idl.ServiceEvent;
 import org.mechservice.sim.service.EventBook;
+import org.mechservice.sim.service.FileTrouble;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -45,7 +46,7 @@ final class AuditLog implements AutoCloseable {
               StandardOpenOption.APPEND));
     } catch (IOException e) {
       throw new IllegalArgumentException(
-          "S-163 the audit log " + file + " cannot be written: " + e, e);
+          "S-163 the audit log " + file + " cannot be written: " + FileTrouble.why(e), e);
     }
   }
 
@@ -65,7 +66,7 @@ final class AuditLog implements AutoCloseable {
       out.write(line + "\n");
       out.flush();
     } catch (IOException e) {
-      LOG.error("S-163 the audit log {} cannot be written: {}", file, e.toString());
+      LOG.error("S-163 the audit log {} cannot be written: {}", file, FileTrouble.why(e));
     }
   }
 

@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.mechservice.orb.ServiceKey;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.ServiceUnreachableException;
+import org.mechservice.sim.service.FileTrouble;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -48,7 +49,11 @@ final class Findable implements AutoCloseable {
       Files.move(growing, target, StandardCopyOption.REPLACE_EXISTING);
     } catch (IOException e) {
       throw new IllegalArgumentException(
-          "S-162 the server's reference cannot be written to " + file + ": " + e, e);
+          "S-162 the server's reference cannot be written to "
+              + file
+              + ": "
+              + FileTrouble.why(e),
+          e);
     }
   }
 

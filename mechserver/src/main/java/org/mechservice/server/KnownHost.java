@@ -28,6 +28,7 @@ final class KnownHost {
   private final Deque<Long> placedAt = new ArrayDeque<>();
   private final long joined = JOINED.incrementAndGet();
   private HostLoad load = new HostLoad(0, 0, 0, 0, 0, false, new NameValue[0]);
+  private long drainingSaidAt = Long.MIN_VALUE;
   private long lastEvent;
   private boolean reachable = true;
   private boolean dropped;
@@ -129,7 +130,8 @@ final class KnownHost {
     if (dropped) {
       return;
     }
-    load = said;
+    boolean knowsWhatItWasTold = drainingSaidAt == Long.MIN_VALUE || askedAt - drainingSaidAt > 0;
+    load = draining(said, knowsWhatItWasTold ? said.draining : load.draining);
     reachable = true;
     text = "";
     lastSeen = System.currentTimeMillis();
@@ -138,6 +140,23 @@ final class KnownHost {
     while (!placedAt.isEmpty() && placedAt.peekFirst() - askedAt < 0) {
       placedAt.removeFirst();
     }
+  }
+
+  /** Notes that the host was told whether it is being emptied, which its load does not show yet. */
+  synchronized void toldDraining(boolean drain) {
+    drainingSaidAt = System.nanoTime();
+    load = draining(load, drain);
+  }
+
+  private static HostLoad draining(HostLoad load, boolean drain) {
+    return new HostLoad(
+        load.sessions,
+        load.running,
+        load.queued,
+        load.cpuLoad,
+        load.memoryUsed,
+        drain,
+        load.statistics);
   }
 
   /** Notes that a session was placed there, which the load does not show yet. */

@@ -288,20 +288,21 @@ final class MechAdminServant implements MechAdminOperations {
   }
 
   private boolean setDraining(KnownHost known, boolean drain) {
-    return directory
-        .calls()
-        .ask(
-            known.host(),
-            host -> {
-              if (drain) {
-                host.drain();
-              } else {
-                host.undrain();
-              }
-              return true;
-            })
-        .value()
-        .isPresent();
+    HostCalls.Answer<Boolean> answer =
+        directory
+            .calls()
+            .ask(
+                known.host(),
+                host -> {
+                  if (drain) {
+                    host.drain();
+                  } else {
+                    host.undrain();
+                  }
+                  return true;
+                });
+    answer.value().ifPresent(heard -> known.toldDraining(drain));
+    return answer.value().isPresent();
   }
 
   @Override

@@ -103,6 +103,20 @@ class AdministrationTest {
     }
   }
 
+  /** The server asks its hosts from time to time only; this one, never by itself. */
+  @Test
+  void hostThatIsNotEmptiedAnyMoreTakesTheNextSession() throws Exception {
+    ServerTuning asksNobody =
+        new ServerTuning(Duration.ofHours(1), Duration.ofHours(1), Duration.ofMinutes(1));
+    try (Farm farm = new Farm(1, asksNobody)) {
+      farm.host("h", 8);
+      farm.admin.drain("h");
+      assertThat(farm.admin.listHosts()).anyMatch(host -> host.load.draining);
+      farm.admin.undrain("h");
+      assertThat(farm.session("").hostName()).isEqualTo("h");
+    }
+  }
+
   @Test
   void serverEndsWhenItIsTold() throws Exception {
     try (Farm farm = new Farm(1)) {
@@ -244,7 +258,7 @@ class AdministrationTest {
   void hostThatHangsHoldsUpNoAdministratorAndNoClient() throws Exception {
     CountDownLatch end = new CountDownLatch(1);
     ServerTuning longLease =
-        new ServerTuning(Duration.ofHours(1), Duration.ofHours(1), Duration.ofMillis(300));
+        new ServerTuning(Duration.ofHours(1), Duration.ofHours(1), Duration.ofSeconds(2));
     try (Farm farm = new Farm(1, longLease);
         ServiceOrb orb = ServiceOrb.host(new ListenAddress("127.0.0.1", 0))) {
       HostInfo info = new HostInfo("hanging", "0", orb.endpoint().toString(), 1, 1, 5, 0);
@@ -260,7 +274,7 @@ class AdministrationTest {
           .anySatisfy(
               host -> {
                 assertThat(host.reachable).isFalse();
-                assertThat(host.text).contains("no answer within 0.3 s");
+                assertThat(host.text).contains("no answer within 2.0 s");
               });
       end.countDown();
     }

@@ -95,7 +95,7 @@ class CancelLatencyTest {
             """
             # How soon a cancelled run has ended
 
-            Measured on %s by `mvn verify -Psoak`: JDK %s, %d processors, load average %.1f, loopback. Long runs are cancelled at random moments (seed %d), which in stiff ones are mostly inside Newton iterations and Jacobians, in the chain of 1000 bars inside differences and factorisations of matrices of 2000 unknowns; another run goes on beside them all the time. The time is counted from the client's call of `cancel` to the answer of a `getProgress` that says cancelled. A solver that is deep in one evaluation or factorisation is waited for 50 ms, then its run has ended without it. That a run makes no evaluation after the one in which it was cancelled is a test of its own, which counts them.
+            Measured on %s by `mvn verify -Psoak`: JDK %s, %d processors, load average %.1f, loopback. Long runs are cancelled at random moments (seed %d), which in stiff ones are mostly inside Newton iterations and Jacobians, in the chain of 1000 bars inside differences and factorisations of matrices of 2000 unknowns; another run goes on beside them all the time. The time is counted from the client's call of `cancel` to the answer of a `getProgress` that says cancelled. A solver that is deep in one evaluation or factorisation is waited for 30 ms, then its run has ended without it; with a spool folder, the disk is waited for 20 ms more. That a run makes no evaluation after the one in which it was cancelled is a test of its own, which counts them.
 
             | model | integrator | runs | median | longest |
             |---|---|---|---|---|

@@ -42,4 +42,15 @@ class KnownHostTest {
     assertThat(host.open()).isFalse();
     assertThat(host.status().text).isEqualTo("dropped: it has not renewed");
   }
+
+  /** What it says of itself may have been asked for before it was told. */
+  @Test
+  void hostIsAsItWasToldToBeUntilItSaysOtherwise() {
+    long before = System.nanoTime();
+    host.toldDraining(true);
+    host.answered(IDLE, before);
+    assertThat(host.open()).isFalse();
+    host.answered(IDLE, System.nanoTime());
+    assertThat(host.open()).isTrue();
+  }
 }

@@ -118,6 +118,7 @@ class ObservabilityTest {
   void auditThatCannotBeWrittenKeepsTheServerFromStarting() {
     assertThatThrownBy(() -> MechServerProcess.start(watched(folder.resolve("no/such/audit"))))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageStartingWith("S-163");
+        .hasMessageStartingWith("S-163")
+        .hasMessageEndingWith("the folder it is to be in does not exist");
   }
 }

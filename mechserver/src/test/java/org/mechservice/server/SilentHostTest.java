@@ -31,13 +31,13 @@ import org.omg.CORBA.IntHolder;
 
 /** A host that still has its connection but answers nothing, beside one that does answer. */
 class SilentHostTest {
-  /** Nobody is dropped; who has not answered for half a second is silent. */
+  /** Nobody is dropped; who has not answered for two seconds is silent. */
   private static final ServerTuning PATIENT =
       new ServerTuning(
           Duration.ofHours(1),
           Duration.ofMillis(100),
-          Duration.ofMillis(500),
-          Duration.ofMillis(500));
+          Duration.ofSeconds(2),
+          Duration.ofSeconds(2));
 
   private final Farm farm = new Farm(1, PATIENT);
   private final ServiceOrb orb = ServiceOrb.host(new ListenAddress("127.0.0.1", 0));
@@ -119,7 +119,7 @@ class SilentHostTest {
     String simId = runningThere().simId();
     turnSilent();
     HostStatus status = status();
-    assertThat(status.text).matches("silent since 20\\S+Z: no answer within 0\\.5 s");
+    assertThat(status.text).matches("silent since 20\\S+Z: no answer within 2\\.0 s");
     assertThat(status.load.running).isEqualTo(1);
     assertThat(farm.admin.getStatus().running).isEqualTo(1);
     SimSummary run = simulations().get(0);

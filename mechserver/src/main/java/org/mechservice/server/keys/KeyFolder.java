@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
 import org.mechservice.orb.Role;
+import org.mechservice.sim.service.FileTrouble;
 
 /**
  * The folder of a service's certificates.
@@ -57,9 +58,9 @@ public final class KeyFolder {
     }
   }
 
-  private static IllegalArgumentException unusable(String what, Exception cause) {
+  private static IllegalArgumentException unusable(String what, IOException cause) {
     return new IllegalArgumentException(
-        "S-155 no keys can be made in " + what + ": " + cause, cause);
+        "S-155 no keys can be made in " + what + ": " + FileTrouble.why(cause), cause);
   }
 
   /**

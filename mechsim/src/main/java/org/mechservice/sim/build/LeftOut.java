@@ -59,7 +59,7 @@ final class LeftOut {
     if (mechanism.closures().isEmpty()) {
       add("loop closures and constraints", "the joints form a tree");
     } else {
-      add("energies, poses and reactions", "the data beside the code give them");
+      add("poses and reactions", "the data beside the code give them");
     }
     if (!moves(links, LinkKind.BALL)) {
       add("quaternions", "no joint is spherical or free");

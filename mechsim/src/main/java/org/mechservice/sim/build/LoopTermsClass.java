@@ -3,8 +3,11 @@ package org.mechservice.sim.build;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.mechservice.sim.build.dynamics.EnergyEquations;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.build.dynamics.LoopCode;
+import org.mechservice.sim.build.dynamics.PowerEquations;
+import org.mechservice.sim.build.dynamics.ResidualDerivatives;
 import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.TermsClass;
 import org.mechservice.sim.scene.FormulationChoice;
@@ -29,16 +32,29 @@ final class LoopTermsClass {
     Optional<TermsClass.OfResidual> ofResidual =
         choice.formulation().startsWith("RR")
             ? Optional.of(
-                new TermsClass.OfResidual(LoopCode.offset(links, rows), LoopCode.residual(links)))
+                new TermsClass.OfResidual(
+                    LoopCode.offset(links, rows),
+                    LoopCode.residual(links),
+                    derivatives(links, choice)))
             : Optional.empty();
     return new TermsClass(
         mechanism.name(),
         !mechanism.parameters().isEmpty() || ModelClass.hasUserForces(mechanism),
         links.positionCount() + links.velocityCount(),
+        links.velocityCount(),
         loops,
         equations,
+        EnergyEquations.derive(links),
+        PowerEquations.ofForces(links),
         ofResidual,
         notes(choice, loops, equations, ofResidual));
+  }
+
+  /** Forces of users change as their classes say, of which no code can be written. */
+  private static Optional<Program> derivatives(Links links, FormulationChoice choice) {
+    return choice.formulation().equals("RR-JF") && !ModelClass.hasUserForces(links.mechanism())
+        ? Optional.of(ResidualDerivatives.ofLoops(links))
+        : Optional.empty();
   }
 
   private static List<String> notes(

@@ -3,6 +3,7 @@ package org.mechservice.sim.service;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -93,17 +94,29 @@ final class ResultSpool implements AutoCloseable {
   }
 
   /**
-   * Writes everything to where it outlives the process, if it shall.
+   * Writes everything to where it outlives the process, if it shall. Who reads meanwhile does not
+   * wait for the disk.
    *
    * @throws IOException if that is not possible
    */
-  synchronized void secure() throws IOException {
-    if (place.lasting() && !closed) {
-      writeTail();
-      if (file != null) {
-        file.force(true);
+  void secure() throws IOException {
+    Optional<FileChannel> written = written();
+    if (written.isPresent()) {
+      written.get().force(true);
+      synchronized (this) {
+        if (ended) {
+          tail = trimmed(tail);
+          closeFile();
+        }
       }
     }
+  }
+
+  private synchronized Optional<FileChannel> written() throws IOException {
+    if (place.lasting() && !closed && (tail.position() > 0 || file != null)) {
+      writeTail();
+    }
+    return place.lasting() && !closed ? Optional.ofNullable(file) : Optional.empty();
   }
 
   /** Declares that no row will follow. */
@@ -205,13 +218,18 @@ final class ResultSpool implements AutoCloseable {
     }
   }
 
-  /** Gives the rows up; what shall outlive the process stays on disk. */
-  @Override
-  public synchronized void close() {
+  /** Gives the rows up: nobody reads them any more, and their room is free. */
+  synchronized void giveUp() {
     closed = true;
     notifyAll();
     account.giveBack(accounted);
     accounted = 0;
+  }
+
+  /** Gives the rows up; what shall outlive the process stays on disk. */
+  @Override
+  public synchronized void close() {
+    giveUp();
     closeFile();
   }
 

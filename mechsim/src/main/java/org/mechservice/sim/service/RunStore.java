@@ -10,7 +10,14 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Future;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Predicate;
 import org.mechservice.idl.FailureRecord;
@@ -35,11 +42,14 @@ final class RunStore implements AutoCloseable {
   private static final int REMEMBERED = 1000;
   private static final int LONG_TEXT = 1 << 18;
 
+  private static final long CLOSING_SECONDS = 10;
+
   private final Optional<SpoolFolder> folder;
   private final LimitsInForce limits;
   private final SpoolAccount account;
   private final Map<String, KeptRun> kept = new ConcurrentHashMap<>();
   private final Deque<EndedRun> remembered = new ArrayDeque<>();
+  private final ExecutorService disk = oneThread();
   private final AtomicLong completed = new AtomicLong();
   private final AtomicLong failed = new AtomicLong();
   private final AtomicLong cancelled = new AtomicLong();
@@ -57,6 +67,23 @@ final class RunStore implements AutoCloseable {
     this.folder.ifPresent(this::takeUp);
   }
 
+  private static ExecutorService oneThread() {
+    ThreadPoolExecutor executor =
+        new ThreadPoolExecutor(
+            1,
+            1,
+            1,
+            TimeUnit.SECONDS,
+            new LinkedBlockingQueue<>(),
+            work -> {
+              Thread thread = new Thread(work, "mechservice-disk");
+              thread.setDaemon(true);
+              return thread;
+            });
+    executor.allowCoreThreadTimeOut(true);
+    return executor;
+  }
+
   private void takeUp(SpoolFolder left) {
     try {
       for (EndedRun run : left.readAll()) {
@@ -70,7 +97,7 @@ final class RunStore implements AutoCloseable {
         keep(found, rows);
       }
     } catch (IOException e) {
-      throw new IllegalArgumentException("S-114 the spool folder cannot be read: " + e, e);
+      throw new IllegalArgumentException("S-114 the spool folder cannot be read: " + FileTrouble.why(e), e);
     }
   }
 
@@ -85,7 +112,7 @@ final class RunStore implements AutoCloseable {
     String text = "the run was cut off by the end of its host; its rows up to then are kept";
     FailureRecord failure =
         new FailureRecord(
-            "S-112", text, last.simTime, 0, 0, "", "Start it again.", new StepTried[0]);
+            "S-112", text + ".", last.simTime, 0, 0, "", "Start it again.", new StepTried[0]);
     return new EndedRun(
         run.identity(),
         run.columns(),
@@ -109,23 +136,36 @@ final class RunStore implements AutoCloseable {
     return new ResultSpool(columns, place, account);
   }
 
-  /** Notes that a run has begun, so that a crash does not make it disappear. */
-  void began(EndedRun run) throws IOException {
-    if (folder.isPresent()) {
-      folder.get().write(run);
+  /** Returns what writes a run down. */
+  RunRecord record(String simId, ResultSpool rows) {
+    return new RunRecord(folder, simId, rows);
+  }
+
+  /** Work on the disk. */
+  interface DiskWork {
+    void run() throws IOException;
+  }
+
+  /** Does what nobody waits for, in order. */
+  Future<?> soon(String simId, DiskWork work) {
+    try {
+      return disk.submit(() -> tried(simId, work));
+    } catch (RejectedExecutionException e) {
+      LOG.warn("S-014 run {} ended after its host: on disk it is one that was cut off", simId);
+      return CompletableFuture.completedFuture(null);
     }
   }
 
-  /** Notes that a run has ended; afterwards, what shall outlive the process does. */
-  void ended(EndedRun run, ResultSpool rows) throws IOException {
-    count(run.progress().state);
-    rows.secure();
-    if (folder.isPresent()) {
-      folder.get().write(run);
+  private static void tried(String simId, DiskWork work) {
+    try {
+      work.run();
+    } catch (IOException | UncheckedIOException e) {
+      LOG.warn("S-014 what is on disk of run {} is not up to date: {}", simId, e.toString());
     }
   }
 
-  private void count(SimState state) {
+  /** Counts a run that has ended. */
+  void count(SimState state) {
     switch (state.value()) {
       case SimState._SIM_DONE -> completed.incrementAndGet();
       case SimState._SIM_FAILED -> failed.incrementAndGet();
@@ -171,24 +211,14 @@ final class RunStore implements AutoCloseable {
         .findFirst();
   }
 
-  /** Deletes a run whose client does not need it any more, remembering that there was one. */
-  void delete(EndedRun run, ResultSpool rows) {
-    remember(run);
-    remove(run.identity().simId(), rows);
+  /** Deletes what is on disk of a run; its room is free at once. */
+  void delete(RunRecord record, ResultSpool rows, String simId) {
+    rows.giveUp();
+    var unused = soon(simId, record::delete);
   }
 
-  private void remove(String simId, ResultSpool rows) {
-    try {
-      if (folder.isPresent()) {
-        folder.get().delete(simId);
-      }
-      rows.delete();
-    } catch (IOException | UncheckedIOException e) {
-      LOG.warn("S-114 run {} cannot be deleted: {}", simId, e.toString());
-    }
-  }
-
-  private void remember(EndedRun run) {
+  /** Remembers that there was a run, for administrators. */
+  void remember(EndedRun run) {
     EndedRun remains = run.identity().modelText().length() > LONG_TEXT ? run.withoutText() : run;
     synchronized (remembered) {
       remembered.addFirst(remains);
@@ -212,7 +242,9 @@ final class RunStore implements AutoCloseable {
 
   private void drop(KeptRun run) {
     if (kept.remove(run.run().identity().simId(), run)) {
-      delete(run.run(), run.rows());
+      String simId = run.run().identity().simId();
+      remember(run.run());
+      delete(record(simId, run.rows()), run.rows(), simId);
     }
   }
 
@@ -240,6 +272,12 @@ final class RunStore implements AutoCloseable {
   /** Gives up what does not outlive the process. */
   @Override
   public void close() {
+    disk.shutdown();
+    try {
+      disk.awaitTermination(CLOSING_SECONDS, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
     kept.values().forEach(run -> run.rows().close());
     kept.clear();
     folder.ifPresent(SpoolFolder::close);

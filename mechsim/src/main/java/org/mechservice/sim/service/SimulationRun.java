@@ -8,14 +8,12 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.InvalidState;
 import org.mechservice.idl.LimitExceeded;
-import org.mechservice.idl.MAX_WAIT_MILLIS;
 import org.mechservice.idl.Progress;
 import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.Variable;
 
@@ -33,41 +31,37 @@ final class SimulationRun implements Runnable {
    * How long who cancels waits for the solver, which looks at its control at every evaluation. An
    * evaluation or a factorisation that takes longer goes on for nobody.
    */
-  private static final long CANCEL_MILLIS = 50;
+  private static final long SOLVER_MILLIS = 30;
+
+  /** How long who cancels waits then for the disk. */
+  private static final long DISK_MILLIS = 20;
 
   private final RunPlan plan;
   private final RunQueue queue;
-  private final RunStore store;
-  private final Listener listener;
-  private final RunRows rows;
   private final RunControl control = new RunControl();
-  private final RunCurves curves = new RunCurves();
-  private final RunClock clock = new RunClock();
+  private final RunPhase phase;
+  private final RunRows rows;
+  private final RunStory story;
+  private final RunNews news;
+  private final RunConclusion conclusion;
 
   private RunTask task;
   private final Map<String, String> parameters = new TreeMap<>();
-  private SimState phase = SimState.SIM_CREATED;
-  private String text = "";
-  private @Nullable RunBudget budget;
-  private @Nullable RunLimitException limitReached;
-  private Optional<RunVerdict> verdict = Optional.empty();
-  private boolean computing;
-  private boolean concluded;
-  private boolean destroyed;
-  private boolean left;
-  private boolean holdTold;
-  private long stepsTold = -1;
-  private int positionTold;
+  private volatile @Nullable RunBudget budget;
+  private volatile boolean computing;
 
   SimulationRun(RunPlan plan, RunQueue queue, RunStore store, Listener listener) {
     this.plan = plan;
     this.queue = queue;
-    this.store = store;
-    this.listener = listener;
     ResultSpool spool = store.newRows(plan.identity().simId(), plan.columns().count());
     task = plan.task();
+    RunClock clock = new RunClock();
+    phase = new RunPhase(control, clock, (state, text) -> listener.stateChanged(this, state, text));
     rows = new RunRows(task, plan.columns(), spool, control);
-    task.checkpointsOfRun().ifPresent(checkpoints -> checkpoints.countRowsWith(spool::rows));
+    story = new RunStory(plan, queue, this, control, phase, clock, rows, new RunCurves());
+    news = new RunNews(story);
+    conclusion = new RunConclusion(story, store, store.record(simId(), spool));
+    task.checkpoints().countRowsWith(spool::rows);
   }
 
   String simId() {
@@ -92,7 +86,7 @@ final class SimulationRun implements Runnable {
 
   /** Returns its checkpoints; empty if it can have none. */
   Optional<RunCheckpoints> checkpoints() {
-    return task().checkpointsOfRun().filter(RunCheckpoints::possible);
+    return Optional.of(task().checkpoints()).filter(RunCheckpoints::possible);
   }
 
   private synchronized RunTask task() {
@@ -112,7 +106,7 @@ final class SimulationRun implements Runnable {
    *     be used; then none is
    */
   synchronized void setParameters(Map<String, String> values) throws InvalidState {
-    if (phase != SimState.SIM_CREATED) {
+    if (!phase.isNew()) {
       throw Refusal.state(
           state(), "parameters are set before the start; create another simulation");
     }
@@ -123,20 +117,19 @@ final class SimulationRun implements Runnable {
     parameters.putAll(values);
   }
 
-  private RunSettings settings() {
-    return plan.task().settings();
-  }
-
   /** Returns the state; a run that is held is paused. */
-  synchronized SimState state() {
-    return phase == SimState.SIM_RUNNING && control.held() ? SimState.SIM_PAUSED : phase;
+  SimState state() {
+    return phase.state();
   }
 
   /** Returns whether the run has ended, one way or another. */
-  synchronized boolean ended() {
-    return phase == SimState.SIM_DONE
-        || phase == SimState.SIM_FAILED
-        || phase == SimState.SIM_CANCELLED;
+  boolean ended() {
+    return phase.ended();
+  }
+
+  /** Returns how far the run is in its life. */
+  RunPhase phase() {
+    return phase;
   }
 
   /**
@@ -145,11 +138,10 @@ final class SimulationRun implements Runnable {
    * @throws LimitExceeded if too many wait already
    */
   synchronized void start() throws InvalidState, LimitExceeded {
-    if (phase != SimState.SIM_CREATED) {
-      throw Refusal.state(state(), "the simulation was started before; create another one");
+    if (phase.isNew()) {
+      queue.requireRoom();
     }
-    queue.requireRoom();
-    become(SimState.SIM_QUEUED, "waiting for a place");
+    phase.queue();
     queue.submit(this);
   }
 
@@ -165,108 +157,63 @@ final class SimulationRun implements Runnable {
    * @throws LimitExceeded if too many wait already
    */
   synchronized void startIfNew() throws InvalidState, LimitExceeded {
-    if (phase == SimState.SIM_CREATED) {
+    if (phase.isNew()) {
       start();
     } else {
-      requireStarted("continued");
-    }
-  }
-
-  /**
-   * Makes sure that the run is under way.
-   *
-   * @param what is done to it, as a participle
-   * @throws InvalidState if it was not started or has ended
-   */
-  synchronized void requireStarted(String what) throws InvalidState {
-    if (phase == SimState.SIM_CREATED) {
-      throw Refusal.state(phase, "the simulation has not been started: it cannot be " + what);
-    }
-    if (ended()) {
-      throw Refusal.state(phase, "the simulation has ended: it cannot be " + what);
+      phase.requireStarted("continued");
     }
   }
 
   /** Stops the run within one evaluation; one that has not begun never will. Idempotent. */
   void stop() {
     control.stop();
-    synchronized (this) {
-      boolean waits = phase == SimState.SIM_QUEUED && queue.withdraw(this);
-      if (phase == SimState.SIM_CREATED || waits) {
-        finish(SimState.SIM_CANCELLED, "cancelled before it began");
-      }
+    if (conclusion.cancelUnbegun()) {
+      queue.withdraw(this);
     }
   }
 
   /**
-   * Stops the run; when this returns, it has ended, with the rows it had put out. A solver that is
-   * deep in one evaluation is not waited for. Idempotent.
+   * Stops the run; when this returns, it has ended, with the rows it had put out. Neither a solver
+   * that is deep in one evaluation is waited for nor a disk that does not answer. Idempotent.
    */
   void cancel() throws InterruptedException {
-    stop();
-    if (!awaitEnd(CANCEL_MILLIS) && computes()) {
-      conclude(new RunVerdict(Optional.empty(), new Outcome.Stopped()));
-    }
-    // What is left is to bring rows and report to disk.
-    awaitEnd(MAX_WAIT_MILLIS.value);
+    end();
+    conclusion.awaitDisk(DISK_MILLIS);
   }
 
-  private synchronized boolean awaitEnd(long millis) throws InterruptedException {
-    long deadline = System.nanoTime() + millis * 1_000_000;
-    long wait = millis;
-    while (!ended() && wait > 0) {
-      wait(wait);
-      wait = (deadline - System.nanoTime()) / 1_000_000;
+  /** Stops the run; when this returns, it has ended, and may not be on disk. Idempotent. */
+  void end() throws InterruptedException {
+    stop();
+    if (!phase.awaitEnd(SOLVER_MILLIS)) {
+      conclusion.cancelled();
     }
-    return ended();
   }
 
   /** Returns whether the solver is at work, if only to find that the run has ended meanwhile. */
-  synchronized boolean computes() {
+  boolean computes() {
     return computing;
   }
 
   /** Stops the run and deletes its rows as soon as nobody writes them. */
   void destroy() {
     stop();
-    synchronized (this) {
-      destroyed = true;
-      if (ended()) {
-        giveUp();
-      }
-    }
-  }
-
-  private void giveUp() {
-    if (clock.startedAt() != 0) {
-      store.delete(afterwards(), spool());
-    } else {
-      spool().delete();
-    }
+    conclusion.destroy();
   }
 
   /** Ends the run like {@link #destroy}, but what it has put out is kept for a while. */
   void leave() {
     stop();
-    synchronized (this) {
-      if (ended() && clock.startedAt() != 0) {
-        store.keep(afterwards(), spool());
-      } else if (ended()) {
-        spool().delete();
-      } else {
-        left = true;
-      }
-    }
+    conclusion.leave();
   }
 
   /** Ends the run if it has used up what a run may use. */
-  synchronized void checkLimits(HostLimits limits) {
-    if (budget != null && phase == SimState.SIM_RUNNING && limitReached == null) {
-      budget
-          .exceeded(limits, control.held())
+  void checkLimits(HostLimits limits) {
+    RunBudget used = budget;
+    if (used != null && phase.runs() && !conclusion.isAtLimit()) {
+      used.exceeded(limits, control.held())
           .ifPresent(
               limit -> {
-                limitReached = limit;
+                conclusion.stoppedAt(limit);
                 control.stop();
               });
     }
@@ -274,81 +221,25 @@ final class SimulationRun implements Runnable {
 
   @Override
   public void run() {
-    synchronized (this) {
-      if (ended()) {
-        return;
-      }
-      clock.start();
-      budget = new RunBudget(task);
-      become(SimState.SIM_RUNNING, "running");
+    if (phase.begin()) {
+      RunTask begun = task();
+      budget = new RunBudget(begun);
+      conclusion.computed(compute(begun));
     }
-    conclude(compute());
   }
 
-  private RunVerdict compute() {
+  private RunVerdict compute(RunTask begun) {
     try {
-      store.began(afterwards());
+      conclusion.begun();
     } catch (IOException e) {
       return new RunVerdict(Optional.empty(), new Outcome.Stopped()).failed(e, control);
     }
-    setComputing(true);
+    computing = true;
     try {
-      return RunVerdict.of(task(), simId(), rows, control);
+      return RunVerdict.of(begun, simId(), rows, control);
     } finally {
-      setComputing(false);
+      computing = false;
     }
-  }
-
-  private synchronized void setComputing(boolean does) {
-    computing = does;
-  }
-
-  /** Ends the run as its solver says, or as who cancels it says if the solver is late. */
-  private void conclude(RunVerdict computed) {
-    RunVerdict result;
-    synchronized (this) {
-      if (concluded) {
-        return;
-      }
-      concluded = true;
-      rows.close();
-      clock.end();
-      result = limitReached == null ? computed : computed.stoppedAt(limitReached, control);
-    }
-    RunVerdict kept = kept(result);
-    synchronized (this) {
-      verdict = Optional.of(kept);
-      finish(kept.state(), kept.text(rows.lastTime()));
-    }
-  }
-
-  /** A run has not ended well before its rows and its report are where they shall stay. */
-  private RunVerdict kept(RunVerdict result) {
-    try {
-      store.ended(afterwards(result), spool());
-      return result;
-    } catch (IOException e) {
-      return result.failed(e, control);
-    }
-  }
-
-  private void finish(SimState end, String how) {
-    clock.end();
-    // In this order: who has read the last row finds the state and the events of the end.
-    become(end, how);
-    spool().end();
-    if (destroyed) {
-      giveUp();
-    } else if (left) {
-      store.keep(afterwards(), spool());
-    }
-    notifyAll();
-  }
-
-  private void become(SimState next, String how) {
-    phase = next;
-    text = how;
-    listener.stateChanged(this, next, how);
   }
 
   /**
@@ -361,62 +252,23 @@ final class SimulationRun implements Runnable {
   }
 
   /** Returns the report as JSON; empty until the run has ended, and if it never began. */
-  synchronized Optional<String> report() {
-    return verdict.map(this::report);
-  }
-
-  private String report(RunVerdict result) {
-    return plan.facts().json(result.report().orElseGet(this::brokenOff), result);
-  }
-
-  private Map<String, Object> brokenOff() {
-    return BrokenOffReport.of(plan, control, spool().rows(), clock.wallSeconds());
+  Optional<String> report() {
+    return conclusion.verdict().map(story::report);
   }
 
   /** Returns why the run failed, if it did. */
-  synchronized Optional<Failure> failure() {
-    return verdict.flatMap(RunVerdict::failure);
+  Optional<Failure> failure() {
+    return conclusion.verdict().flatMap(RunVerdict::failure);
   }
 
   /** Returns what is left of the run but its rows. */
-  synchronized EndedRun afterwards() {
-    return afterwards(null);
-  }
-
-  private synchronized EndedRun afterwards(@Nullable RunVerdict result) {
-    Progress last = progress();
-    Optional<RunVerdict> known = result == null ? verdict : Optional.of(result);
-    known.ifPresent(ended -> last.state = ended.state());
-    return new EndedRun(
-        plan.identity(),
-        plan.columns(),
-        states(),
-        last,
-        clock.startedAt(),
-        clock.endedAt(),
-        known.map(ended -> ended.text(rows.lastTime())).orElse(text),
-        known.map(this::report).orElse(""),
-        known.flatMap(RunVerdict::failure).map(Wire::failure),
-        curves.all());
+  EndedRun afterwards() {
+    return conclusion.afterwards();
   }
 
   /** Returns how far the run is. */
-  synchronized Progress progress() {
-    double start = settings().tStart();
-    double wall = clock.wallSeconds();
-    double reached = BrokenOffReport.timeReached(plan, control);
-    return new Progress(
-        simId(),
-        state(),
-        phase == SimState.SIM_QUEUED ? queue.positionOf(this) : 0,
-        reached,
-        start,
-        settings().tEnd(),
-        control.steps(),
-        control.stepSize(),
-        control.order(),
-        wall > 0 ? (reached - start) / wall : 0,
-        spool().rows());
+  Progress progress() {
+    return story.progress();
   }
 
   /**
@@ -424,47 +276,17 @@ final class SimulationRun implements Runnable {
    *
    * @param leaseEnd when its session's lease ends; UTC, ms since 1970-01-01
    */
-  synchronized SimSummary summary(long leaseEnd) {
-    RunIdentity who = plan.identity();
-    return new SimSummary(
-        who.simId(),
-        who.sessionId(),
-        who.hostName(),
-        who.modelName(),
-        who.owner(),
-        progress(),
-        who.createdAt(),
-        clock.startedAt(),
-        clock.endedAt(),
-        leaseEnd,
-        text);
+  SimSummary summary(long leaseEnd) {
+    return story.summary(leaseEnd);
   }
 
   /** Tells the listener if the run was held, or let go, since it was told last. */
-  synchronized void tellHold() {
-    boolean held = state() == SimState.SIM_PAUSED;
-    if (phase == SimState.SIM_RUNNING && held != holdTold) {
-      holdTold = held;
-      text = held ? "paused at t=" + control.time() + " s" : "running";
-      listener.stateChanged(this, state(), text);
-    }
+  void tellHold() {
+    phase.tellHold();
   }
 
   /** Returns whether the run has got on, or up in the queue, since this was asked last. */
-  synchronized boolean hasProgressed() {
-    int position = phase == SimState.SIM_QUEUED ? queue.positionOf(this) : 0;
-    boolean movedUp = position > 0 && position != positionTold;
-    positionTold = position;
-    return movedUp || hasStepped();
-  }
-
-  private boolean hasStepped() {
-    long steps = control.steps();
-    boolean progressed = phase == SimState.SIM_RUNNING && steps != stepsTold;
-    stepsTold = steps;
-    if (progressed) {
-      curves.sample(control, rows.watch().energyDrift(), rows.watch().residual());
-    }
-    return progressed;
+  boolean hasProgressed() {
+    return news.any();
   }
 }

@@ -188,7 +188,11 @@ final class SimulationServant implements HostedServant {
   /** Who looks the run up when this has returned finds how it ended. */
   @Override
   public void destroy() {
-    cancel();
+    try {
+      run.end();
+    } catch (InterruptedException e) {
+      throw closing();
+    }
     session.destroy(run);
   }
 }

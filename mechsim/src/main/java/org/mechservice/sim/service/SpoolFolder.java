@@ -49,7 +49,7 @@ final class SpoolFolder implements AutoCloseable {
       }
       return new SpoolFolder(folder, lockFile);
     } catch (IOException e) {
-      throw unusable(folder, e.toString(), e);
+      throw unusable(folder, FileTrouble.why(e), e);
     }
   }
 

@@ -16,14 +16,14 @@ record SteeringCalls(SimulationRun run, RunControl control) {
 
   /** Holds the run after its current step. */
   void pause() throws InvalidState, InterruptedException {
-    run.requireStarted("paused");
+    run.phase().requireStarted("paused");
     control.pause();
     awaitHeld();
   }
 
   /** Lets the run go on to its end. */
   void resume() throws InvalidState {
-    run.requireStarted("resumed");
+    run.phase().requireStarted("resumed");
     control.resume();
   }
 

@@ -16,12 +16,14 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.emit.MethodSizes;
+import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.DependentStates;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.LinearisedModel;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.ClosureCoordinate;
@@ -81,10 +83,10 @@ class GeneratedLoopsTest {
     Model code = LoopAgreement.code(mechanism, "RR-JF", "projection", LinearisedModel.class);
     double[] y = new double[data.description().stateCount()];
     code.initialState(y);
-    double[] expected = new double[2];
-    double[] actual = new double[2];
-    ((Energies) data).energy(0, y, expected);
-    ((Energies) code).energy(0, y, actual);
+    double[] expected = new double[BodyPoses.NUMBERS_PER_BODY * mechanism.bodies().size()];
+    double[] actual = new double[expected.length];
+    ((BodyPoses) data).poses(0, y, expected);
+    ((BodyPoses) code).poses(0, y, actual);
     assertThat(actual).containsExactly(expected);
   }
 
@@ -93,25 +95,50 @@ class GeneratedLoopsTest {
   void theClassFileHasTheBitsOfTheCompiledSource(int seed) {
     Mechanism mechanism = LoopAgreement.scene(seed);
     MechmlModel file = Scenes.model(mechanism);
-    GeneratedModel generated = generated(mechanism, "RR", "penalty");
-    BuildOptions options = LoopAgreement.options("RR", "penalty", false);
+    GeneratedModel generated =
+        LoopAgreement.withDerivatives(file, LoopAgreement.options("RR-JF", "penalty", false));
+    BuildOptions options = LoopAgreement.options("RR-JF", "penalty", false);
     Model direct = ModelFactory.compile(file, options, generated).newInstance();
     Model compiled = ModelFactory.compileSource(file, options, generated).newInstance();
     assertThat(everything(direct)).containsExactly(everything(compiled));
   }
 
-  /** Returns y' at the start and a residual there. */
+  @Test
+  void derivativesOfTheResidualAreCode() {
+    GeneratedModel generated = generated(LoopAgreement.scene(1), "RR-JF", "projection");
+    assertThat(generated.source()).contains("implements LoopTerms.OfDerivatives");
+    assertThat(generated.formulationReason()).doesNotContain("from data");
+  }
+
+  @Test
+  void derivativesTooLongToBeFasterAreLeftToTheDataWithTheirReason() {
+    Mechanism loops = RandomLoops.on(RandomTrees.tree(1, 12), 1, 2);
+    GeneratedModel generated = generated(loops, "RR-JF", "penalty");
+    assertThat(generated.source()).contains("implements LoopTerms.OfResidual");
+    assertThat(generated.formulationReason()).contains("derivatives of the residual from data");
+  }
+
+  /** Returns y' at the start, a residual there, and the solution of an implicit step if it has one. */
   static double[] everything(Model model) {
     ResidualModel residual = (ResidualModel) model;
     double[] y = new double[residual.unknownCount()];
     double[] rates = new Random(1).doubles(y.length, -1, 1).toArray();
-    double[] all = new double[2 * y.length];
+    double[] all = new double[3 * y.length + 3];
     double[] out = new double[y.length];
     model.initialState(y);
     residual.derivative(0, y, out);
     System.arraycopy(out, 0, all, 0, y.length);
     residual.residual(0, y, rates, out);
     System.arraycopy(out, 0, all, y.length, y.length);
+    double[] energy = new double[3];
+    ((Energies) model).energy(0, y, energy);
+    energy[2] = ((PowerInput) model).power(0, y);
+    System.arraycopy(energy, 0, all, 3 * y.length, energy.length);
+    if (model instanceof LinearisedModel linearised) {
+      assertThat(linearised.linearise(0, y, rates) && linearised.factor(0.1)).isTrue();
+      linearised.solve(out);
+      System.arraycopy(out, 0, all, 2 * y.length, y.length);
+    }
     return all;
   }
 
@@ -126,11 +153,12 @@ class GeneratedLoopsTest {
   @ParameterizedTest
   @ValueSource(strings = {"projection", "penalty"})
   void anEvaluationAllocatesNothing(String closure) {
-    ResidualModel model =
-        LoopAgreement.code(LoopAgreement.scene(1), "RR", closure, ResidualModel.class);
+    LinearisedModel model =
+        LoopAgreement.code(LoopAgreement.scene(1), "RR-JF", closure, LinearisedModel.class);
     double[] y = new double[model.unknownCount()];
     double[] rates = new double[y.length];
     double[] residual = new double[y.length];
+    double[] energy = new double[2];
     model.initialState(y);
     ThreadMXBean thread = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     long least = Long.MAX_VALUE;
@@ -140,6 +168,11 @@ class GeneratedLoopsTest {
       for (int i = 0; i < 50; i++) {
         model.derivative(0, y, rates);
         model.residual(0, y, rates, residual);
+        ((Energies) model).energy(0, y, energy);
+        ((PowerInput) model).power(0, y);
+        model.linearise(0, y, rates);
+        model.factor(0.1);
+        model.solve(residual);
         if (model instanceof DependentStates dependent) {
           dependent.complete(0, y);
         }

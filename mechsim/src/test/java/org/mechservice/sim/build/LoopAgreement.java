@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.EnumSet;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.TreeMap;
@@ -11,8 +12,14 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.build.dynamics.Links;
+import org.mechservice.sim.build.emit.TermsClass;
+import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.LinearisedModel;
+import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.closure.ClosedMechanism;
@@ -29,12 +36,18 @@ import org.mechservice.solver.mechanism.Mechanism;
  * @param reduced residual by projection there, if both have chosen the same freedoms
  * @param penalty accelerations by penalty at a random state: Φ and Φ' push
  * @param residual of the stabilised equations there, with random multipliers
+ * @param reducedStep change of an implicit step by projection where the loops are closed
+ * @param step the same of the stabilised equations, with random multipliers
+ * @param energy energies, power and turnover at a random state
  */
 record LoopAgreement(
     OptionalDouble projection,
     OptionalDouble reduced,
     OptionalDouble penalty,
-    OptionalDouble residual) {
+    OptionalDouble residual,
+    OptionalDouble reducedStep,
+    OptionalDouble step,
+    OptionalDouble energy) {
   /** Other operations in another order: rounding times depth and condition. */
   static final double PROJECTION = 1e-9;
 
@@ -46,6 +59,9 @@ record LoopAgreement(
 
   /** Nothing is solved for: rounding times depth. */
   static final double RESIDUAL = 1e-12;
+
+  /** Equations are solved whose condition the scale of the elements alone does not tell. */
+  static final double STEP = 1e-8;
 
   private static final double TIME = 0.4;
 
@@ -99,11 +115,24 @@ record LoopAgreement(
 
   private static <T> T model(
       MechmlModel file, BuildOptions options, ClassLoader users, Class<T> type) {
-    GeneratedModel generated = ModelFactory.generate(file, options);
+    GeneratedModel generated =
+        options.formulation().equals("RR-JF") && !options.compact()
+            ? withDerivatives(file, options)
+            : ModelFactory.generate(file, options);
     if (generated.formulationReason().contains("compact form") != options.compact()) {
       throw new IllegalStateException(generated.formulationReason());
     }
     return type.cast(GeneratedUserForcesTest.loaded(generated, new TreeMap<>(), users));
+  }
+
+  /** Returns RR-JF with code for its derivatives, be they worth it or not. */
+  static GeneratedModel withDerivatives(MechmlModel file, BuildOptions options) {
+    FormulationChoice choice =
+        FormulationChoice.of(
+            options.formulation(), options.closure(), options.settings(), file.mechanism());
+    Links links = Links.of(file.mechanism());
+    TermsClass terms = LoopTermsClass.derive(links, choice);
+    return new ModelAssembly(file, options, choice).looped(links, terms);
   }
 
   static LoopAgreement of(Mechanism mechanism) {
@@ -121,11 +150,18 @@ record LoopAgreement(
     double[] closed = new double[reduced.data().description().stateCount()];
     reduced.data().initialState(closed);
     double[] open = RandomTrees.state(3, mechanism);
+    Forms<LinearisedModel> reducedStep =
+        Forms.of(mechanism, "RR-JF", "projection", users, LinearisedModel.class);
+    Forms<LinearisedModel> step =
+        Forms.of(mechanism, "RR-JF", "penalty", users, LinearisedModel.class);
     return new LoopAgreement(
         accelerations(reduced.data(), reduced.code(), 0, closed),
         residuals(reduced.data(), reduced.code(), 0, closed),
         accelerations(penalty.data(), penalty.code(), TIME, open),
-        residuals(residual.data(), residual.code(), TIME, open));
+        residuals(residual.data(), residual.code(), TIME, open),
+        steps(reducedStep.data(), reducedStep.code(), 0, closed),
+        steps(step.data(), step.code(), 0, closed),
+        energies(penalty.data(), penalty.code(), TIME, open));
   }
 
   /** Fails where a difference is beyond its bound. */
@@ -134,6 +170,9 @@ record LoopAgreement(
     assertThat(reduced.orElse(0)).isLessThanOrEqualTo(REDUCED);
     assertThat(penalty.orElse(0)).isLessThanOrEqualTo(PENALTY);
     assertThat(residual.orElse(0)).isLessThanOrEqualTo(RESIDUAL);
+    assertThat(reducedStep.orElse(0)).isLessThanOrEqualTo(STEP);
+    assertThat(step.orElse(0)).isLessThanOrEqualTo(STEP);
+    assertThat(energy.orElse(0)).isLessThanOrEqualTo(RESIDUAL);
   }
 
   private record Forms<T>(T data, T code) {
@@ -144,6 +183,23 @@ record LoopAgreement(
           model(file, options(formulation, closure, true), users, type),
           model(file, options(formulation, closure, false), users, type));
     }
+  }
+
+  private static OptionalDouble energies(
+      ExplicitModel data, ExplicitModel code, double t, double[] y) {
+    double[] expected = energies(data, t, y);
+    double[] actual = energies(code, t, y);
+    return Arrays.stream(expected).allMatch(Double::isFinite)
+        ? compared(ExplicitModel.REGULAR, ExplicitModel.REGULAR, actual, expected)
+        : OptionalDouble.empty();
+  }
+
+  private static double[] energies(ExplicitModel model, double t, double[] y) {
+    double[] energies = new double[4];
+    ((Energies) model).energy(t, y, energies);
+    energies[2] = ((PowerInput) model).power(t, y);
+    energies[3] = ((PowerInput) model).turnover(t, y);
+    return energies;
   }
 
   private static OptionalDouble accelerations(
@@ -161,11 +217,8 @@ record LoopAgreement(
   private static double felt(ExplicitModel data, double t, double[] y, double[] expected) {
     double largest = 0;
     for (int seed = 0; seed < 3; seed++) {
-      Random random = new Random(seed);
-      double[] beside =
-          Arrays.stream(y).map(x -> x + random.nextInt(-1, 2) * Math.ulp(x)).toArray();
       double[] accelerations = new double[y.length];
-      int result = data.derivative(t, beside, accelerations);
+      int result = data.derivative(t, beside(y, seed), accelerations);
       largest = Math.max(largest, compared(result, result, accelerations, expected).orElse(0));
     }
     return largest;
@@ -184,6 +237,57 @@ record LoopAgreement(
     return otherFreedoms(expected, actual)
         ? OptionalDouble.empty()
         : compared(expectedResult, result, actual, expected);
+  }
+
+  /**
+   * Short and long implicit steps, which ask for M and for the derivatives by position; what is
+   * beyond ten times what the solutions feel of the last digit of the state.
+   */
+  private static OptionalDouble steps(
+      LinearisedModel data, LinearisedModel code, double t, double[] states) {
+    double[] y = new Random(5).doubles(data.unknownCount(), -2, 2).toArray();
+    System.arraycopy(states, 0, y, 0, states.length);
+    if (residuals(data, code, t, states).isEmpty()) {
+      return OptionalDouble.empty();
+    }
+    double largest = 0;
+    for (double hGamma : new double[] {1e-4, 1e-2, 0.3}) {
+      Optional<double[]> expected = solved(data, t, y, hGamma);
+      Optional<double[]> actual = solved(code, t, y, hGamma);
+      if (expected.isPresent() != actual.isPresent()) {
+        return OptionalDouble.of(Double.POSITIVE_INFINITY);
+      }
+      double felt = 0;
+      for (int seed = 0; expected.isPresent() && seed < 3; seed++) {
+        Optional<double[]> beside = solved(data, t, beside(y, seed), hGamma);
+        felt = Math.max(felt, difference(beside, expected));
+      }
+      largest = Math.max(largest, difference(actual, expected) - 10 * felt);
+    }
+    return OptionalDouble.of(largest);
+  }
+
+  private static double difference(Optional<double[]> actual, Optional<double[]> expected) {
+    int regular = ExplicitModel.REGULAR;
+    return actual.isPresent() && expected.isPresent()
+        ? compared(regular, regular, actual.get(), expected.get()).orElse(0)
+        : 0;
+  }
+
+  private static Optional<double[]> solved(
+      LinearisedModel model, double t, double[] y, double hGamma) {
+    double[] rates = new Random(7).doubles(y.length, -2, 2).toArray();
+    double[] solution = new Random(9).doubles(y.length, -1, 1).toArray();
+    if (!model.linearise(t, y, rates) || !model.factor(hGamma)) {
+      return Optional.empty();
+    }
+    model.solve(solution);
+    return Optional.of(solution);
+  }
+
+  private static double[] beside(double[] y, int seed) {
+    Random random = new Random(seed);
+    return Arrays.stream(y).map(x -> x + random.nextInt(-1, 2) * Math.ulp(x)).toArray();
   }
 
   /**

@@ -12,8 +12,6 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.IMechSimRemote;
@@ -165,77 +163,6 @@ class SimulationContractTest {
       }
       run.pause();
       assertThat(run.getProgress().simTime).isEqualTo(20);
-    }
-  }
-
-  @Test
-  void cancelIsAnsweredAndLeavesTheRows() throws UserException {
-    try (HostedClient there = HostedClient.with(PacedSolver.endless())) {
-      IMechSimRemote run = there.simulation();
-      run.start();
-      ResultCursor cursor = run.openResults(ALL);
-      ResultBlockHolder block = new ResultBlockHolder();
-      while (!cursor.nextBlock(0, 1000, block)) {
-        assertThat(block.value.endOfData).isFalse();
-      }
-      run.cancel();
-      run.cancel();
-      cursor.seekRow(0);
-      List<double[]> rows = HostedClient.rows(cursor, 0);
-      assertThat(rows).isNotEmpty();
-      assertThat(run.getProgress().state).isEqualTo(SimState.SIM_CANCELLED);
-      assertThat(run.report()).contains("\"outcome\":\"stopped\"");
-    }
-  }
-
-  /** As in the factorisation of a large matrix, or in a force that computes for long. */
-  @Test
-  void cancelDoesNotWaitForASolverDeepInOneEvaluation() throws Exception {
-    CountDownLatch evaluationEnds = new CountDownLatch(1);
-    CountDownLatch lateRowRefused = new CountDownLatch(1);
-    Solver deep =
-        (model, request, sink, control) -> {
-          double[] row = new double[COLUMNS];
-          sink.row(row);
-          control.proceed(0.5, 0.5, 1, 1);
-          await(evaluationEnds);
-          try {
-            sink.row(row);
-          } catch (IOException refused) {
-            lateRowRefused.countDown();
-          }
-          throw new IOException("nobody hears of this");
-        };
-    try (HostedClient there = HostedClient.with(deep)) {
-      IMechSimRemote run = there.simulation();
-      run.start();
-      Eventually.holds(() -> run.getProgress().stepsDone == 1);
-      run.cancel();
-      assertThat(run.getProgress().state).isEqualTo(SimState.SIM_CANCELLED);
-      assertThat(run.report()).contains("\"outcome\":\"stopped\"", "\"steps\":1", "\"rows\":1");
-      evaluationEnds.countDown();
-      await(lateRowRefused);
-      assertThat(HostedClient.rows(run.openResults(ALL), 0)).hasSize(1);
-      assertThat(run.getProgress().state).isEqualTo(SimState.SIM_CANCELLED);
-    }
-  }
-
-  private static void await(CountDownLatch latch) {
-    try {
-      assertThat(latch.await(60, TimeUnit.SECONDS)).isTrue();
-    } catch (InterruptedException e) {
-      throw new IllegalStateException(e);
-    }
-  }
-
-  @Test
-  void heldRunIsCancelledToo() throws UserException {
-    try (HostedClient there = HostedClient.with(PacedSolver.endless())) {
-      IMechSimRemote run = there.simulation();
-      run.stepOnce();
-      run.cancel();
-      HostedClient.rows(run.openResults(ALL), 0);
-      assertThat(run.getProgress().state).isEqualTo(SimState.SIM_CANCELLED);
     }
   }
 

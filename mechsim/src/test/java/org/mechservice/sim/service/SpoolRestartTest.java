@@ -102,7 +102,7 @@ class SpoolRestartTest {
     EndedRun run =
         new EndedRun(
             identity, columns, List.of(), done, 1, 1, "done", "{}", Optional.empty(), List.of());
-    store.ended(run, rows);
+    store.record("0a", rows).ended(run);
     store.keep(run, rows);
 
     store.expire(simId -> simId.equals("0a"));
@@ -110,6 +110,13 @@ class SpoolRestartTest {
     store.expire(simId -> false);
     assertThatThrownBy(() -> rows.read(0, 1)).hasMessageContaining("deleted");
     store.close();
+    assertThat(filesIn(folder)).containsExactly("lock");
+  }
+
+  private static List<String> filesIn(Path folder) throws IOException {
+    try (Stream<Path> files = Files.list(folder)) {
+      return files.map(file -> file.getFileName().toString()).toList();
+    }
   }
 
   private static LimitsInForce inForce(String name, long value) {
@@ -129,9 +136,7 @@ class SpoolRestartTest {
     try (HostedClient after = on(folder, SimHost.installedSolver())) {
       assertThatThrownBy(() -> after.host.findSimulation(simId)).isInstanceOf(NotFound.class);
     }
-    try (Stream<Path> left = Files.list(folder)) {
-      assertThat(left.map(file -> file.getFileName().toString())).containsExactly("lock");
-    }
+    assertThat(filesIn(folder)).containsExactly("lock");
   }
 
   /** What is on disk at any moment is what a killed process leaves. */
@@ -149,6 +154,7 @@ class SpoolRestartTest {
       IMechSimRemote run = found(after, simId);
       assertThat(run.getProgress().state).isEqualTo(SimState.SIM_FAILED);
       assertThat(run.failure().code).isEqualTo("S-112");
+      assertThat(run.failure().text).endsWith("its rows up to then are kept.");
       List<double[]> rows = HostedClient.rows(run.openResults(ALL), 0);
       assertThat(rows).hasSizeGreaterThan(1000);
       for (int i = 0; i < rows.size(); i++) {

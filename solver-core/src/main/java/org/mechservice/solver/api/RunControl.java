@@ -9,7 +9,7 @@ import java.util.OptionalDouble;
  *
  * <p>The solver calls {@link #proceed} after every accepted step and {@link #stopRequested} at
  * every evaluation; all other methods are for the watchers. A run that is watched from another
- * process overrides {@link #proceed} to ask there.
+ * process overrides {@link #holdsAt} and {@link #proceed} to ask there.
  */
 public class RunControl {
   /** Gives the state of a run between two steps, in the thread of the run. */
@@ -29,17 +29,21 @@ public class RunControl {
   private volatile long steps;
 
   private boolean held;
-  private double holdAt = Double.POSITIVE_INFINITY;
-  private long stepsAllowed = Long.MAX_VALUE;
+  // Read by the solver at every step without the lock: who stops a run must not wait for a solver
+  // that has lost its processor while it held it.
+  private volatile double holdAt = Double.POSITIVE_INFINITY;
+  private volatile long stepsAllowed = Long.MAX_VALUE;
   private Optional<StateSource> states = Optional.empty();
   private volatile boolean stateAsked;
   private double[] stateAskedFor = {};
   private double stateTime;
 
   /** Asks the run to stop; it does so within one evaluation, also while it is paused. */
-  public final synchronized void stop() {
+  public final void stop() {
     stopRequested = true;
-    notifyAll();
+    synchronized (this) {
+      notifyAll();
+    }
   }
 
   /** Returns whether the run was asked to stop. */
@@ -196,17 +200,24 @@ public class RunControl {
   }
 
   /**
-   * For the solver: returns whether {@link #proceed} would hold the run.
+   * For the solver: returns whether {@link #proceed}, which is called next with the same arguments,
+   * would hold the run.
    *
    * @param time time reached, s
+   * @param stepSize last accepted step, s
+   * @param order its order
    * @param steps accepted steps so far
    */
-  public synchronized boolean holdsAt(double time, long steps) {
-    return !stopRequested && (steps >= stepsAllowed || time >= holdAt);
+  public boolean holdsAt(double time, double stepSize, int order, long steps) {
+    return mustHold(time, steps);
   }
 
-  private synchronized boolean mustHold() {
-    return holdsAt(time, steps);
+  private boolean mustHold() {
+    return mustHold(time, steps);
+  }
+
+  private boolean mustHold(double time, long steps) {
+    return !stopRequested && (steps >= stepsAllowed || time >= holdAt);
   }
 
   private synchronized void hold() {

@@ -5,7 +5,9 @@ import java.util.Arrays;
 import java.util.List;
 import org.mechservice.solver.dynamics.MassiveRods;
 import org.mechservice.solver.dynamics.OpenTree;
+import org.mechservice.solver.dynamics.ResidualJacobian;
 import org.mechservice.solver.dynamics.SemiRecursive;
+import org.mechservice.solver.dynamics.WorldMotion;
 import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.kinematics.StateCoordinates;
@@ -25,6 +27,7 @@ class ClosedTree {
   final MassiveRods rods;
   final OpenTree open;
   final ForceSet forces;
+  final WorldMotion world;
   final int nq;
   final int nv;
 
@@ -35,6 +38,10 @@ class ClosedTree {
   final double[] wrench;
 
   final double[] tau;
+
+  /** The wrenches with those of the loops. */
+  private final double[] loaded;
+
   private final double[] noAcceleration;
 
   ClosedTree(TreeGeometry tree, UserForceSource userForces) {
@@ -46,11 +53,13 @@ class ClosedTree {
     rods = new MassiveRods(tree);
     open = new SemiRecursive(tree).newWorkspace(motion);
     forces = new ForceSet(motion, userForces);
+    world = new WorldMotion(motion);
     nq = tree.statePositionCount;
     nv = tree.stateVelocityCount;
     mass = new double[nv * nv];
     wrench = new double[6 * tree.linkCount];
     tau = new double[tree.velocityCount];
+    loaded = new double[wrench.length];
     noAcceleration = new double[nv];
   }
 
@@ -186,11 +195,41 @@ class ClosedTree {
     return true;
   }
 
+  /** Writes kinetic and potential energy at a state, J. */
+  void energy(double t, double[] y, double[] energy) {
+    motion.sweep(t, y);
+    applyForces(t);
+    energy[0] = world.kineticEnergy() + rods.kineticEnergy(motion);
+    energy[1] =
+        world.potentialEnergy() + rods.potentialEnergy(motion) + forces.potentialEnergy();
+  }
+
+  /** Writes at a state the power of what has no potential energy, and the sum of its sizes, W. */
+  void power(double t, double[] y, double[] power) {
+    motion.sweep(t, y);
+    applyForces(t);
+    power[0] = forces.power();
+    power[1] = forces.turnover();
+  }
+
   /**
-   * Sweeps motion and forces at the state and the accelerations of the last {@link #formResidual},
-   * for what takes its derivatives from them.
+   * Evaluates the derivatives of M v' + b − τ + Jᵀ λ by v', v and q where the last {@link
+   * #formResidual} was, for the same accelerations.
+   *
+   * @param a accelerations that begin at {@code aAt}; not modified
+   * @param lambda multipliers, one per equation; not modified
+   * @param jacobian of this tree; overwritten
+   * @return whether all forces have values
    */
-  void sweepForDerivatives(double t, double[] a, int aAt, double[] residual) {
-    // The residual has left them swept.
+  boolean linearise(double t, double[] a, int aAt, double[] lambda, ResidualJacobian jacobian) {
+    System.arraycopy(wrench, 0, loaded, 0, loaded.length);
+    loops.addForces(lambda, -1, loaded, tau);
+    jacobian.evaluate(loaded);
+    if (forces.linearise(t, jacobian.forces()) != ForceSet.REGULAR) {
+      return false;
+    }
+    loops.linearise(lambda, -1, jacobian.forces());
+    jacobian.finish();
+    return true;
   }
 }

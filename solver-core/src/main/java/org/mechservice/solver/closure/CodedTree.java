@@ -2,12 +2,12 @@ package org.mechservice.solver.closure;
 
 import java.util.Arrays;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.dynamics.ResidualJacobian;
 import org.mechservice.solver.force.UserForceSource;
 
 /**
  * The equations of a mechanism with loops, evaluated by code that was written for it. The data
- * serve what is asked for seldom: energies, reactions, derivatives, and the reason where a force
- * has no direction.
+ * serve what is asked for seldom: poses, reactions, and the reason where a force has no direction.
  *
  * <p>Nothing counts whole turns here: code is written only where neither a force nor a relation
  * depends on coordinates of cut joints.
@@ -23,6 +23,12 @@ final class CodedTree extends ClosedTree {
   private final double[] acceleration;
 
   private final double[] residual;
+
+  /** M, ∂/∂v and ∂/∂q of the residual; elements that are never written are zero. */
+  private final double[] derivatives;
+
+  /** A residual of the data. */
+  private final double[] extended;
 
   /** Time and state of the last placement. */
   private double time;
@@ -43,6 +49,8 @@ final class CodedTree extends ClosedTree {
     bias = new double[nv];
     acceleration = new double[nv];
     residual = new double[nv];
+    derivatives = new double[terms instanceof LoopTerms.OfDerivatives ? 3 * nv * nv : 0];
+    extended = new double[tree.velocityCount];
     state = closed.start();
     // rows have learned here what they measure
     placeData(closed.startTime(), state);
@@ -153,9 +161,29 @@ final class CodedTree extends ClosedTree {
   }
 
   @Override
-  void sweepForDerivatives(double t, double[] a, int aAt, double[] target) {
+  void energy(double t, double[] y, double[] energy) {
+    terms.energy(t, y, energy);
+  }
+
+  @Override
+  void power(double t, double[] y, double[] power) {
+    Arrays.fill(power, 0);
+    terms.power(t, y, power);
+  }
+
+  /** {@inheritDoc} The data do it where the code has no derivatives, or a force no value. */
+  @Override
+  boolean linearise(double t, double[] a, int aAt, double[] lambda, ResidualJacobian jacobian) {
+    if (terms instanceof LoopTerms.OfDerivatives coded) {
+      System.arraycopy(a, aAt, acceleration, 0, nv);
+      if (coded.derivatives(t, state, acceleration, lambda, derivatives) == ExplicitModel.REGULAR) {
+        jacobian.take(derivatives);
+        return true;
+      }
+    }
     placeData(t, state);
-    super.formResidual(t, a, aAt, target);
+    return super.formResidual(t, a, aAt, extended)
+        && super.linearise(t, a, aAt, lambda, jacobian);
   }
 
   @Override

@@ -5,7 +5,6 @@ import org.mechservice.solver.api.LinearisedModel;
 import org.mechservice.solver.dynamics.ResidualJacobian;
 import org.mechservice.solver.dynamics.TreeIteration;
 import org.mechservice.solver.dynamics.TreePattern;
-import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
@@ -35,8 +34,6 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
   /** λ at the state of the last linearisation. */
   final double[] lambda;
 
-  private final double[] wrench;
-  private final double[] tau;
   private final double[] full;
 
   /** The matrix of an implicit step, f × f. */
@@ -78,8 +75,6 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     loopJacobian = new double[work.loops.jacobian.length];
     positionMatrix = new double[completion.positionMatrix().length];
     lambda = new double[work.loops.count()];
-    wrench = new double[6 * work.tree.linkCount];
-    tau = new double[work.tree.velocityCount];
     full = new double[work.nv * work.nv];
     reduced = new double[f * f];
     right = new double[f];
@@ -127,16 +122,10 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
       return false;
     }
     projected.multipliers(force, lambda);
-    work.sweepForDerivatives(t, acceleration, 0, force);
-    System.arraycopy(work.wrench, 0, wrench, 0, wrench.length);
-    work.loops.addForces(lambda, -1, wrench, tau);
-    jacobian.evaluate(wrench);
-    if (work.forces.linearise(t, jacobian.forces()) != ForceSet.REGULAR) {
+    if (!work.linearise(t, acceleration, 0, lambda, jacobian)) {
       fail(work.forces.defect());
       return false;
     }
-    work.loops.linearise(lambda, -1, jacobian.forces());
-    jacobian.finish();
     iteration.setState(y);
     completion.formPositionMatrix(y);
     System.arraycopy(work.loops.jacobian, 0, loopJacobian, 0, loopJacobian.length);

@@ -16,7 +16,6 @@ import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.StateJumps;
 import org.mechservice.solver.closure.LoopFinding.Kind;
-import org.mechservice.solver.dynamics.WorldMotion;
 import org.mechservice.solver.force.FormulaCheck;
 import org.mechservice.solver.force.TriedStates;
 import org.mechservice.solver.force.UserForceSource;
@@ -30,10 +29,13 @@ abstract class LoopModel
 
   final ClosedMechanism closed;
   final ClosedTree work;
-  private final WorldMotion world;
   private final List<Note> notes = new ArrayList<>();
   private final Map<Kind, Integer> noted = new EnumMap<>(Kind.class);
   private final double[] derivative;
+
+  /** Power and turnover. */
+  private final double[] power = new double[2];
+
   private Optional<Reactions> reactions = Optional.empty();
   private Optional<LoopProjection> afterJumps = Optional.empty();
   private Optional<Defect> defect = Optional.empty();
@@ -45,7 +47,6 @@ abstract class LoopModel
     }
     this.closed = closed;
     work = closed.newEquations(userForces);
-    world = new WorldMotion(work.motion);
     derivative = new double[work.nq + work.nv];
     closed.findings().forEach(this::note);
   }
@@ -157,27 +158,19 @@ abstract class LoopModel
 
   @Override
   public final void energy(double t, double[] y, double[] energy) {
-    work.motion.sweep(t, y);
-    work.applyForces(t);
-    energy[0] = world.kineticEnergy() + work.rods.kineticEnergy(work.motion);
-    energy[1] =
-        world.potentialEnergy()
-            + work.rods.potentialEnergy(work.motion)
-            + work.forces.potentialEnergy();
+    work.energy(t, y, energy);
   }
 
   @Override
   public final double power(double t, double[] y) {
-    work.motion.sweep(t, y);
-    work.applyForces(t);
-    return work.forces.power();
+    work.power(t, y, power);
+    return power[0];
   }
 
   @Override
   public final double turnover(double t, double[] y) {
-    work.motion.sweep(t, y);
-    work.applyForces(t);
-    return work.forces.turnover();
+    work.power(t, y, power);
+    return power[1];
   }
 
   @Override
@@ -193,6 +186,6 @@ abstract class LoopModel
   @Override
   public final void poses(double t, double[] y, double[] poses) {
     work.motion.sweep(t, y);
-    world.poses(poses);
+    work.world.poses(poses);
   }
 }

@@ -76,6 +76,25 @@ public interface LoopTerms {
    */
   int equations(double t, double[] y, double[] terms);
 
+  /**
+   * Writes the energies of bodies, rods and springs.
+   *
+   * @param t time, s
+   * @param y state [q; v]; not modified
+   * @param energy kinetic and potential energy, J; overwritten
+   */
+  void energy(double t, double[] y, double[] energy);
+
+  /**
+   * Writes the power of the forces that have no potential energy.
+   *
+   * @param t time, s
+   * @param y state [q; v]; not modified
+   * @param power two zeros; overwritten by the sum and the sum of the sizes, W, if there is such a
+   *     force
+   */
+  void power(double t, double[] y, double[] power);
+
   /** Terms of the recursive residual besides. */
   interface OfResidual extends LoopTerms {
     /**
@@ -97,5 +116,22 @@ public interface LoopTerms {
      * @return as {@link #equations}
      */
     int residual(double t, double[] y, double[] a, double[] residual);
+  }
+
+  /** Derivatives of the recursive residual besides. */
+  interface OfDerivatives extends OfResidual {
+    /**
+     * Writes the derivatives of M v' + b − τ + Jᵀ λ by v', v and q, for Euler parameters along the
+     * tangent. What is zero in every state need not be written.
+     *
+     * @param t time, s
+     * @param y state [q; v]; not modified
+     * @param a accelerations v', n numbers, rad/s² or m/s²; not modified
+     * @param lambda multipliers λ, m numbers, N or N·m; not modified
+     * @param derivatives M, of which only the lower triangle and the diagonal are used, then ∂/∂v,
+     *     then ∂/∂q, each n × n row by row; overwritten
+     * @return as {@link #equations}
+     */
+    int derivatives(double t, double[] y, double[] a, double[] lambda, double[] derivatives);
   }
 }

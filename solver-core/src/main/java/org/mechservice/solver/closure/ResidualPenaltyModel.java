@@ -6,7 +6,6 @@ import org.mechservice.solver.dynamics.ResidualDifferences;
 import org.mechservice.solver.dynamics.ResidualJacobian;
 import org.mechservice.solver.dynamics.TreeIteration;
 import org.mechservice.solver.dynamics.TreePattern;
-import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.linear.Cholesky;
 import org.mechservice.solver.linear.DenseLu;
@@ -59,8 +58,6 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   private final double[] linearisedRows;
   private final double[] force;
   private final double[] velocity;
-  private final double[] wrench;
-  private final double[] tau;
   private final double[] lambda;
   private final double[] full;
   private final AugmentedEquations equations;
@@ -114,8 +111,6 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     linearisedRows = new double[m * n];
     force = new double[work.tree.velocityCount];
     velocity = new double[n];
-    wrench = new double[work.wrench.length];
-    tau = new double[work.tau.length];
     lambda = new double[m];
     full = new double[n * n];
     DenseLu lu = new DenseLu(n);
@@ -245,19 +240,13 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
         fail(work.forces.defect());
         return false;
       }
-      work.sweepForDerivatives(t, yDot, work.nq, force);
       for (int row = 0; row < m; row++) {
         lambda[row] = isRepeated[row] ? 0 : y[atLambda + row] / work.loops.size(row);
       }
-      System.arraycopy(work.wrench, 0, wrench, 0, wrench.length);
-      work.loops.addForces(lambda, -1, wrench, tau);
-      jacobian.evaluate(wrench);
-      if (work.forces.linearise(t, jacobian.forces()) != ForceSet.REGULAR) {
+      if (!work.linearise(t, yDot, work.nq, lambda, jacobian)) {
         fail(work.forces.defect());
         return false;
       }
-      work.loops.linearise(lambda, -1, jacobian.forces());
-      jacobian.finish();
     }
     formRows(linearisedRows);
     iteration.setState(y);

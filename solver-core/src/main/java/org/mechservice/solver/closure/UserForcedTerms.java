@@ -47,6 +47,20 @@ public class UserForcedTerms implements LoopTerms {
     return loaded == REGULAR ? generated.equations(t, y, terms) : loaded;
   }
 
+  /** {@inheritDoc} Forces written as classes have no potential energy. */
+  @Override
+  public final void energy(double t, double[] y, double[] energy) {
+    generated.energy(t, y, energy);
+  }
+
+  @Override
+  public final void power(double t, double[] y, double[] power) {
+    generated.power(t, y, power);
+    loads.evaluate(t, y);
+    power[0] += loads.forces().power();
+    power[1] += loads.forces().turnover();
+  }
+
   /** The same with the terms of the recursive residual. */
   private static final class WithResidual extends UserForcedTerms implements LoopTerms.OfResidual {
     private final LoopTerms.OfResidual generated;

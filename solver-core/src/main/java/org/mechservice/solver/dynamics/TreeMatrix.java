@@ -123,6 +123,25 @@ public final class TreeMatrix implements TreeElements {
   }
 
   /**
+   * Takes the elements from the lower triangle and the diagonal of a matrix, row by row in the order
+   * of the state.
+   *
+   * @param dense n² numbers from {@code at}; not modified
+   */
+  void take(double[] dense, int at) {
+    int n = pattern.size;
+    factored = false;
+    for (int row = 0; row < n; row++) {
+      int i = pattern.velocityAt[row];
+      diagonal[row] = dense[at + n * i + i];
+      for (int e = pattern.rowStart[row]; e < pattern.rowStart[row + 1]; e++) {
+        int j = pattern.velocityAt[pattern.column[e]];
+        lower[e] = dense[at + n * Math.max(i, j) + Math.min(i, j)];
+      }
+    }
+  }
+
+  /**
    * Writes y = M x.
    *
    * @param x not modified

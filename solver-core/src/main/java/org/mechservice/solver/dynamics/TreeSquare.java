@@ -104,6 +104,24 @@ public final class TreeSquare implements TreeElements {
   }
 
   /**
+   * Takes the elements from a matrix, row by row in the order of the state.
+   *
+   * @param dense n² numbers from {@code at}; not modified
+   */
+  void take(double[] dense, int at) {
+    int n = pattern.size;
+    for (int row = 0; row < n; row++) {
+      int i = pattern.velocityAt[row];
+      diagonal[row] = dense[at + n * i + i];
+      for (int e = pattern.rowStart[row]; e < pattern.rowStart[row + 1]; e++) {
+        int j = pattern.velocityAt[pattern.column[e]];
+        lower[e] = dense[at + n * i + j];
+        upper[e] = dense[at + n * j + i];
+      }
+    }
+  }
+
+  /**
    * Adds factor · A x to y.
    *
    * @param x in the order of the state from {@code xAt}; not modified

@@ -117,8 +117,8 @@ public final class UserLoads {
     return motion;
   }
 
-  /** Returns the forces. */
-  ForceSet forces() {
+  /** Returns the forces, as evaluated last. */
+  public ForceSet forces() {
     return loads.forces();
   }
 

@@ -149,8 +149,8 @@ final class ConsistentStart {
 
   private Attempt linearise() {
     equations.place(yDot);
-    equations.demandNew();
-    Attempt attempt = equations.linearise(t0, y, 0);
+    equations.derivatives().demandNew();
+    Attempt attempt = equations.derivatives().form(t0, y, 0);
     if (attempt != Attempt.PASSED) {
       return attempt;
     }

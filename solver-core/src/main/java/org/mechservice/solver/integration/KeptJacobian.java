@@ -91,11 +91,7 @@ final class KeptJacobian {
 
   /** Adds the product of the matrix in use and x to a vector. */
   void addProduct(double[] x, double[] sum) {
-    for (int j = 0; j < x.length; j++) {
-      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
-        sum[i] += values[layout.index(i, j)] * x[j];
-      }
-    }
+    layout.addProduct(values, x, sum);
   }
 
   /** Adds the absolute values of the terms of that product. */

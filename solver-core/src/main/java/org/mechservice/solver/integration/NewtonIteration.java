@@ -36,7 +36,7 @@ final class NewtonIteration {
 
   private final double[] change;
 
-  private IterationRules rules = IterationRules.PUBLISHED;
+  private final IterationRules rules;
 
   private double rate;
   private boolean rateKnown;
@@ -53,12 +53,8 @@ final class NewtonIteration {
 
   private double negligible;
 
-  NewtonIteration(int dimension) {
+  NewtonIteration(int dimension, IterationRules rules) {
     change = new double[dimension];
-  }
-
-  /** Goes by other rules from now on. */
-  void follow(IterationRules rules) {
     this.rules = rules;
   }
 
@@ -118,7 +114,7 @@ final class NewtonIteration {
         return Attempt.STOPPED;
       }
       iteration++;
-      equations.solveLinear(hGamma, change);
+      equations.factors().solve(hGamma, change);
       differences.correct(change);
       double size = norm.of(change);
       if (!Double.isFinite(size) || !Double.isFinite(negligible)) {

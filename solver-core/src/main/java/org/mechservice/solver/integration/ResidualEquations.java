@@ -142,7 +142,7 @@ final class ResidualEquations extends StepEquations {
 
   @Override
   boolean formsMatrix() {
-    return !asPublished && !looksAhead() && linearisation.formsMatrix();
+    return !asPublished && !drift().matters() && linearisation.formsMatrix();
   }
 
   @Override
@@ -210,11 +210,11 @@ final class ResidualEquations extends StepEquations {
    */
   boolean factorForStart(double h) {
     startHGamma = 0;
-    if (factorAnew(0)) {
+    if (factors().factorAnew(0)) {
       return true;
     }
     startHGamma = h;
-    return factorAnew(h);
+    return factors().factorAnew(h);
   }
 
   /** Returns whether the matrix for the start was only replaced by one that is nearly equal. */
@@ -228,7 +228,7 @@ final class ResidualEquations extends StepEquations {
    * @param r −F at entry
    */
   void solveForStart(double[] r) {
-    solveLinear(startHGamma, r);
+    factors().solve(startHGamma, r);
     if (startHGamma == 0) {
       return;
     }
@@ -268,7 +268,7 @@ final class ResidualEquations extends StepEquations {
 
   @Override
   double roundOff(double hGamma, ErrorNorm norm) {
-    if (!factorAnew(hGamma)) {
+    if (!factors().factorAnew(hGamma)) {
       return 0;
     }
     double[] moved = ahead;

@@ -40,4 +40,15 @@ public record DenseLayout(int dimension) implements MatrixLayout {
   public int columnDistance() {
     return Math.max(1, dimension);
   }
+
+  @Override
+  public void addProduct(double[] matrix, double[] x, double[] sum) {
+    for (int i = 0; i < dimension; i++) {
+      double element = sum[i];
+      for (int j = 0; j < dimension; j++) {
+        element += matrix[i * dimension + j] * x[j];
+      }
+      sum[i] = element;
+    }
+  }
 }

@@ -27,4 +27,19 @@ public interface MatrixLayout {
    * common, for every j; n if there is none.
    */
   int columnDistance();
+
+  /**
+   * Adds A x to a vector.
+   *
+   * @param matrix elements of A, length {@link #length}
+   * @param x length n
+   * @param sum length n; added to, each of its elements in the order of the columns
+   */
+  default void addProduct(double[] matrix, double[] x, double[] sum) {
+    for (int j = 0; j < x.length; j++) {
+      for (int i = firstRow(j); i <= lastRow(j); i++) {
+        sum[i] += matrix[index(i, j)] * x[j];
+      }
+    }
+  }
 }

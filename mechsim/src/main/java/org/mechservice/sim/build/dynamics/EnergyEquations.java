@@ -12,7 +12,7 @@ import org.mechservice.solver.spatial.InertiaTensor;
 
 /**
  * Kinetic energy ½ Σ (m v·v + ω·I ω) over the centres of mass and potential energy −Σ m g·p of an
- * open chain, p from the world origin, with that of springs.
+ * tree, p from the world origin, with that of springs and of rods that close loops.
  *
  * <p>Positions are not needed for that: the direction of gravity goes outwards in body axes, and
  * with it the height of each joint.
@@ -35,7 +35,7 @@ public final class EnergyEquations {
   private final Links mechanism;
 
   private EnergyEquations(Links mechanism) {
-    this.mechanism = mechanism;
+    this.mechanism = MassiveRodTerms.withEnds(mechanism);
     this.coordinates = new Coordinates(program, mechanism);
   }
 
@@ -67,7 +67,12 @@ public final class EnergyEquations {
       program.named("T_" + link.bodyLabel(), kinetic);
       program.named("U_" + link.bodyLabel(), potential);
     }
-    potential = potential.plus(new AppliedForces(program, mechanism, coordinates).potential());
+    AppliedForces applied = new AppliedForces(program, mechanism, coordinates);
+    VelocityRows rows = new VelocityRows(expressions, mechanism, coordinates);
+    MassiveRodTerms rods =
+        new MassiveRodTerms(expressions, mechanism, applied.kinematics(), rows);
+    potential = potential.plus(applied.potential()).plus(rods.potential(mechanism.mechanism()));
+    kinetic = kinetic.plus(rods.kinetic());
     program.section("Kinetic and potential energy.", "energy");
     program.output(0, kinetic);
     program.output(1, potential);

@@ -102,22 +102,44 @@ final class ForceSlopes {
     }
   }
 
-  /** Returns the elements that forces have beyond those of the tree, two places for each. */
+  /**
+   * Returns the elements that forces have beyond those of the tree, two places for each. The three
+   * velocities of a ball are coupled together: what turns its columns mixes them.
+   */
   List<Integer> coupled() {
     List<Integer> coupled = new ArrayList<>();
-    for (int i = 0; i < places.size(); i++) {
+    for (int i = 0; i < mechanism.links().size(); i++) {
       for (int j = 0; j < i; j++) {
+        if (couples(places.of(i), places.of(j))) {
+          addAll(places.of(i), places.of(j), coupled);
+        }
+      }
+    }
+    return coupled;
+  }
+
+  private boolean couples(int[] rows, int[] columns) {
+    for (int i : rows) {
+      for (int j : columns) {
         boolean any =
             byPosition[i][j] != null
                 || byPosition[j][i] != null
                 || byVelocity[i][j] != null
                 || byVelocity[j][i] != null;
         if (any && !places.isOnWay(j, i)) {
-          coupled.addAll(List.of(i, j));
+          return true;
         }
       }
     }
-    return coupled;
+    return false;
+  }
+
+  private static void addAll(int[] rows, int[] columns, List<Integer> coupled) {
+    for (int i : rows) {
+      for (int j : columns) {
+        coupled.addAll(List.of(i, j));
+      }
+    }
   }
 
   /** Returns what is added to ∂F/∂q. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import org.mechservice.sim.symbolic.Differentiation;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
@@ -78,28 +79,62 @@ final class LoopRows {
     }
   }
 
+  /**
+   * Adds the forces Jᵀ λ, a section for each closure.
+   *
+   * @param multiplier λ of each equation
+   */
+  void addForces(IntFunction<Scalar> multiplier, Loads loads) {
+    int row = 0;
+    for (LoopClosure closure : mechanism.mechanism().closures()) {
+      program.section(
+          "Forces of loop: " + closure.name() + ".", Labels.sanitized(closure.name()) + "_force");
+      if (closure instanceof CoordinateClosure relation) {
+        relationRow().addForces(relation.relation(), multiplier.apply(row++), loads);
+        continue;
+      }
+      Pair pair = pair(closure);
+      FrameMotion frames = pair.frames();
+      ScalarVector force = ScalarVector.zero(expressions);
+      ScalarVector moment = force;
+      for (PairTerm term : pair.terms(frames)) {
+        Scalar lambda = multiplier.apply(row++);
+        force = force.plus(term.byShift().times(lambda));
+        moment = moment.plus(term.byTurn().times(lambda));
+      }
+      frames.addWrench(force, moment, loads);
+    }
+  }
+
   private List<LoopRow> equations(LoopClosure closure) {
+    return closure instanceof CoordinateClosure relation
+        ? List.of(relationRow().row(relation.relation()))
+        : pair(closure).equations();
+  }
+
+  private RelationRow relationRow() {
+    JointLinks joints = new JointLinks(expressions, mechanism, coordinates);
+    return new RelationRow(expressions, joints, mechanism, rows, new LoopEquations(tree).length());
+  }
+
+  private Pair pair(LoopClosure closure) {
     if (closure instanceof JointClosure cut) {
       CutJoint joint = new CutJoint(tree, cut.joint());
       List<PairFunction> functions = new ArrayList<>(joint.forbidden());
       for (int k = 0; k < cut.motion().size(); k++) {
         functions.add(joint.coordinate(k));
       }
-      return pair(joint.point1(), joint.point2(), functions, cut.motion());
+      return new Pair(joint.point1(), joint.point2(), functions, cut.motion());
     } else if (closure instanceof DistanceClosure distance) {
       PairFunction function = PairFunction.distance(distance.distance());
-      return pair(distance.point1(), distance.point2(), List.of(function), List.of());
+      return new Pair(distance.point1(), distance.point2(), List.of(function), List.of());
     } else if (closure instanceof PointOnPlaneClosure plane) {
       PairFunction function = PairFunction.displacement("off the plane", plane.normal());
-      return pair(plane.plane(), plane.point(), List.of(function), List.of());
-    } else if (closure instanceof PointOnLineClosure line) {
-      List<PairFunction> functions = PairFunction.offLine(line.direction());
-      return pair(line.line(), line.point(), functions, List.of());
+      return new Pair(plane.plane(), plane.point(), List.of(function), List.of());
     }
-    JointLinks joints = new JointLinks(expressions, mechanism, coordinates);
-    double length = new LoopEquations(tree).length();
-    RelationRow relation = new RelationRow(expressions, joints, mechanism, rows, length);
-    return List.of(relation.row(((CoordinateClosure) closure).relation()));
+    PointOnLineClosure line = (PointOnLineClosure) closure;
+    List<PairFunction> functions = PairFunction.offLine(line.direction());
+    return new Pair(line.line(), line.point(), functions, List.of());
   }
 
   private static BodyFrame frame(BodyPoint point) {
@@ -107,18 +142,40 @@ final class LoopRows {
   }
 
   /** Functions of the relative pose of two bodies: the last ones follow motions. */
-  private List<LoopRow> pair(
-      BodyPoint a, BodyPoint b, List<PairFunction> functions, List<Expression> motions) {
-    FrameMotion frames = new FrameMotion(kinematics, points, frame(a), frame(b));
-    PairTerms forms = new PairTerms(expressions, frames);
-    List<LoopRow> equations = new ArrayList<>();
-    int vanishing = functions.size() - motions.size();
-    for (int i = 0; i < functions.size(); i++) {
-      PairTerm term = functions.get(i).as(forms);
-      LoopRow row = row(frames, term);
-      equations.add(i < vanishing ? row : following(row, term, motions.get(i - vanishing)));
+  private final class Pair {
+    private final BodyPoint a;
+    private final BodyPoint b;
+    private final List<PairFunction> functions;
+    private final List<Expression> motions;
+
+    Pair(BodyPoint a, BodyPoint b, List<PairFunction> functions, List<Expression> motions) {
+      this.a = a;
+      this.b = b;
+      this.functions = functions;
+      this.motions = motions;
     }
-    return equations;
+
+    FrameMotion frames() {
+      return new FrameMotion(kinematics, points, frame(a), frame(b));
+    }
+
+    List<PairTerm> terms(FrameMotion frames) {
+      PairTerms forms = new PairTerms(expressions, frames);
+      return functions.stream().map(function -> function.as(forms)).toList();
+    }
+
+    List<LoopRow> equations() {
+      FrameMotion frames = frames();
+      List<PairTerm> terms = terms(frames);
+      List<LoopRow> equations = new ArrayList<>();
+      int vanishing = functions.size() - motions.size();
+      for (int i = 0; i < terms.size(); i++) {
+        PairTerm term = terms.get(i);
+        LoopRow row = row(frames, term);
+        equations.add(i < vanishing ? row : following(row, term, motions.get(i - vanishing)));
+      }
+      return equations;
+    }
   }
 
   private LoopRow row(FrameMotion frames, PairTerm term) {

@@ -6,6 +6,7 @@ import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.spatial.InertiaTensor;
@@ -116,6 +117,37 @@ final class MassiveRodTerms {
         mass[i][j] = mass[i][j].plus(sum.times(sixth));
       }
     }
+  }
+
+  /** Returns m/6 v_A·v_B of all rods: the kinetic energy that masses at their ends have not, J. */
+  Scalar kinetic() {
+    Scalar sum = expressions.zero();
+    for (DistanceClosure rod : rods) {
+      int a = points.link(rod.point1().body());
+      int b = points.link(rod.point2().body());
+      int ancestor = kinematics.commonAncestor(a, b);
+      ScalarVector ofA = kinematics.velocityAt(a, points.inLink(rod.point1()));
+      ScalarVector ofB = kinematics.velocityAt(b, points.inLink(rod.point2()));
+      Scalar product =
+          kinematics.toAncestor(ancestor, a, ofA).dot(kinematics.toAncestor(ancestor, b, ofB));
+      sum = sum.plus(product.times(rod.rodMass() / 6));
+    }
+    return sum;
+  }
+
+  /** Returns the potential energy of all rods that their ends do not carry as own masses, J. */
+  Scalar potential(Mechanism described) {
+    ScalarVector gravity = ScalarVector.of(expressions, described.gravity());
+    Scalar sum = expressions.zero();
+    for (DistanceClosure rod : rods) {
+      for (BodyPoint point : List.of(rod.point1(), rod.point2())) {
+        int link = points.link(point.body());
+        double carried = link == Links.ROOT ? 0 : rod.rodMass() / 3;
+        Scalar depth = kinematics.placeInWorld(link, points.inLink(point)).dot(gravity);
+        sum = sum.minus(depth.times(rod.rodMass() / 2 - carried));
+      }
+    }
+    return sum;
   }
 
   /** How fast a point moves along an axis of the ancestor, by the velocities of the state. */

@@ -39,6 +39,27 @@ public final class PowerEquations {
     return power.isZero() ? Optional.empty() : Optional.of(program);
   }
 
+  /**
+   * Derives the same of a mechanism with loops, where what forces do is all that is known; it puts
+   * nothing out if they do nothing whatever the state.
+   */
+  public static Program ofForces(Links mechanism) {
+    Program program = new Program();
+    Coordinates coordinates = new Coordinates(program, mechanism);
+    Scalar power = program.expressions().zero();
+    Scalar turnover = power;
+    for (Scalar one : new AppliedForces(program, mechanism, coordinates).powers()) {
+      power = power.plus(one);
+      turnover = turnover.plus(size(one));
+    }
+    if (!power.isZero()) {
+      program.section("Power.", "power");
+      program.output(0, power);
+      program.output(1, turnover);
+    }
+    return program;
+  }
+
   private static Scalar size(Scalar power) {
     return power.isZero() ? power : power.expressions().function(MathFunction.ABS, power);
   }

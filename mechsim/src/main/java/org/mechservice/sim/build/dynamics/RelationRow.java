@@ -78,8 +78,7 @@ final class RelationRow extends Formulas {
     Scalar[] jacobian = rows.zeros();
     Scalar size = expressions.zero();
     for (Leaf leaf : leaves) {
-      Map<Scalar, Scalar> direction = Map.of(leaf.stand(), expressions.one());
-      Scalar slope = inPlace(new Differentiation(expressions, direction).of(derived));
+      Scalar slope = slope(derived, leaf);
       Link link = joints.link(leaf.coordinate());
       if (!link.isDriven()) {
         int at = rows.velocity(link);
@@ -92,6 +91,21 @@ final class RelationRow extends Formulas {
     Scalar rate = byMotion.of(value);
     Scalar offset = byMotion.of(rate);
     return new LoopRow(value, rate, offset, jacobian, size.isConstant() ? none() : some(size));
+  }
+
+  /** Adds the joint forces that a multiplier of the equation stands for. */
+  void addForces(Expression relation, Scalar multiplier, Loads loads) {
+    Scalar derived = scalar(relation);
+    for (Leaf leaf : leaves) {
+      Scalar force = slope(derived, leaf).times(multiplier);
+      joints.addForce(joints.velocityOf(leaf.coordinate()), force, loads);
+    }
+  }
+
+  /** Returns ∂Φ/∂(leaf). */
+  private Scalar slope(Scalar derived, Leaf leaf) {
+    Map<Scalar, Scalar> direction = Map.of(leaf.stand(), expressions.one());
+    return inPlace(new Differentiation(expressions, direction).of(derived));
   }
 
   private static Optional<Scalar> none() {

@@ -1,12 +1,15 @@
 package org.mechservice.sim.build.dynamics;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
-import org.mechservice.solver.dynamics.TreePattern;
 
 /**
  * The derivatives of the residual M v' + b − τ of an open chain by v', v and q (RR-JF, NUMERICS
@@ -23,6 +26,9 @@ import org.mechservice.solver.dynamics.TreePattern;
  * <p>These hold for columns fixed in the moving link. Those of a ball whose velocity is given in
  * the axes of its parent turn against the link: ∂F/∂q of its three columns gets ∂F/∂v [ω]× + M
  * [ω']×, its own rows less [Sᵀ fᶜ]×.
+ *
+ * <p>Where loops are closed, Jᵀ λ is a force like others, and so is what a rod needs at one end
+ * because the other accelerates: how they change is differentiated with the applied forces.
  */
 public final class ResidualDerivatives {
   /**
@@ -42,24 +48,82 @@ public final class ResidualDerivatives {
   private final TreePlaces places;
   private final ToParent toParent;
 
-  private ResidualDerivatives(Links mechanism) {
+  /** What rods between bodies add to M, by velocities of the state. */
+  private final Scalar[][] massOfRods;
+
+  /**
+   * @param derivative where inputs of accelerations begin, as {@link Coordinates} counts them
+   */
+  private ResidualDerivatives(Links mechanism, int derivative) {
     this.mechanism = mechanism;
-    int stateCount = mechanism.positionCount() + mechanism.velocityCount();
-    coordinates = new Coordinates(program, mechanism, stateCount);
+    coordinates = new Coordinates(program, mechanism, derivative);
     places = new TreePlaces(mechanism);
     toParent = new ToParent(expressions, coordinates);
+    massOfRods = new Scalar[mechanism.velocityCount()][mechanism.velocityCount()];
+    for (Scalar[] row : massOfRods) {
+      Arrays.fill(row, expressions.zero());
+    }
   }
 
-  /** Derives the program. */
+  /** Derives the program of an open chain. */
   public static Derived derive(Links mechanism) {
-    return new ResidualDerivatives(mechanism).derive();
+    int states = mechanism.positionCount() + mechanism.velocityCount();
+    ResidualDerivatives tree = new ResidualDerivatives(mechanism, states);
+    List<Integer> coupled = new ArrayList<>();
+    tree.derive(
+        (sweep, kinematics, loads) -> {},
+        slopes -> {
+          coupled.addAll(slopes.coupled());
+          return new ElementPlaces.OfTree(tree.places.pattern(coupled));
+        });
+    String text = coupled.stream().map(String::valueOf).collect(Collectors.joining(" "));
+    return new Derived(tree.program, tree.places.text(), text);
   }
 
-  private Derived derive() {
+  /**
+   * Derives the program of a mechanism with loops: from [q; v], followed by v' and λ, to the
+   * derivatives of M v' + b − τ + Jᵀ λ in the order of {@link
+   * org.mechservice.solver.closure.LoopTerms.OfDerivatives}.
+   */
+  public static Program ofLoops(Links mechanism) {
+    // accelerations count like velocities, which come after the positions
+    int accelerations = mechanism.velocityCount();
+    ResidualDerivatives closed =
+        new ResidualDerivatives(MassiveRodTerms.withEnds(mechanism), accelerations);
+    closed.derive(closed::addLoops, slopes -> new ElementPlaces.Dense(closed.places));
+    return closed.program;
+  }
+
+  /** Adds loads that depend on more than the forces of the model. */
+  private interface FurtherLoads {
+    void addTo(ForceSweep sweep, LinkKinematics kinematics, Loads loads);
+  }
+
+  /** Adds −Jᵀ λ, and what rods need of both their ends. */
+  private void addLoops(ForceSweep sweep, LinkKinematics kinematics, Loads loads) {
+    VelocityRows rows = new VelocityRows(expressions, mechanism, coordinates);
+    program.section("Rods.", "rods");
+    MassiveRodTerms rods = new MassiveRodTerms(expressions, mechanism, kinematics, rows);
+    ScalarVector none = ScalarVector.zero(expressions);
+    Wrench[] needed = new Wrench[mechanism.links().size()];
+    Arrays.fill(needed, new Wrench(none, none));
+    rods.addNeeded(sweep, needed);
+    for (int i = 0; i < needed.length; i++) {
+      Wrench acts = needed[i].times(-1);
+      loads.add(i, none, acts.force(), acts.moment());
+    }
+    rods.addMass(massOfRods);
+    int lambda = mechanism.positionCount() + 2 * mechanism.velocityCount();
+    new LoopRows(program, mechanism, coordinates, kinematics, rows, Optional.empty())
+        .addForces(row -> expressions.input(lambda + row).negated(), loads);
+  }
+
+  private void derive(FurtherLoads further, Function<ForceSlopes, ElementPlaces> placing) {
     ForceSweep sweep = new ForceSweep(program, mechanism, coordinates);
     Wrench[] forces = sweep.sweep();
     AppliedForces applied = new AppliedForces(program, mechanism, coordinates);
     Loads loads = applied.loads(true);
+    further.addTo(sweep, applied.kinematics(), loads);
     for (int i = 0; i < forces.length; i++) {
       forces[i] = forces[i].minus(loads.on(i));
     }
@@ -68,11 +132,11 @@ public final class ResidualDerivatives {
     ForceSlopes slopes =
         new ForceSlopes(expressions, mechanism, coordinates, places, loads, columns);
     slopes.derive();
-    List<Integer> coupled = slopes.coupled();
+    Elements elements = new Elements(placing.apply(slopes), slopes);
     new JointSweep(program, mechanism, coordinates).sweep(forces, loads);
     RigidComposite[] composites = composites(columns);
     List<List<JointColumns.Column>> all = new ArrayList<>();
-    Elements elements = new Elements(places.pattern(coupled), slopes);
+    elements.putOutBetweenBranches();
     for (int i = 0; i < forces.length; i++) {
       Link link = mechanism.links().get(i);
       program.section(
@@ -84,11 +148,6 @@ public final class ResidualDerivatives {
       all.add(link.isDriven() ? List.of() : columns.of(link));
       new LinkRows(i, all, composites[i], forces[i]).derive(elements);
     }
-    StringBuilder text = new StringBuilder();
-    for (int place : coupled) {
-      text.append(text.isEmpty() ? "" : " ").append(place);
-    }
-    return new Derived(program, places.text(), text.toString());
   }
 
   /** Sums inwards. */
@@ -112,47 +171,50 @@ public final class ResidualDerivatives {
     return composites;
   }
 
-  /** Puts elements out where the pattern has them, with what forces add. */
+  /** Puts elements out, with what forces and rods add. */
   private final class Elements {
-    private final TreePattern pattern;
+    private final ElementPlaces at;
     private final ForceSlopes slopes;
 
-    Elements(TreePattern pattern, ForceSlopes slopes) {
-      this.pattern = pattern;
+    Elements(ElementPlaces at, ForceSlopes slopes) {
+      this.at = at;
       this.slopes = slopes;
+    }
+
+    /** Elements that neither body of which is on the way of the other. */
+    void putOutBetweenBranches() {
       program.section("Derivatives of forces between branches.", "forces");
+      Scalar zero = expressions.zero();
       for (int i = 0; i < places.size(); i++) {
         for (int j = 0; j < places.size(); j++) {
           if (!places.isOnWay(j, i) && !places.isOnWay(i, j)) {
-            putOut(i, j, expressions.zero(), expressions.zero());
+            putOut(i, j, zero, zero);
+            if (i > j) {
+              putOutMass(i, j, zero);
+            }
           }
         }
       }
     }
 
     void putOutMass(int row, int column, Scalar mass) {
-      int place = row == column ? row : places.size() + pattern.find(row, column);
-      putOut(place, mass);
+      int i = places.get(row).velocity();
+      int j = places.get(column).velocity();
+      Scalar element = mass.plus(massOfRods[Math.max(i, j)][Math.min(i, j)]);
+      if (!element.isZero()) {
+        program.output(at.mass(row, column), element);
+      }
     }
 
     /** Puts elements of C and K out. */
     void putOut(int row, int column, Scalar byVelocity, Scalar byPosition) {
-      int n = places.size();
-      int e = pattern.elementCount();
-      int at = n + e;
-      if (row == column) {
-        at += row;
-      } else {
-        int element = pattern.find(Math.max(row, column), Math.min(row, column));
-        at += n + element + (row > column ? 0 : e);
+      Scalar c = byVelocity.plus(slopes.byVelocity(row, column));
+      if (!c.isZero()) {
+        program.output(at.byVelocity(row, column), c);
       }
-      putOut(at, byVelocity.plus(slopes.byVelocity(row, column)));
-      putOut(at + n + 2 * e, byPosition.plus(slopes.byPosition(row, column)));
-    }
-
-    private void putOut(int at, Scalar value) {
-      if (!value.isZero()) {
-        program.output(at, value);
+      Scalar k = byPosition.plus(slopes.byPosition(row, column));
+      if (!k.isZero()) {
+        program.output(at.byPosition(row, column), k);
       }
     }
   }

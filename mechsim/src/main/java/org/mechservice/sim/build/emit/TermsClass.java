@@ -11,8 +11,11 @@ import org.mechservice.sim.symbolic.Program;
  * @param modelName the model's name in its file
  * @param hasInputs whether the class is given the values of parameters or loads of user forces
  * @param stateCount number of states [q; v]
+ * @param velocityCount number of v among them
  * @param loops program of the method of that name
  * @param equations program of the method of that name
+ * @param energy program of the method of that name
+ * @param power program of the method of that name
  * @param ofResidual programs of the recursive residual, if the formulation has one
  * @param notes further paragraphs of the class comment, for people
  */
@@ -20,15 +23,41 @@ public record TermsClass(
     String modelName,
     boolean hasInputs,
     int stateCount,
+    int velocityCount,
     Program loops,
     Program equations,
+    Program energy,
+    Program power,
     Optional<OfResidual> ofResidual,
     List<String> notes) {
+  /** Returns the program of the derivatives of the residual, if the class has it. */
+  public Optional<Program> derivatives() {
+    return ofResidual.flatMap(OfResidual::derivatives);
+  }
+
+  /** Returns the same without that program. */
+  public TermsClass withoutDerivatives() {
+    return new TermsClass(
+        modelName,
+        hasInputs,
+        stateCount,
+        velocityCount,
+        loops,
+        equations,
+        energy,
+        power,
+        ofResidual.map(
+            programs ->
+                new OfResidual(programs.offset(), programs.residual(), Optional.empty())),
+        notes);
+  }
+
   /**
    * Programs of the recursive residual.
    *
    * @param offset program of the method of that name
    * @param residual program of the method of that name
+   * @param derivatives program of the method of that name, if the class has it
    */
-  public record OfResidual(Program offset, Program residual) {}
+  public record OfResidual(Program offset, Program residual, Optional<Program> derivatives) {}
 }

@@ -112,9 +112,9 @@ final class GivenClasses {
       findings.add(
           "S-120",
           sources.get(0).name(),
-          "this server compiles no classes of users; send class files instead of sources (javac"
-              + " --release 17), run without --server, or ask its operator to start it with"
-              + " --allow-user-code");
+          "this server compiles no classes of users; run without --server, send class files instead"
+              + " of sources (javac --release 17) with --mode local, or ask its operator to start it"
+              + " with --allow-user-code");
     }
   }
 

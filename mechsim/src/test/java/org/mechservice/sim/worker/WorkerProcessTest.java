@@ -1,0 +1,28 @@
+package org.mechservice.sim.worker;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+class WorkerProcessTest {
+  private static WorkerLostException lostAfter(String last) throws Exception {
+    Process worker = new ProcessBuilder("sh", "-c", "exec 1>&-; " + last).start();
+    assertThat(worker.getInputStream().read()).isEqualTo(-1);
+    return WorkerProcess.lost(worker, 300_000_000);
+  }
+
+  /** On a busy machine seconds pass from the last word of a process to its end. */
+  @Test
+  void workerWithoutMemoryIsToldFromOthersHoweverLongItTakesToDie() throws Exception {
+    assertThat(lostAfter("sleep 3; exit 3"))
+        .hasMessageContaining("more than the 300 MB of memory")
+        .matches(WorkerLostException::outOfMemory);
+  }
+
+  @Test
+  void workerThatEndsOtherwiseIsReportedWithItsStatus() throws Exception {
+    assertThat(lostAfter("exit 7"))
+        .hasMessageContaining("with status 7")
+        .matches(lost -> !lost.outOfMemory());
+  }
+}
