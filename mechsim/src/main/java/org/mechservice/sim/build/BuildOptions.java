@@ -2,6 +2,7 @@ package org.mechservice.sim.build;
 
 import java.util.Optional;
 import java.util.Set;
+import org.mechservice.sim.build.emit.CodeForm;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunSettings;
 
@@ -11,6 +12,7 @@ import org.mechservice.solver.api.RunSettings;
  * @param formulation {@code auto}, {@code DTR}, {@code DSR}, {@code RR} or {@code RR-JF}
  * @param closure how loops are closed: {@code auto}, {@code projection} or {@code penalty}
  * @param compact whether the model is to carry data instead of generated code
+ * @param form how generated code is laid out
  * @param columns column groups it must be able to put out
  * @param settings the settings it carries as its defaults, with {@code auto} already resolved
  * @param integratorReason why {@code auto} is that integrator; empty if it was asked for, or
@@ -20,6 +22,7 @@ public record BuildOptions(
     String formulation,
     String closure,
     boolean compact,
+    CodeForm form,
     Set<ColumnGroup> columns,
     RunSettings settings,
     Optional<String> integratorReason) {
@@ -34,7 +37,13 @@ public record BuildOptions(
       boolean compact,
       Set<ColumnGroup> columns,
       RunSettings settings) {
-    this(formulation, closure, compact, columns, settings, Optional.empty());
+    this(formulation, closure, compact, CodeForm.AUTO, columns, settings, Optional.empty());
+  }
+
+  /** The same with code laid out in a form. */
+  public BuildOptions in(CodeForm wanted) {
+    return new BuildOptions(
+        formulation, closure, compact, wanted, columns, settings, integratorReason);
   }
 
   /** Generated code wherever there is some, loops closed as suits them. */

@@ -86,7 +86,7 @@ public record CheckReport(
     Links links = Links.of(model.mechanism());
     Program derivative =
         model.mechanism().closures().isEmpty()
-            ? ModelFactory.derivative(links, choice)
+            ? TreeClass.derivative(links, choice)
             : LoopTermsClass.derive(links, choice).equations();
     List<String> noFaster =
         GenerationLimits.noFaster(choice.formulation(), derivative.operationCount());

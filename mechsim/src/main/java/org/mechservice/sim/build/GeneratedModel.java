@@ -6,7 +6,6 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
-import org.mechservice.sim.build.emit.ModelPlan;
 import org.mechservice.sim.build.emit.WrittenClass;
 import org.mechservice.solver.api.ForceDeclaration;
 import org.mechservice.solver.api.ForceLoads;
@@ -146,7 +145,7 @@ public final class GeneratedModel {
 
   /** Returns how the model computes, and how many operations each part of it takes. */
   public String code() {
-    return written instanceof ModelPlan plan ? plan.code() : "none: data for the solver";
+    return written.code();
   }
 
   /** Returns what the scene does not need. */

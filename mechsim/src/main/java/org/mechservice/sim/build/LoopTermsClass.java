@@ -71,14 +71,8 @@ final class LoopTermsClass {
             + loops.operationCount()
             + " those of the loops alone.");
     ofResidual.ifPresent(
-        programs -> {
-          notes.add(programs.residual().operationCount() + " give the residual of the tree.");
-          programs
-              .derivatives()
-              .ifPresent(
-                  derivatives ->
-                      notes.add(derivatives.operationCount() + " give its derivatives."));
-        });
+        programs ->
+            notes.add(programs.residual().operationCount() + " give the residual of the tree."));
     return notes;
   }
 }

@@ -2,6 +2,7 @@ package org.mechservice.sim.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -37,6 +38,19 @@ public final class GenerationLimits {
   private static final int MOST_OF_COMPOSITE_INERTIAS = 30_000;
 
   /**
+   * Operations of the derivatives of a residual with loops: the most of which code is generated.
+   * They are evaluated some hundred times in a run, and so seldom compiled to the end. Measured,
+   * code against data: 8 to 15 times as fast at 606 operations, 3 to 12 at 2568; 0.8 at 9478, and
+   * far slower before it is compiled.
+   */
+  private static final int MOST_OF_LOOP_DERIVATIVES = 5_000;
+
+  /** Returns whether derivatives of a residual with loops are faster as code than from data. */
+  public static boolean areWorthCode(int operations) {
+    return operations <= MOST_OF_LOOP_DERIVATIVES;
+  }
+
+  /**
    * Returns what data evaluate no slower than code, if anything.
    *
    * @param formulation the equations are written in
@@ -44,12 +58,16 @@ public final class GenerationLimits {
    *     terms
    */
   public static List<String> noFaster(String formulation, int operations) {
+    return noFaster(formulation, operations, "it has " + operations);
+  }
+
+  private static List<String> noFaster(String formulation, long operations, String which) {
     return formulation.equals("DSR") && operations > MOST_OF_COMPOSITE_INERTIAS
         ? List.of(
             "DSR of more than "
                 + MOST_OF_COMPOSITE_INERTIAS
-                + " operations (it has "
-                + operations
+                + " operations ("
+                + which
                 + "), which data evaluate as fast")
         : List.of();
   }
@@ -84,6 +102,11 @@ public final class GenerationLimits {
               + elements
               + ")");
     }
+    if (!loops) {
+      // told before the equations are derived, which takes memory without end for a long chain
+      long factors = factors(mechanism);
+      beyond.addAll(noFaster(choice.formulation(), factors, "its factors alone take " + factors));
+    }
     add(beyond, "coordinates of cut joints in", CutCoordinateUses.names(mechanism).stream());
     add(
         beyond,
@@ -94,17 +117,27 @@ public final class GenerationLimits {
 
   /** Returns how many velocities there are, and pairs of them with one on the way of the other. */
   private static int elements(Mechanism mechanism) {
+    return velocitiesOnWay(mechanism).map(onWay -> onWay + 1).sum();
+  }
+
+  /** Operations of L^T D L of a mass matrix: d divisions and d (d + 1) others behind d velocities. */
+  private static long factors(Mechanism mechanism) {
+    return velocitiesOnWay(mechanism).mapToLong(d -> (long) d * (d + 2)).sum();
+  }
+
+  /** Returns of each velocity how many are on its way to the root. */
+  private static IntStream velocitiesOnWay(Mechanism mechanism) {
     int[] onWay = new int[mechanism.bodies().size()];
-    int sum = 0;
+    IntStream.Builder velocities = IntStream.builder();
     for (int j : mechanism.outward()) {
       Joint joint = mechanism.joints().get(j);
       int own = mechanism.isDriven(j) ? 0 : joint.type().velocityCount();
       int parent = joint.attachment().parent();
       int above = parent == Mechanism.ROOT ? 0 : onWay[parent];
-      sum += own * above + own * (own + 1) / 2;
+      IntStream.range(above, above + own).forEach(velocities::add);
       onWay[joint.attachment().child()] = above + own;
     }
-    return sum;
+    return velocities.build();
   }
 
   private static void add(List<String> beyond, String kind, Stream<String> names) {

@@ -71,7 +71,6 @@ record CheckpointCalls(SimulationRun run) {
             () ->
                 new NotAvailable(
                     "S-072",
-                    "a run of the model cannot be saved: its loops do not tell their state, or it"
-                        + " runs classes of users in a process of its own"));
+                    "a run of the model cannot be saved: its loops do not tell their state"));
   }
 }

@@ -3,7 +3,6 @@ package org.mechservice.sim.service;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.mechservice.sim.worker.WorkerResult;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
@@ -49,11 +48,6 @@ record ModelRun(
   @Override
   public void initialState(double[] y) {
     model.initialState(y);
-  }
-
-  @Override
-  public Optional<RunCheckpoints> checkpointsOfRun() {
-    return Optional.of(checkpoints);
   }
 
   @Override

@@ -17,6 +17,7 @@ import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.OPT_ABS_TOL;
 import org.mechservice.idl.OPT_CLOSURE;
+import org.mechservice.idl.OPT_CODE;
 import org.mechservice.idl.OPT_COLUMNS;
 import org.mechservice.idl.OPT_COMPACT;
 import org.mechservice.idl.OPT_CONTINUES;
@@ -35,6 +36,7 @@ import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.sim.build.BuildOptions;
 import org.mechservice.sim.build.BuiltColumns;
+import org.mechservice.sim.build.emit.CodeForm;
 import org.mechservice.sim.scene.IntegratorChoice;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunSettings;
@@ -46,6 +48,7 @@ import org.mechservice.solver.mechanism.Mechanism;
  * @param formulation formulation asked for, {@code auto} or a name
  * @param closure closure asked for, {@code auto} or a name
  * @param compact whether the model is to carry data instead of generated code
+ * @param code how generated code is laid out
  * @param columns column groups wanted
  * @param settings of the run, with the integrator resolved
  * @param standalone whether a JAR is to carry the solver
@@ -59,6 +62,7 @@ record RunOptions(
     String formulation,
     String closure,
     boolean compact,
+    CodeForm code,
     Set<ColumnGroup> columns,
     RunSettings settings,
     boolean standalone,
@@ -96,6 +100,7 @@ record RunOptions(
               OPT_STRICT.value,
               OPT_MAX_DRIFT.value,
               OPT_COMPACT.value,
+              OPT_CODE.value,
               OPT_CONTINUES.value));
 
   RunOptions {
@@ -120,6 +125,7 @@ record RunOptions(
         given.getOrDefault(OPT_FORMULATION.value, ofFile.formulation()),
         given.getOrDefault(OPT_CLOSURE.value, ofFile.closure()),
         flag(given, OPT_COMPACT.value),
+        code(given),
         columns(given.getOrDefault(OPT_COLUMNS.value, ofFile(ofFile))),
         settings(given, ofFile),
         flag(given, OPT_STANDALONE.value),
@@ -153,6 +159,7 @@ record RunOptions(
         formulation,
         closure,
         compact,
+        code,
         columns,
         withIntegrator(settings, choice.integrator()),
         standalone,
@@ -206,6 +213,20 @@ record RunOptions(
     return given.containsKey(OPT_MAX_DRIFT.value)
         ? OptionalDouble.of(positive(given, OPT_MAX_DRIFT.value, 0, ""))
         : OptionalDouble.empty();
+  }
+
+  private static CodeForm code(Map<String, String> given) throws InvalidOption {
+    String text = given.getOrDefault(OPT_CODE.value, CodeForm.AUTO.label());
+    if (given.containsKey(OPT_CODE.value) && flag(given, OPT_COMPACT.value)) {
+      throw Refusal.option(
+          OPT_CODE.value,
+          "code says how code is laid out, and compact form has none; leave out one");
+    }
+    return CodeForm.named(text)
+        .orElseThrow(
+            () ->
+                Refusal.option(
+                    OPT_CODE.value, "code is \"" + text + "\"; it must be " + CodeForm.LABELS));
   }
 
   private static boolean flag(Map<String, String> given, String name) throws InvalidOption {
@@ -370,7 +391,8 @@ record RunOptions(
 
   /** Returns what a model is to be built for that carries these settings as its own. */
   BuildOptions forJar() {
-    return new BuildOptions(formulation, closure, compact, columns, settings, integratorReason);
+    return new BuildOptions(
+        formulation, closure, compact, code, columns, settings, integratorReason);
   }
 
   /**
@@ -383,6 +405,7 @@ record RunOptions(
         formulation,
         closure,
         compact,
+        code,
         columns,
         new RunSettings(
             file.tStart(),

@@ -3,7 +3,6 @@ package org.mechservice.sim.service;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.mechservice.sim.worker.WorkerLostException;
 import org.mechservice.sim.worker.WorkerResult;
 import org.mechservice.solver.api.Model;
@@ -43,10 +42,8 @@ interface RunTask {
    */
   void initialState(double[] y);
 
-  /** Returns the checkpoints of the run; empty if it leaves none and can be taken up from none. */
-  default Optional<RunCheckpoints> checkpointsOfRun() {
-    return Optional.empty();
-  }
+  /** Returns the checkpoints of the run, which are those of {@link #with} too. */
+  RunCheckpoints checkpoints();
 
   /** Returns the processor time used so far, ns; negative if it is not known. */
   long cpuNanos();

@@ -61,7 +61,7 @@ final class SimulationRun implements Runnable {
     story = new RunStory(plan, queue, this, control, phase, clock, rows, new RunCurves());
     news = new RunNews(story);
     conclusion = new RunConclusion(story, store, store.record(simId(), spool));
-    task.checkpointsOfRun().ifPresent(checkpoints -> checkpoints.countRowsWith(spool::rows));
+    task.checkpoints().countRowsWith(spool::rows);
   }
 
   String simId() {
@@ -86,7 +86,7 @@ final class SimulationRun implements Runnable {
 
   /** Returns its checkpoints; empty if it can have none. */
   Optional<RunCheckpoints> checkpoints() {
-    return task().checkpointsOfRun().filter(RunCheckpoints::possible);
+    return Optional.of(task().checkpoints()).filter(RunCheckpoints::possible);
   }
 
   private synchronized RunTask task() {

@@ -15,6 +15,7 @@ import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.TunableParameter;
+import org.mechservice.solver.simulation.Simulation;
 
 /** Computes in a process of its own, the only place where classes of users are loaded. */
 final class WorkerRun implements RunTask {
@@ -24,13 +25,20 @@ final class WorkerRun implements RunTask {
   private final Map<String, String> values;
   private final RunRequest request;
   private final long memoryBytes;
+  private final RunCheckpoints checkpoints;
   private final WorkerProcess worker;
 
   /**
    * @param memoryBytes most memory of the process; negative: what Java takes by itself
    */
   WorkerRun(CompiledModel compiled, RunRequest request, long memoryBytes) {
-    this(compiled, compiled.describing().parameters(), Map.of(), request, memoryBytes);
+    this(
+        compiled,
+        compiled.describing().parameters(),
+        Map.of(),
+        request,
+        memoryBytes,
+        new RunCheckpoints(compiled::sha256, Simulation.canBeSaved(compiled.describing().model())));
   }
 
   private WorkerRun(
@@ -38,12 +46,14 @@ final class WorkerRun implements RunTask {
       List<TunableParameter> parameters,
       Map<String, String> values,
       RunRequest request,
-      long memoryBytes) {
+      long memoryBytes,
+      RunCheckpoints checkpoints) {
     this.compiled = compiled;
     this.parameters = parameters;
     this.values = values;
     this.request = request;
     this.memoryBytes = memoryBytes;
+    this.checkpoints = checkpoints;
     described = compiled.describing().model(values);
     worker = new WorkerProcess(memoryBytes);
   }
@@ -62,7 +72,12 @@ final class WorkerRun implements RunTask {
   @Override
   public RunTask with(Map<String, String> changed) {
     return new WorkerRun(
-        compiled, ModelRun.changed(parameters, changed), changed, request, memoryBytes);
+        compiled,
+        ModelRun.changed(compiled.describing().parameters(), changed),
+        changed,
+        request,
+        memoryBytes,
+        checkpoints);
   }
 
   @Override
@@ -81,6 +96,11 @@ final class WorkerRun implements RunTask {
   }
 
   @Override
+  public RunCheckpoints checkpoints() {
+    return checkpoints;
+  }
+
+  @Override
   public long cpuNanos() {
     return worker.cpuNanos();
   }
@@ -89,10 +109,12 @@ final class WorkerRun implements RunTask {
   public WorkerResult run(ResultSink sink, RunControl control) throws IOException {
     var own = new TreeMap<>(compiled.classFiles());
     own.keySet().removeAll(compiled.userClassFiles().keySet());
+    checkpoints.ofParameters(parameters);
     return worker.run(
         new WorkerOrder(
             compiled.generated().className(), own, compiled.userClassFiles(), values, request),
         sink,
-        control);
+        control,
+        checkpoints);
   }
 }

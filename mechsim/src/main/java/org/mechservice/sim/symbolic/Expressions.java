@@ -69,6 +69,20 @@ public final class Expressions {
     return Simplification.function(function, List.of(arguments));
   }
 
+  /**
+   * Returns the node that does the same as one of this or another graph, with other operands.
+   * Nothing is simplified, so that its value has the same bits.
+   */
+  public Scalar alike(Scalar node, List<Scalar> operands) {
+    return switch (node.operation()) {
+      case CONSTANT -> constant(node.value());
+      case INPUT -> input(node.index());
+      case FUNCTION -> call(node.function(), operands);
+      case NEGATE, SQUARE_ROOT, SINE, COSINE -> unary(node.operation(), operands.get(0));
+      default -> binary(node.operation(), operands.get(0), operands.get(1));
+    };
+  }
+
   /** Returns the number of nodes so far. */
   public int size() {
     return nodes.size();

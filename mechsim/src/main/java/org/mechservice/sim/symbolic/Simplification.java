@@ -34,10 +34,10 @@ final class Simplification {
     if (b.isZero()) {
       return a;
     }
-    if (isNegative(b)) {
+    if (b.is(NEGATE)) {
       return difference(a, negation(b));
     }
-    if (isNegative(a)) {
+    if (a.is(NEGATE)) {
       return difference(b, negation(a));
     }
     if (a.is(SUBTRACT) && a.second() == b) {
@@ -45,6 +45,18 @@ final class Simplification {
     }
     if (b.is(SUBTRACT) && b.second() == a) {
       return b.first();
+    }
+    if (b.isConstant()) {
+      return sum(b, a);
+    }
+    if (a.isConstant()) {
+      if (b.is(ADD) && b.first().isConstant(-a.value())) {
+        return b.second();
+      }
+      Scalar opposite = expressions.constant(-a.value());
+      if (expressions.knows(SUBTRACT, opposite, b)) {
+        return negation(expressions.binary(SUBTRACT, opposite, b));
+      }
     }
     return commutative(ADD, a, b);
   }
@@ -63,10 +75,10 @@ final class Simplification {
     if (a.isZero()) {
       return negation(b);
     }
-    if (isNegative(b)) {
+    if (b.is(NEGATE)) {
       return sum(a, negation(b));
     }
-    if (isNegative(a)) {
+    if (a.is(NEGATE)) {
       return negation(sum(negation(a), b));
     }
     return cancelled(expressions, a, b);
@@ -74,6 +86,15 @@ final class Simplification {
 
   /** Takes out what occurs on both sides of a − b. */
   private static Scalar cancelled(Expressions expressions, Scalar a, Scalar b) {
+    if (b.isConstant()) {
+      return sum(expressions.constant(-b.value()), a);
+    }
+    if (a.isConstant()) {
+      Scalar opposite = expressions.constant(-a.value());
+      if (expressions.knows(ADD, opposite, b)) {
+        return negation(expressions.binary(ADD, opposite, b));
+      }
+    }
     if (b.is(SUBTRACT) && b.first() == a) {
       return b.second();
     }
@@ -116,6 +137,12 @@ final class Simplification {
     }
     if (a.isConstant() && b.is(MULTIPLY) && b.first().isConstant()) {
       return product(expressions.constant(a.value() * b.first().value()), b.second());
+    }
+    if (a.isConstant()) {
+      Scalar opposite = expressions.constant(-a.value());
+      if (expressions.knows(MULTIPLY, opposite, b)) {
+        return negation(expressions.binary(MULTIPLY, opposite, b));
+      }
     }
     return commutative(MULTIPLY, a, b);
   }
@@ -221,7 +248,7 @@ final class Simplification {
   }
 
   private static boolean isNegative(Scalar a) {
-    return a.is(NEGATE) || (a.isConstant() && a.value() < 0);
+    return a.is(NEGATE) || a.isConstant(-1);
   }
 
   /** Constants stand first, otherwise the older operand: x·y and y·x are one node. */

@@ -8,10 +8,12 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.util.List;
+import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.concurrent.Semaphore;
 import org.mechservice.sim.build.javac.ModelClassLoader;
 import org.mechservice.sim.build.user.UserClasses;
+import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
@@ -25,16 +27,20 @@ public final class WorkerMain implements ResultSink {
   static final byte COLUMNS = 'C';
   static final byte ROW = 'R';
   static final byte STEP = 'P';
+  static final byte WAIT = 'W';
+  static final byte CHECKPOINT = 'K';
   static final byte END = 'E';
   static final byte REFUSED = 'X';
   // To the worker
   static final byte GO_ON = 'G';
   static final byte STOP = 'S';
+  static final byte SAVE = 'V';
 
   private final DataInputStream in;
   private final DataOutputStream out;
-  private final RunControl control = new AskingControl();
-  private final Semaphore mayGoOn = new Semaphore(0);
+  private final AskingControl control = new AskingControl();
+  private final Semaphore answers = new Semaphore(0);
+  private volatile byte answer;
 
   private WorkerMain(InputStream in, OutputStream out) {
     this.in = new DataInputStream(in);
@@ -52,11 +58,12 @@ public final class WorkerMain implements ResultSink {
 
   private void work() throws IOException {
     WorkerOrder order = WorkerOrder.read(in);
+    CheckpointOrder checkpoints = CheckpointOrder.read(in);
     Thread listener = new Thread(this::listen, "orders");
     listener.setDaemon(true);
     listener.start();
     try {
-      RunReport report = run(order);
+      RunReport report = run(order, new SentCheckpoints(checkpoints));
       out.writeByte(END);
       new WorkerResult(report.asMap(), report.outcome()).write(out);
     } catch (IllegalArgumentException e) {
@@ -66,7 +73,7 @@ public final class WorkerMain implements ResultSink {
     out.flush();
   }
 
-  private RunReport run(WorkerOrder order) throws IOException {
+  private RunReport run(WorkerOrder order, Checkpoints checkpoints) throws IOException {
     Solver solver =
         ServiceLoader.load(Solver.class, WorkerMain.class.getClassLoader())
             .findFirst()
@@ -76,7 +83,7 @@ public final class WorkerMain implements ResultSink {
     try {
       ModelSource source =
           ModelSource.from(classes.loadClass(order.className()).getConstructor().newInstance());
-      return solver.run(source.model(order.values()), order.request(), this, control);
+      return solver.run(source.model(order.values()), order.request(), this, control, checkpoints);
     } catch (ReflectiveOperationException e) {
       throw new IllegalStateException(e);
     }
@@ -84,20 +91,72 @@ public final class WorkerMain implements ResultSink {
 
   /** Asks the host after every step whether to go on, and waits for the answer. */
   private final class AskingControl extends RunControl {
+    /** Whether the host has let the run go on from the present step already. */
+    private boolean letGo;
+
+    /** Returns whether the host wants a checkpoint of this step before it is asked to go on. */
+    @Override
+    public boolean holdsAt(double time, double stepSize, int order, long steps) {
+      boolean save = ask(STEP, time, stepSize, order, steps) == SAVE && !stopRequested();
+      letGo = !save;
+      return save;
+    }
+
     @Override
     public boolean proceed(double time, double stepSize, int order, long steps) {
+      if (!letGo) {
+        ask(WAIT, time, stepSize, order, steps);
+      }
+      letGo = false;
+      return !stopRequested();
+    }
+
+    private byte ask(byte kind, double time, double stepSize, int order, long steps) {
       try {
-        out.writeByte(STEP);
+        out.writeByte(kind);
         out.writeDouble(time);
         out.writeDouble(stepSize);
         out.writeInt(order);
         out.writeLong(steps);
         out.flush();
       } catch (IOException e) {
-        return false; // nobody listens any more
+        stop(); // nobody listens any more
+        return STOP;
       }
-      mayGoOn.acquireUninterruptibly();
-      return !stopRequested();
+      answers.acquireUninterruptibly();
+      return answer;
+    }
+  }
+
+  /** Leaves checkpoints where the host wants them. */
+  private final class SentCheckpoints implements Checkpoints {
+    private final CheckpointOrder order;
+
+    SentCheckpoints(CheckpointOrder order) {
+      this.order = order;
+    }
+
+    @Override
+    public String modelHash() {
+      return order.modelHash();
+    }
+
+    /** {@inheritDoc} Finite: where the control holds the run, and where it is stopped. */
+    @Override
+    public double secondsBetween() {
+      return order.possible() ? Double.MAX_VALUE : Double.POSITIVE_INFINITY;
+    }
+
+    @Override
+    public Optional<byte[]> saved() {
+      return order.saved();
+    }
+
+    @Override
+    public void keep(byte[] checkpoint) throws IOException {
+      out.writeByte(CHECKPOINT);
+      out.writeInt(checkpoint.length);
+      out.write(checkpoint);
     }
   }
 
@@ -108,7 +167,8 @@ public final class WorkerMain implements ResultSink {
         if (order == STOP) {
           control.stop();
         }
-        mayGoOn.release();
+        answer = (byte) order;
+        answers.release();
       }
     } catch (IOException e) {
       // The same as the end of the stream.

@@ -4,6 +4,7 @@ import java.io.BufferedInputStream;
 import java.io.BufferedOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
+import java.io.EOFException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -12,6 +13,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.Variable;
@@ -29,6 +31,7 @@ public final class WorkerProcess {
   private static final long DYING_SECONDS = 60;
 
   private static final int MOST_COLUMNS = 1_000_000;
+  private static final int MOST_CHECKPOINT_BYTES = 1 << 28;
   private static final double MEGABYTE = 1e6;
 
   private final long memoryBytes;
@@ -54,11 +57,14 @@ public final class WorkerProcess {
    *
    * @param sink takes the rows
    * @param control steers and watches
+   * @param checkpoints given one where the run is held or stopped, and, while the time between two
+   *     is 0, after each step
    * @throws IllegalArgumentException if the order makes no sense; the message says why
    * @throws WorkerLostException if the process has ended without a result
    * @throws IOException if a row cannot be kept, or no process can be started
    */
-  public WorkerResult run(WorkerOrder order, ResultSink sink, RunControl control)
+  public WorkerResult run(
+      WorkerOrder order, ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException {
     Process started = start();
     process = Optional.of(started);
@@ -69,7 +75,7 @@ public final class WorkerProcess {
             new DataOutputStream(new BufferedOutputStream(started.getOutputStream()));
         DataInputStream in =
             new DataInputStream(new BufferedInputStream(started.getInputStream()))) {
-      return new Dialogue(in, out, sink, control).hold(order);
+      return new Dialogue(in, out, sink, control, checkpoints).hold(order);
     } catch (PeerGoneException e) {
       throw lost(started, memoryBytes);
     } finally {
@@ -164,23 +170,37 @@ public final class WorkerProcess {
     private final DataOutputStream out;
     private final ResultSink sink;
     private final RunControl control;
+    private final Checkpoints checkpoints;
     private double[] row = new double[0];
 
-    Dialogue(DataInputStream in, DataOutputStream out, ResultSink sink, RunControl control) {
+    Dialogue(
+        DataInputStream in,
+        DataOutputStream out,
+        ResultSink sink,
+        RunControl control,
+        Checkpoints checkpoints) {
       this.in = in;
       this.out = out;
       this.sink = sink;
       this.control = control;
+      this.checkpoints = checkpoints;
     }
 
     WorkerResult hold(WorkerOrder order) throws IOException {
-      say(() -> order.write(out));
+      CheckpointOrder ofCheckpoints = CheckpointOrder.of(checkpoints);
+      say(
+          () -> {
+            order.write(out);
+            ofCheckpoints.write(out);
+          });
       while (true) {
         byte kind = hear(in::readByte);
         switch (kind) {
           case WorkerMain.COLUMNS -> sink.begin(columns());
           case WorkerMain.ROW -> sink.row(hear(this::nextRow));
-          case WorkerMain.STEP -> step();
+          case WorkerMain.STEP -> step(true);
+          case WorkerMain.WAIT -> step(false);
+          case WorkerMain.CHECKPOINT -> checkpoints.keep(hear(this::checkpoint));
           case WorkerMain.END -> {
             return hear(() -> WorkerResult.read(in));
           }
@@ -216,14 +236,43 @@ public final class WorkerProcess {
       return row;
     }
 
-    private void step() throws IOException {
+    private byte[] checkpoint() throws IOException {
+      int length = in.readInt();
+      if (length < 0 || length > MOST_CHECKPOINT_BYTES) {
+        throw new IOException("a checkpoint of " + length + " bytes");
+      }
+      byte[] bytes = in.readNBytes(length);
+      if (bytes.length < length) {
+        throw new EOFException();
+      }
+      return bytes;
+    }
+
+    /**
+     * Answers a worker that has taken a step.
+     *
+     * @param mayBeSaved whether it can make a checkpoint before it goes on
+     */
+    private void step(boolean mayBeSaved) throws IOException {
       double time = hear(in::readDouble);
       double stepSize = hear(in::readDouble);
       int order = hear(in::readInt);
       long steps = hear(in::readLong);
-      byte answer =
-          control.proceed(time, stepSize, order, steps) ? WorkerMain.GO_ON : WorkerMain.STOP;
+      byte answer;
+      if (mayBeSaved && isDue(time, stepSize, order, steps)) {
+        answer = WorkerMain.SAVE;
+      } else if (control.proceed(time, stepSize, order, steps)) {
+        answer = WorkerMain.GO_ON;
+      } else {
+        answer = WorkerMain.STOP;
+      }
       say(() -> out.writeByte(answer));
+    }
+
+    private boolean isDue(double time, double stepSize, int order, long steps) {
+      double between = checkpoints.secondsBetween();
+      return Double.isFinite(between)
+          && (between == 0 || control.holdsAt(time, stepSize, order, steps));
     }
 
     private interface Reading<T> {

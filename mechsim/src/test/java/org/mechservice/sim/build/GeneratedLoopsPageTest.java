@@ -19,8 +19,12 @@ import org.junit.jupiter.api.Test;
 import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.MechmlReader;
+import org.mechservice.sim.build.dynamics.Links;
+import org.mechservice.sim.build.dynamics.ResidualDerivatives;
 import org.mechservice.solver.api.DependentStates;
+import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.LinearisedModel;
 
 /** Agreement and speed of code for loops; the soak run writes them to a page of docs/reports. */
 @Tag("soak")
@@ -52,6 +56,7 @@ class GeneratedLoopsPageTest {
         System.getProperty("java.version"));
     agreement();
     speed();
+    derivatives();
     Files.writeString(PAGE, String.join("\n", lines) + "\n");
   }
 
@@ -78,6 +83,9 @@ class GeneratedLoopsPageTest {
     row("residual, projection", all, LoopAgreement::reduced, LoopAgreement.REDUCED);
     row("accelerations, penalty, loops open", all, LoopAgreement::penalty, LoopAgreement.PENALTY);
     row("residual, penalty, loops open", all, LoopAgreement::residual, LoopAgreement.RESIDUAL);
+    row("implicit step, projection", all, LoopAgreement::reducedStep, LoopAgreement.STEP);
+    row("implicit step, penalty", all, LoopAgreement::step, LoopAgreement.STEP);
+    row("energies and power, loops open", all, LoopAgreement::energy, LoopAgreement.RESIDUAL);
   }
 
   private void row(
@@ -109,9 +117,7 @@ class GeneratedLoopsPageTest {
     line("|---|---|---|---|---|---|---|");
     for (String file : MODELS) {
       for (String closure : List.of("projection", "penalty")) {
-        Path path = Path.of("..", "examples").resolve(file);
-        MechmlModel model =
-            MechmlReader.read(path.getFileName().toString(), Files.readAllBytes(path));
+        MechmlModel model = read(file);
         ExplicitModel data = model(model, closure, true);
         ExplicitModel code = model(model, closure, false);
         BuildOptions options = LoopAgreement.options("DSR", closure, false);
@@ -126,6 +132,61 @@ class GeneratedLoopsPageTest {
             ModelFactory.generate(model, options).operations());
       }
     }
+  }
+
+  /** Of RR-JF, whether or not a build would take the code. */
+  private void derivatives() throws IOException, MechmlException {
+    line("");
+    line("## Derivatives and energies");
+    line("");
+    line(
+        "RR-JF: derivatives of the residual with what the closure makes of them, and kinetic and"
+            + " potential energy, ns; otherwise as above. Where the derivatives take more than 5000"
+            + " operations a build leaves them to the data: they are evaluated too seldom for long"
+            + " code to be compiled.");
+    line("");
+    line("| model | closure | derivatives, data | code | energies, data | code | operations |");
+    line("|---|---|---|---|---|---|---|");
+    for (String file : MODELS) {
+      for (String closure : List.of("projection", "penalty")) {
+        MechmlModel model = read(file);
+        LinearisedModel data = residual(model, closure, true);
+        LinearisedModel code = residual(model, closure, false);
+        line(
+            "| %s | %s | %d | %d | %d | %d | %d |",
+            file,
+            closure,
+            linearisation(data),
+            linearisation(code),
+            energies(data),
+            energies(code),
+            ResidualDerivatives.ofLoops(Links.of(model.mechanism())).operationCount());
+      }
+    }
+  }
+
+  private static MechmlModel read(String file) throws IOException, MechmlException {
+    Path path = Path.of("..", "examples").resolve(file);
+    return MechmlReader.read(path.getFileName().toString(), Files.readAllBytes(path));
+  }
+
+  private static LinearisedModel residual(MechmlModel file, String closure, boolean compact) {
+    return LoopAgreement.model(
+        file, LoopAgreement.options("RR-JF", closure, compact), LinearisedModel.class);
+  }
+
+  private static long linearisation(LinearisedModel model) {
+    double[] y = new double[model.unknownCount()];
+    double[] rates = new double[y.length];
+    model.consistent(0, y, rates);
+    return least(() -> model.linearise(0, y, rates));
+  }
+
+  private static long energies(LinearisedModel model) {
+    double[] y = new double[model.description().stateCount()];
+    double[] energy = new double[2];
+    model.initialState(y);
+    return least(() -> ((Energies) model).energy(0, y, energy));
   }
 
   private static ExplicitModel model(MechmlModel file, String closure, boolean compact) {

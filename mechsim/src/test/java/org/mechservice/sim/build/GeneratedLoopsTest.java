@@ -95,7 +95,8 @@ class GeneratedLoopsTest {
   void theClassFileHasTheBitsOfTheCompiledSource(int seed) {
     Mechanism mechanism = LoopAgreement.scene(seed);
     MechmlModel file = Scenes.model(mechanism);
-    GeneratedModel generated = generated(mechanism, "RR-JF", "penalty");
+    GeneratedModel generated =
+        LoopAgreement.withDerivatives(file, LoopAgreement.options("RR-JF", "penalty", false));
     BuildOptions options = LoopAgreement.options("RR-JF", "penalty", false);
     Model direct = ModelFactory.compile(file, options, generated).newInstance();
     Model compiled = ModelFactory.compileSource(file, options, generated).newInstance();
@@ -107,6 +108,14 @@ class GeneratedLoopsTest {
     GeneratedModel generated = generated(LoopAgreement.scene(1), "RR-JF", "projection");
     assertThat(generated.source()).contains("implements LoopTerms.OfDerivatives");
     assertThat(generated.formulationReason()).doesNotContain("from data");
+  }
+
+  @Test
+  void derivativesTooLongToBeFasterAreLeftToTheDataWithTheirReason() {
+    Mechanism loops = RandomLoops.on(RandomTrees.tree(1, 12), 1, 2);
+    GeneratedModel generated = generated(loops, "RR-JF", "penalty");
+    assertThat(generated.source()).contains("implements LoopTerms.OfResidual");
+    assertThat(generated.formulationReason()).contains("derivatives of the residual from data");
   }
 
   /** Returns y' at the start, a residual there, and the solution of an implicit step if it has one. */

@@ -12,6 +12,9 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.build.dynamics.Links;
+import org.mechservice.sim.build.emit.TermsClass;
+import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.ExplicitModel;
@@ -112,11 +115,24 @@ record LoopAgreement(
 
   private static <T> T model(
       MechmlModel file, BuildOptions options, ClassLoader users, Class<T> type) {
-    GeneratedModel generated = ModelFactory.generate(file, options);
+    GeneratedModel generated =
+        options.formulation().equals("RR-JF") && !options.compact()
+            ? withDerivatives(file, options)
+            : ModelFactory.generate(file, options);
     if (generated.formulationReason().contains("compact form") != options.compact()) {
       throw new IllegalStateException(generated.formulationReason());
     }
     return type.cast(GeneratedUserForcesTest.loaded(generated, new TreeMap<>(), users));
+  }
+
+  /** Returns RR-JF with code for its derivatives, be they worth it or not. */
+  static GeneratedModel withDerivatives(MechmlModel file, BuildOptions options) {
+    FormulationChoice choice =
+        FormulationChoice.of(
+            options.formulation(), options.closure(), options.settings(), file.mechanism());
+    Links links = Links.of(file.mechanism());
+    TermsClass terms = LoopTermsClass.derive(links, choice);
+    return new ModelAssembly(file, options, choice).looped(links, terms);
   }
 
   static LoopAgreement of(Mechanism mechanism) {
@@ -269,7 +285,8 @@ record LoopAgreement(
     return Optional.of(solution);
   }
 
-  private static double[] beside(double[] y, int seed) {
+  /** Returns a state that is another in its last digits. */
+  static double[] beside(double[] y, int seed) {
     Random random = new Random(seed);
     return Arrays.stream(y).map(x -> x + random.nextInt(-1, 2) * Math.ulp(x)).toArray();
   }

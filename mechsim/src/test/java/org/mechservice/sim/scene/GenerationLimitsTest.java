@@ -2,7 +2,13 @@ package org.mechservice.sim.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
+import org.mechservice.mechml.MechmlException;
+import org.mechservice.mechml.MechmlReader;
+import org.mechservice.solver.mechanism.Mechanism;
 
 class GenerationLimitsTest {
   /** 30 links on Hooke joints and balls: the method that calls all others had 10 173 bytes. */
@@ -19,6 +25,20 @@ class GenerationLimitsTest {
         .containsExactly(
             "DSR of more than 30000 operations (it has 41439), which data evaluate as fast");
     assertThat(GenerationLimits.noFaster("DSR", 24_494)).isEmpty();
+  }
+
+  /** The sum of d (d + 2) for d = 0 .. 999; its equations would not fit into memory. */
+  @Test
+  void aChainWhoseFactorsAloneAreTooManyIsLeftToTheDataBeforeItIsDerived()
+      throws IOException, MechmlException {
+    Path file = Path.of("..", "examples", "extremes", "chain_1000.xml");
+    Mechanism chain = MechmlReader.read("chain_1000.xml", Files.readAllBytes(file)).mechanism();
+    assertThat(
+            GenerationLimits.notGenerated(
+                chain, new FormulationChoice("DSR", "none", "asked for")))
+        .containsExactly(
+            "DSR of more than 30000 operations (its factors alone take 333832500), which data"
+                + " evaluate as fast");
   }
 
   @Test

@@ -12,6 +12,7 @@ import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.mechml.SimulationSettings;
+import org.mechservice.sim.build.emit.CodeForm;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunSettings;
 
@@ -54,6 +55,20 @@ class RunOptionsTest {
     assertThat(options.columns())
         .containsExactlyInAnyOrder(ColumnGroup.JOINTS, ColumnGroup.ENERGY, ColumnGroup.BODIES);
     assertThat(options.standalone()).isTrue();
+  }
+
+  @Test
+  void codeIsLaidOutAsAsked() throws Exception {
+    assertThat(parse().code()).isEqualTo(CodeForm.AUTO);
+    assertThat(parse("code=shared").forJar().form()).isEqualTo(CodeForm.SHARED);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"code=curved, shared", "code=straight;compact=true, leave out one"})
+  void codeThatCannotBeLaidOutSoIsRefused(String options, String advice) {
+    InvalidOption refused =
+        catchThrowableOfType(InvalidOption.class, () -> parse(options.split(";", -1)));
+    assertThat(refused.text).contains(advice);
   }
 
   @Test
@@ -132,7 +147,7 @@ class RunOptionsTest {
   @Test
   void unknownOptionIsAnsweredWithTheKnownOnes() {
     InvalidOption refusal = catchThrowableOfType(InvalidOption.class, () -> parse("step=1"));
-    assertThat(refusal.text).contains("atol, closure, columns").contains("t-end, t-step");
+    assertThat(refusal.text).contains("atol, closure, code, columns").contains("t-end, t-step");
   }
 
   @Test

@@ -31,6 +31,12 @@ class WorkerTest {
   private static final String PUSH = "loads.addJointForce(slide, 3);";
 
   private static final String LOOP = "while (slide < 10) { slide = slide % 3; }";
+
+  /** A tenth of a second. */
+  private static final String SLOW =
+      "double x = 1; for (int i = 0; i < 20000000; i++) { x = x / 3 + 1; }"
+          + " if (x > 2) { throw new IllegalStateException(); }";
+
   private static final String BOMB =
       """
       java.util.List<double[]> kept = new java.util.ArrayList<>();
@@ -154,6 +160,66 @@ class WorkerTest {
       run.resume();
       Eventually.holds(() -> run.getProgress().state == SimState.SIM_DONE);
       assertThat(run.report()).contains("\"outcome\":\"completed\"").contains("\"solverVersion\"");
+    }
+  }
+
+  private static IMechSimRemote held(IMechSimRemote run) throws Exception {
+    run.runTo(0.5);
+    Eventually.holds(() -> run.getProgress().state == SimState.SIM_PAUSED);
+    return run;
+  }
+
+  private static List<double[]> rowsToEnd(IMechSimRemote run) throws UserException {
+    run.start();
+    return HostedClient.rows(run.openResults(HostedClient.ALL), 0);
+  }
+
+  @Test
+  void workerTakenUpFromAHeldOneHasTheSameRowsAsOneNeverInterrupted() throws Exception {
+    try (HostedClient there = host(HostLimits.DEFAULT)) {
+      List<double[]> whole = rowsToEnd(simulation(there, PUSH));
+      byte[] checkpoint = held(simulation(there, PUSH)).checkpoint();
+      IMechSimRemote resumed = simulation(there, PUSH);
+      resumed.restore(checkpoint);
+      List<double[]> rest = rowsToEnd(resumed);
+
+      assertThat(resumed.getProgress().state).isEqualTo(SimState.SIM_DONE);
+      assertThat(rest).hasSizeBetween(1, whole.size() - 1);
+      assertThat(rest)
+          .usingElementComparator(Arrays::compare)
+          .isEqualTo(whole.subList(whole.size() - rest.size(), whole.size()));
+    }
+  }
+
+  @Test
+  void workerIsSavedWhileItGoesOn() throws Exception {
+    try (HostedClient there = host(HostLimits.DEFAULT)) {
+      IMechSimRemote run = simulation(there, SLOW + PUSH);
+      run.start();
+      Eventually.holds(() -> run.getProgress().stepsDone > 2);
+      assertThat(run.checkpoint()).isNotEmpty();
+      run.cancel();
+    }
+  }
+
+  @Test
+  void cancelledWorkerHasLeftACheckpoint() throws Exception {
+    try (HostedClient there = host(HostLimits.DEFAULT)) {
+      IMechSimRemote run = held(simulation(there, PUSH));
+      run.cancel();
+      Eventually.holds(() -> run.getProgress().state == SimState.SIM_CANCELLED);
+      assertThat(run.checkpoint()).isNotEmpty();
+    }
+  }
+
+  @Test
+  void checkpointOfAnotherForceIsRefused() throws Exception {
+    try (HostedClient there = host(HostLimits.DEFAULT)) {
+      byte[] checkpoint = held(simulation(there, PUSH)).checkpoint();
+      IMechSimRemote other = simulation(there, PUSH.replace("3", "4"));
+      other.restore(checkpoint);
+      other.start();
+      assertFailsWith(other, "S-071");
     }
   }
 

@@ -8,6 +8,7 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeMap;
@@ -35,5 +36,21 @@ class WorkerOrderTest {
   void rulesThatEndARunArrive() throws IOException {
     assertThat(received(true, OptionalDouble.of(1e-4)).maxDrift()).hasValue(1e-4);
     assertThat(received(false, OptionalDouble.empty()).maxDrift()).isEmpty();
+  }
+
+  private static CheckpointOrder received(CheckpointOrder sent) throws IOException {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    sent.write(new DataOutputStream(bytes));
+    return CheckpointOrder.read(new DataInputStream(new ByteArrayInputStream(bytes.toByteArray())));
+  }
+
+  @Test
+  void whatToGoOnFromArrives() throws IOException {
+    CheckpointOrder none = new CheckpointOrder(true, "hash", Optional.empty());
+    assertThat(received(none)).isEqualTo(none);
+    byte[] saved = {1, 2, 3};
+    CheckpointOrder some = received(new CheckpointOrder(false, "hash", Optional.of(saved)));
+    assertThat(some.possible()).isFalse();
+    assertThat(some.saved().orElseThrow()).isEqualTo(saved);
   }
 }

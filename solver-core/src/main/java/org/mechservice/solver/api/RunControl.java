@@ -9,7 +9,7 @@ import java.util.OptionalDouble;
  *
  * <p>The solver calls {@link #proceed} after every accepted step and {@link #stopRequested} at
  * every evaluation; all other methods are for the watchers. A run that is watched from another
- * process overrides {@link #proceed} to ask there.
+ * process overrides {@link #holdsAt} and {@link #proceed} to ask there.
  */
 public class RunControl {
   /** Gives the state of a run between two steps, in the thread of the run. */
@@ -200,17 +200,24 @@ public class RunControl {
   }
 
   /**
-   * For the solver: returns whether {@link #proceed} would hold the run.
+   * For the solver: returns whether {@link #proceed}, which is called next with the same arguments,
+   * would hold the run.
    *
    * @param time time reached, s
+   * @param stepSize last accepted step, s
+   * @param order its order
    * @param steps accepted steps so far
    */
-  public boolean holdsAt(double time, long steps) {
-    return !stopRequested && (steps >= stepsAllowed || time >= holdAt);
+  public boolean holdsAt(double time, double stepSize, int order, long steps) {
+    return mustHold(time, steps);
   }
 
   private boolean mustHold() {
-    return holdsAt(time, steps);
+    return mustHold(time, steps);
+  }
+
+  private boolean mustHold(double time, long steps) {
+    return !stopRequested && (steps >= stepsAllowed || time >= holdAt);
   }
 
   private synchronized void hold() {

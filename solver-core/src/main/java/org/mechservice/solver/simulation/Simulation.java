@@ -300,7 +300,8 @@ public final class Simulation implements Solver {
 
     /** Obeys the control between two steps, and keeps a checkpoint where the run may be left. */
     private boolean proceed(boolean unfinished) throws IOException {
-      boolean stands = control.holdsAt(timeReached, steps);
+      boolean stands =
+          control.holdsAt(timeReached, integrator.stepSize(), integrator.order(), steps);
       boolean kept = unfinished && checkpoints.keepIfDue(stands, this::transfer);
       if (goOn() || !unfinished) {
         return true;

@@ -63,6 +63,26 @@ abstract class IntegratorContract extends FailureContract {
     assertThat(highest).isEqualTo(4);
   }
 
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-200, 1, 1e200})
+  void unitsOfStateAndTimeDoNotMatter(double unit) {
+    // A rotation by 10 rad; squares of such numbers are beyond the range of floating point.
+    Ode slow =
+        new Ode(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = y[1] / unit;
+              yDot[1] = -y[0] / unit;
+            });
+    for (double size : new double[] {1, unit}) {
+      IntegratorSettings settings = componentwise(1e-8 * size, 1e-8 * size);
+      Run run = Run.of(create(settings), slow, 0, new double[] {size, 0}, 10 * unit);
+      assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+      assertThat(run.atEnd()[0] / size).isCloseTo(StrictMath.cos(10), within(1e-5));
+      assertThat(run.atEnd()[1] / size).isCloseTo(-StrictMath.sin(10), within(1e-5));
+    }
+  }
+
   @Test
   void eachComponentIsHeldToItsOwnAbsoluteTolerance() {
     // Two equal decaying oscillators, of which the second may err by 1: the first decides.
@@ -318,6 +338,15 @@ abstract class IntegratorContract extends FailureContract {
     // At rest f vanishes and gives no scale; the force acts from 0.2 to 0.4 of the interval.
     Run run = Run.of(create(1e-6), PUSHED, 0, new double[] {0, 0}, 5);
     assertThat(run.atEnd()[0]).isCloseTo(PUSHED_POSITION, within(1e-4));
+  }
+
+  @Test
+  void jumpThatTheSmallestStepCrossesWithinTheToleranceIsNoFailure() {
+    // The rate jumps by 1e6 / s; over 16 units in the last place of t that is 3.6e-9.
+    Ode switched = new Ode(1, (t, y, yDot) -> yDot[0] = t >= 1 ? 1e6 : 0);
+    Run run = Run.of(create(componentwise(1e-8)), switched, 0, new double[1], 1.000001);
+    assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+    assertThat(run.atEnd()[0]).isCloseTo(1, within(1e-6));
   }
 
   @ParameterizedTest

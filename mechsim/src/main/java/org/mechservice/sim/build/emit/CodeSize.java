@@ -15,6 +15,14 @@ final class CodeSize implements StackCode.Machine {
   private static final int COPY = 12;
   private static final int CALL = 3;
 
+  /** Adding to what an index counts from. */
+  private static final int SUM = 4;
+
+  /** A call of a method with its arrays, and what happens if it ends the program. */
+  private static final int STEP = 24;
+
+  private static final int LOOP = 16;
+
   /** What a local variable takes before it is known which. */
   private static final int LOCAL = 3;
 
@@ -69,6 +77,16 @@ final class CodeSize implements StackCode.Machine {
     return size.bytes;
   }
 
+  /** Returns an estimate of the code of a step. */
+  static int of(Step step) {
+    int number = step.isLoop() ? NUMBER + SUM + NUMBER : NUMBER;
+    int bytes = step.isLoop() ? LOOP : 0;
+    for (Step.Call call : step.calls()) {
+      bytes += STEP + call.numbers().size() * number;
+    }
+    return bytes;
+  }
+
   private void local(Scalar value) {
     bytes += locals.access(value) <= LAST_SHORT_SLOT ? SHORT_LOCAL : WIDE_LOCAL;
   }
@@ -95,7 +113,7 @@ final class CodeSize implements StackCode.Machine {
 
   @Override
   public void pushConstant(double value) {
-    bytes += NUMBER;
+    bytes += value < 0 ? NUMBER + 1 : NUMBER;
   }
 
   @Override
@@ -119,6 +137,16 @@ final class CodeSize implements StackCode.Machine {
   }
 
   @Override
+  public void pushElement(Place.Element element) {
+    bytes += ELEMENT + SUM;
+  }
+
+  @Override
+  public void beginElement(Place.Element element) {
+    bytes += ELEMENT + SUM;
+  }
+
+  @Override
   public void endElement() {
     // Counted where it began.
   }
@@ -129,7 +157,7 @@ final class CodeSize implements StackCode.Machine {
   }
 
   @Override
-  public void check(int result) {
+  public void check(Index result) {
     bytes += CHECK;
   }
 }

@@ -52,6 +52,11 @@ public record CompactClass(
     return name + (columns.isEmpty() ? "WithData" : "WithColumns");
   }
 
+  @Override
+  public String code() {
+    return "none: data for the solver";
+  }
+
   private Class<?> base() {
     return task.<Class<?>>map(AnalysisTask::source)
         .orElse(columns.isEmpty() ? CompactSource.class : ExtendedSource.class);

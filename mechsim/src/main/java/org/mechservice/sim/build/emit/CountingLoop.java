@@ -43,6 +43,10 @@ final class CountingLoop {
 
   /** Pushes factor · i + offset. */
   void pushCounter(int factor, int offset) {
+    if (factor == 0) {
+      numbers.push(offset);
+      return;
+    }
     if (factor == 1) {
       code.visitVarInsn(Opcodes.ILOAD, counter);
     } else {
@@ -54,6 +58,11 @@ final class CountingLoop {
       numbers.push(offset);
       code.visitInsn(Opcodes.IADD);
     }
+  }
+
+  /** Returns the types of the slots up to the counter's. */
+  List<Object> types() {
+    return types;
   }
 
   /** Ends the loop. */

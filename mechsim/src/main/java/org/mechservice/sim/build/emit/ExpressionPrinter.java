@@ -14,21 +14,28 @@ final class ExpressionPrinter {
   private static final int ATOM = 4;
 
   private final Map<Scalar, Place> places;
+  private final Map<Scalar, Scalar> originals;
   private final Head head;
   private final LocalNames names;
   private final NumberText numbers;
 
   /**
-   * @param places where values are found; the others are written out
+   * @param method says where values are found; the others are written out
    * @param head the method that has the inputs as parameters
    * @param names names of local variables
    * @param numbers writes constants
    */
-  ExpressionPrinter(Map<Scalar, Place> places, Head head, LocalNames names, NumberText numbers) {
-    this.places = places;
+  ExpressionPrinter(MethodPlan method, Head head, LocalNames names, NumberText numbers) {
+    this.places = method.places();
+    this.originals = method.originals();
     this.head = head;
     this.names = names;
     this.numbers = numbers;
+  }
+
+  /** Returns the name of a local variable. */
+  String name(Scalar value) {
+    return names.of(originals.getOrDefault(value, value));
   }
 
   /** Returns a value: its place, or else the operation that gives it. */
@@ -40,9 +47,13 @@ final class ExpressionPrinter {
   /** Returns a place as an expression. */
   String place(Place place) {
     if (place instanceof Place.Local local) {
-      return names.of(local.value());
+      return name(local.value());
     } else if (place instanceof Place.Slot slot) {
       return "w[" + slot.index() + "]";
+    } else if (place instanceof Place.Element element) {
+      return element.array() + "[" + element.index().text() + "]";
+    } else if (place instanceof Place.Constant constant) {
+      return numbers.of(constant.value());
     }
     return input(((Place.Input) place).index());
   }
@@ -63,8 +74,27 @@ final class ExpressionPrinter {
       case SQUARE_ROOT -> "Math.sqrt(" + value(node.first()) + ")";
       case FUNCTION -> call(node);
       case SINE, COSINE -> throw new IllegalStateException("an angle function has a place");
+      case ADD, SUBTRACT -> sum(node, Sum.of(node, places));
       default -> binary(node);
     };
+  }
+
+  private String sum(Scalar node, Sum sum) {
+    return sum.opposite()
+        ? atLeast(sum.first(), SUM) + symbol(sum.operation()) + opposite(sum.second())
+        : binary(node);
+  }
+
+  /** A product or quotient without the sign of the constant it begins with. */
+  private String opposite(Scalar node) {
+    if (node.isConstant()) {
+      return numbers.of(-node.value());
+    }
+    String first = opposite(node.first());
+    boolean swap = isSwapped(node) && node.first().isConstant();
+    return swap
+        ? atLeast(node.second(), PRODUCT) + symbol(node.operation()) + first
+        : first + symbol(node.operation()) + atLeast(node.second(), SIGN);
   }
 
   private String call(Scalar node) {
@@ -82,11 +112,16 @@ final class ExpressionPrinter {
    */
   private String binary(Scalar node) {
     int level = level(node.operation());
-    boolean commutes = node.operation() == Operation.ADD || node.operation() == Operation.MULTIPLY;
-    boolean swap = commutes && levelOf(node.second()) == level && levelOf(node.first()) > level;
+    boolean swap = isSwapped(node);
     Scalar first = swap ? node.second() : node.first();
     Scalar second = swap ? node.first() : node.second();
     return atLeast(first, level) + symbol(node.operation()) + atLeast(second, level + 1);
+  }
+
+  private boolean isSwapped(Scalar node) {
+    int level = level(node.operation());
+    boolean commutes = node.operation() == Operation.ADD || node.operation() == Operation.MULTIPLY;
+    return commutes && levelOf(node.second()) == level && levelOf(node.first()) > level;
   }
 
   private String atLeast(Scalar node, int level) {

@@ -95,12 +95,18 @@ final class LocalSlots {
     public void beginOutput(int index) {}
 
     @Override
+    public void pushElement(Place.Element element) {}
+
+    @Override
+    public void beginElement(Place.Element element) {}
+
+    @Override
     public void endElement() {}
 
     @Override
     public void copyInputs(int input, int index, int count) {}
 
     @Override
-    public void check(int result) {}
+    public void check(Index result) {}
   }
 }

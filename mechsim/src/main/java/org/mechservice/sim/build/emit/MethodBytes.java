@@ -99,6 +99,30 @@ final class MethodBytes implements StackCode.Machine {
   }
 
   @Override
+  public void pushElement(Place.Element element) {
+    beginElement(element);
+    code.visitInsn(Opcodes.DALOAD);
+  }
+
+  @Override
+  public void beginElement(Place.Element element) {
+    code.visitVarInsn(Opcodes.ALOAD, parameters.slotOf(element.array()));
+    push(element.index());
+  }
+
+  private void push(Index index) {
+    if (index.parameter() == Index.NONE) {
+      numbers.push(index.offset());
+      return;
+    }
+    code.visitVarInsn(Opcodes.ILOAD, parameters.slotOf(Index.name(index.parameter())));
+    if (index.offset() != 0) {
+      numbers.push(index.offset());
+      code.visitInsn(Opcodes.IADD);
+    }
+  }
+
+  @Override
   public void endElement() {
     code.visitInsn(Opcodes.DASTORE);
   }
@@ -121,11 +145,11 @@ final class MethodBytes implements StackCode.Machine {
 
   /** A comparison with what is not a number is false, as it is in the source. */
   @Override
-  public void check(int result) {
+  public void check(Index result) {
     Label above = new Label();
     code.visitInsn(Opcodes.DCMPG);
     code.visitJumpInsn(Opcodes.IFGT, above);
-    numbers.push(result);
+    push(result);
     code.visitInsn(Opcodes.IRETURN);
     code.visitLabel(above);
     frame();

@@ -9,8 +9,20 @@ import org.mechservice.sim.symbolic.Scalar;
  *
  * @param statements what it does, in order
  * @param places where values are found in it
+ * @param originals of a method that several stretches share, the program's values its values are in
+ *     the first of them, which give them their names; empty if its values are the program's own
+ * @param parameters whole numbers it is given
  */
-record MethodPlan(List<Statement> statements, Map<Scalar, Place> places) {
+record MethodPlan(
+    List<Statement> statements,
+    Map<Scalar, Place> places,
+    Map<Scalar, Scalar> originals,
+    int parameters) {
+
+  /** A stretch of its own. */
+  MethodPlan(List<Statement> statements, Map<Scalar, Place> places) {
+    this(statements, places, Map.of(), 0);
+  }
 
   /** Returns whether the method can end the program. */
   boolean checks() {

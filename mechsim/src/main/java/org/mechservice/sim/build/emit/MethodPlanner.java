@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
@@ -31,12 +32,13 @@ final class MethodPlanner {
 
   /**
    * @param chunkOfSection method of each section, in order; not modified
+   * @param reuse whether an element of the workspace is given again when its value is over
    */
-  MethodPlanner(Program program, Usage usage, int[] chunkOfSection) {
+  MethodPlanner(Program program, Usage usage, int[] chunkOfSection, boolean reuse) {
     this.program = program;
     this.usage = usage;
     this.chunkOfSection = chunkOfSection;
-    this.slots = new WorkspaceSlots(program, usage, chunkOfSection);
+    this.slots = new WorkspaceSlots(program, usage, chunkOfSection, reuse);
     int chunks = chunkOfSection.length == 0 ? 0 : chunkOfSection[chunkOfSection.length - 1] + 1;
     for (int chunk = 0; chunk < chunks; chunk++) {
       usesOfChunk.add(new ArrayList<>());
@@ -78,7 +80,21 @@ final class MethodPlanner {
     }
   }
 
+  /** Returns a plan that calls every method once. */
   ProgramPlan plan() {
+    List<MethodPlan> methods =
+        methods().stream().filter(method -> !method.statements().isEmpty()).toList();
+    List<Step> steps = IntStream.range(0, methods.size()).mapToObj(Step::of).toList();
+    return new ProgramPlan(program, usage, methods, steps, slots.count(), "");
+  }
+
+  /** Returns the length of workspace needed. */
+  int slotCount() {
+    return slots.count();
+  }
+
+  /** Returns the method of every chunk; some have nothing to do. */
+  List<MethodPlan> methods() {
     List<MethodPlan> methods = new ArrayList<>();
     int section = 0;
     for (int chunk = 0; chunk < usesOfChunk.size(); chunk++) {
@@ -86,13 +102,10 @@ final class MethodPlanner {
       while (end < chunkOfSection.length && chunkOfSection[end] == chunk) {
         end++;
       }
-      MethodPlan method = method(chunk, section, end);
-      if (!method.statements().isEmpty()) {
-        methods.add(method);
-      }
+      methods.add(method(chunk, section, end));
       section = end;
     }
-    return new ProgramPlan(program, usage, methods, slots.count());
+    return methods;
   }
 
   private MethodPlan method(int chunk, int firstSection, int endSection) {
@@ -144,7 +157,9 @@ final class MethodPlanner {
     }
     putOut(section.outputs(), body);
     for (Program.Guard guard : section.guards()) {
-      body.add(new Statement.Check(guard.pivot(), guard.bound(), guard.result(), guard.meaning()));
+      body.add(
+          new Statement.Check(
+              guard.pivot(), guard.bound(), Index.of(guard.result()), guard.meaning()));
     }
     if (!body.isEmpty()) {
       if (!section.title().isEmpty()) {

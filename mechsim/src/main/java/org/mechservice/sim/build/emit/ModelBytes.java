@@ -39,6 +39,9 @@ final class ModelBytes {
     int access = Opcodes.ACC_PUBLIC | Opcodes.ACC_FINAL | Opcodes.ACC_SUPER;
     String base = Type.getInternalName(plan.base().type());
     classFile.visit(Opcodes.V17, access, className, null, base, interfaces);
+    if (!plan.constants().isEmpty()) {
+      plan.constants().write(classFile, className);
+    }
     constructor();
     describe();
     method(plan.start(), ModelBytes::fillWithZeros, (code, parameters) -> {});

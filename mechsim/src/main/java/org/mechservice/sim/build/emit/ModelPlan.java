@@ -46,32 +46,35 @@ public final class ModelPlan implements WrittenClass {
   record Part(Head head, ProgramPlan plan) {}
 
   private final ModelClass content;
+  private final CodeForm form;
+  private final ConstantTable constants = new ConstantTable();
   private final Part start;
   private final List<Part> programs = new ArrayList<>();
   private final Optional<Part> poses;
   private final Optional<Part> power;
   private final Optional<Part> forces;
 
-  private ModelPlan(ModelClass content) {
+  private ModelPlan(ModelClass content, CodeForm form) {
     this.content = content;
-    this.start = new Part(INITIAL_STATE, Planner.plan(startOf(content)));
-    programs.add(new Part(DERIVATIVE, Planner.plan(content.derivative())));
+    this.form = form;
+    this.start = part(INITIAL_STATE, startOf(content));
+    programs.add(part(DERIVATIVE, content.derivative()));
     content
         .residual()
-        .ifPresent(
-            program ->
-                programs.add(new Part(ofStateAndRate(content, "residual"), Planner.plan(program))));
+        .ifPresent(program -> programs.add(part(ofStateAndRate(content, "residual"), program)));
     content
         .derivatives()
         .ifPresent(
             derived ->
-                programs.add(
-                    new Part(
-                        ofStateAndRate(content, "derivatives"), Planner.plan(derived.program()))));
-    programs.add(new Part(ENERGY, Planner.plan(content.energy())));
-    this.poses = content.poses().map(program -> new Part(POSES, Planner.plan(program)));
-    this.power = content.power().map(program -> new Part(POWER, Planner.plan(program)));
-    this.forces = content.forces().map(values -> new Part(FORCES, Planner.plan(values.program())));
+                programs.add(part(ofStateAndRate(content, "derivatives"), derived.program())));
+    programs.add(part(ENERGY, content.energy()));
+    this.poses = content.poses().map(program -> part(POSES, program));
+    this.power = content.power().map(program -> part(POWER, program));
+    this.forces = content.forces().map(values -> part(FORCES, values.program()));
+  }
+
+  private Part part(Head head, Program program) {
+    return new Part(head, Layout.plan(program, head, form, constants));
   }
 
   private static Head ofState(String name, String output, boolean returnsResult, boolean isPublic) {
@@ -91,8 +94,8 @@ public final class ModelPlan implements WrittenClass {
   }
 
   /** Plans a model's class. */
-  public static ModelPlan of(ModelClass content) {
-    return new ModelPlan(content);
+  public static ModelPlan of(ModelClass content, CodeForm form) {
+    return new ModelPlan(content, form);
   }
 
   /** Returns the program that writes what is not zero at the start. */
@@ -126,19 +129,32 @@ public final class ModelPlan implements WrittenClass {
     return new ModelBytes(this).bytes();
   }
 
-  /** Returns how the programs are written, with the operations of each, for people. */
+  @Override
   public String code() {
-    List<String> parts = new ArrayList<>();
-    for (Part part : programs) {
-      int methods = part.plan().methods().size();
-      parts.add(
-          part.head().name()
-              + " "
-              + part.plan().program().operationCount()
-              + " operations"
-              + (methods > 1 ? " in " + methods + " methods" : ""));
+    return code(programs);
+  }
+
+  /** Says the same of some programs. */
+  static String code(List<Part> parts) {
+    List<String> forms = new ArrayList<>();
+    for (boolean shared : new boolean[] {true, false}) {
+      List<String> summaries = new ArrayList<>();
+      for (Part part : parts) {
+        if (part.plan().isShared() == shared) {
+          summaries.add(part.plan().summary(part.head().name()));
+        }
+      }
+      if (!summaries.isEmpty()) {
+        String form = shared ? "shared kernels: " : "straight line: ";
+        forms.add(form + String.join(", ", summaries));
+      }
     }
-    return "straight line: " + String.join(", ", parts);
+    return String.join("; ", forms);
+  }
+
+  /** Returns the constants that stand in a table. */
+  ConstantTable constants() {
+    return constants;
   }
 
   ModelClass content() {

@@ -36,6 +36,9 @@ final class ModelSource {
   String text() {
     int slots = plan.slots();
     header(slots > 0);
+    if (!plan.constants().isEmpty()) {
+      plan.constants().write(source);
+    }
     if (slots > 0) {
       source.line("private final double[] w = new double[" + slots + "];");
     }
@@ -99,6 +102,9 @@ final class ModelSource {
       imports.add("java.util.ArrayList");
       imports.add("org.mechservice.solver.api.ColumnGroup");
       imports.add("org.mechservice.solver.api.Variable");
+    }
+    if (!plan.constants().isEmpty()) {
+      imports.add(ConstantTable.READER.getName());
     }
     plan.functionOwners().forEach(owner -> imports.add(owner.replace('/', '.')));
     imports.stream().sorted().forEach(name -> source.line("import " + name + ";"));

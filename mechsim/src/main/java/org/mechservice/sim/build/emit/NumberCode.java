@@ -23,8 +23,12 @@ final class NumberCode {
     }
   }
 
+  /** A negative number is pushed as its magnitude, which is a constant already more often. */
   void push(double value) {
-    if (Double.doubleToRawLongBits(value) == 0) {
+    if (value < 0) {
+      push(-value);
+      code.visitInsn(Opcodes.DNEG);
+    } else if (Double.doubleToRawLongBits(value) == 0) {
       code.visitInsn(Opcodes.DCONST_0);
     } else if (value == 1) {
       code.visitInsn(Opcodes.DCONST_1);

@@ -24,10 +24,14 @@ final class Parameters {
     return parameters;
   }
 
-  /** A part: what the program reads, the output and fields. */
-  static Parameters ofPart(Head head, List<Head.Argument> arguments, List<String> fields) {
+  /** A part: what the program reads, the output, fields and whole numbers. */
+  static Parameters ofPart(
+      Head head, List<Head.Argument> arguments, List<String> fields, int numbers) {
     Parameters parameters = new Parameters();
     parameters.addAll(arguments, head, fields);
+    for (int i = 0; i < numbers; i++) {
+      parameters.add(Index.name(i), Opcodes.INTEGER, 1);
+    }
     return parameters;
   }
 

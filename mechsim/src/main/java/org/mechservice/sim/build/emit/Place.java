@@ -14,4 +14,10 @@ sealed interface Place {
 
   /** An input of the program. */
   record Input(int index) implements Place {}
+
+  /** An element of an array that the method is given. */
+  record Element(String array, Index index) implements Place {}
+
+  /** A number that is the same in every call. */
+  record Constant(double value) implements Place {}
 }

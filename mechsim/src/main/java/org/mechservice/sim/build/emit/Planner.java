@@ -9,7 +9,7 @@ import org.mechservice.sim.symbolic.Program;
  */
 final class Planner {
   /** Bytes of code aimed at. */
-  private static final int METHOD_BYTES = 6000;
+  static final int METHOD_BYTES = 6000;
 
   /** Bytes above which sections are distributed anew. */
   private static final int TOO_LONG = 6600;
@@ -26,7 +26,7 @@ final class Planner {
       Program program = LongSections.divided(whole, limit);
       Usage usage = new Usage(program);
       int[] bytes = CodeSize.ofSections(program, usage);
-      ProgramPlan plan = new MethodPlanner(program, usage, chunks(bytes, limit)).plan();
+      ProgramPlan plan = new MethodPlanner(program, usage, chunks(bytes, limit), true).plan();
       int longest = longest(plan);
       if (limit < LEAST_BYTES || longest <= TOO_LONG) {
         return plan;

@@ -45,22 +45,26 @@ final class ProgramBytes {
             head.name(),
             descriptor);
     for (String field : fields) {
-      code.visitVarInsn(Opcodes.ALOAD, 0);
-      code.visitFieldInsn(Opcodes.GETFIELD, className, field, "[D");
+      if (field.equals(ConstantTable.NAME)) {
+        code.visitFieldInsn(Opcodes.GETSTATIC, className, ConstantTable.FIELD, "[D");
+      } else {
+        code.visitVarInsn(Opcodes.ALOAD, 0);
+        code.visitFieldInsn(Opcodes.GETFIELD, className, field, "[D");
+      }
       code.visitVarInsn(Opcodes.ASTORE, parameters.slotOf(field));
     }
-    MethodPlan only = plan.methods().size() == 1 ? plan.methods().get(0) : NONE;
+    MethodPlan only = plan.isOneMethod() ? plan.methods().get(0) : NONE;
     LocalSlots locals = new LocalSlots(only, parameters.end());
     MethodBytes body = new MethodBytes(code, head, parameters, locals);
     first.write(code, parameters);
     angles(code, body, parameters);
     StackCode.tell(only, body);
-    if (plan.methods().size() > 1) {
-      calls(code, parameters);
+    if (!plan.isOneMethod() && !plan.steps().isEmpty()) {
+      steps(code, parameters);
     }
     last.write(code, parameters);
     end(code, body, head.returnsResult());
-    if (plan.methods().size() > 1) {
+    if (!plan.isOneMethod()) {
       parts();
     }
   }
@@ -109,64 +113,131 @@ final class ProgramBytes {
     loop.end(1);
   }
 
-  private void calls(MethodVisitor code, Parameters parameters) {
-    List<Head.Argument> arguments = plan.arguments(head);
-    for (int i = 0; i < plan.methods().size(); i++) {
-      boolean checks = plan.methods().get(i).checks();
-      for (Head.Argument argument : arguments) {
-        int slot = parameters.slotOf(argument.name());
-        code.visitVarInsn(argument.isArray() ? Opcodes.ALOAD : Opcodes.DLOAD, slot);
-      }
-      code.visitVarInsn(Opcodes.ALOAD, parameters.slotOf(head.output()));
-      for (String field : fields) {
-        code.visitVarInsn(Opcodes.ALOAD, parameters.slotOf(field));
-      }
-      code.visitMethodInsn(
-          Opcodes.INVOKESTATIC,
-          className,
-          head.name() + (i + 1),
-          Parameters.descriptor(arguments, partRest(), checks),
-          false);
-      if (checks) {
-        returnUnlessRegular(code, parameters);
+  /** The steps, or the parts that take them. */
+  private void steps(MethodVisitor code, Parameters parameters) {
+    List<List<Step>> parts = plan.parts();
+    if (parts.size() == 1) {
+      steps(code, parameters, parts.get(0));
+      return;
+    }
+    for (int i = 0; i < parts.size(); i++) {
+      pushArrays(code, parameters);
+      invoke(code, partName(i), plan.checks(parts.get(i)), 0);
+      if (plan.checks(parts.get(i))) {
+        returnUnlessRegular(code, parameters.types(), parameters.end());
       }
     }
   }
 
-  /** The output and the fields. */
-  private String partRest() {
-    return "[D" + "[D".repeat(fields.size());
+  private String partName(int part) {
+    return head.name() + "Part" + (part + 1);
   }
 
-  private static void returnUnlessRegular(MethodVisitor code, Parameters parameters) {
-    int singular = parameters.end();
+  private String methodName(int method) {
+    return head.name() + (method + 1);
+  }
+
+  private void steps(MethodVisitor code, Parameters parameters, List<Step> some) {
+    NumberCode numbers = new NumberCode(code);
+    for (Step step : some) {
+      if (step.isLoop()) {
+        loop(code, parameters, step);
+      } else {
+        for (Step.Call call : step.calls()) {
+          pushArrays(code, parameters);
+          call.numbers().forEach(numbers::push);
+          invoke(code, call, parameters.types(), parameters.end());
+        }
+      }
+    }
+  }
+
+  private void loop(MethodVisitor code, Parameters parameters, Step step) {
+    int counter = parameters.end();
+    CountingLoop loop = CountingLoop.begin(code, parameters.types(), counter, 0, step.count());
+    for (Step.Call call : step.calls()) {
+      pushArrays(code, parameters);
+      for (int parameter = 0; parameter < call.numbers().size(); parameter++) {
+        loop.pushCounter(call.strides().get(parameter), call.numbers().get(parameter));
+      }
+      invoke(code, call, loop.types(), counter + 1);
+    }
+    loop.end(1);
+  }
+
+  private void pushArrays(MethodVisitor code, Parameters parameters) {
+    for (Head.Argument argument : plan.arguments(head)) {
+      int slot = parameters.slotOf(argument.name());
+      code.visitVarInsn(argument.isArray() ? Opcodes.ALOAD : Opcodes.DLOAD, slot);
+    }
+    code.visitVarInsn(Opcodes.ALOAD, parameters.slotOf(head.output()));
+    for (String field : fields) {
+      code.visitVarInsn(Opcodes.ALOAD, parameters.slotOf(field));
+    }
+  }
+
+  /**
+   * @param types of all slots below {@code free}; not modified
+   * @param free a slot that nothing lives in
+   */
+  private void invoke(MethodVisitor code, Step.Call call, List<Object> types, int free) {
+    invoke(code, methodName(call.method()), plan.checks(call), call.numbers().size());
+    if (plan.checks(call)) {
+      returnUnlessRegular(code, types, free);
+    }
+  }
+
+  private void invoke(MethodVisitor code, String name, boolean checks, int wholeNumbers) {
+    code.visitMethodInsn(
+        Opcodes.INVOKESTATIC, className, name, descriptor(checks, wholeNumbers), false);
+  }
+
+  /** Of a part: what the program reads, the output, the fields and whole numbers. */
+  private String descriptor(boolean checks, int wholeNumbers) {
+    String rest = "[D" + "[D".repeat(fields.size()) + "I".repeat(wholeNumbers);
+    return Parameters.descriptor(plan.arguments(head), rest, checks);
+  }
+
+  /**
+   * @param types of all slots below {@code free}, as stack map frames tell them; not modified
+   * @param free a slot that nothing lives in
+   */
+  private static void returnUnlessRegular(MethodVisitor code, List<Object> types, int free) {
     Label regular = new Label();
-    code.visitVarInsn(Opcodes.ISTORE, singular);
-    code.visitVarInsn(Opcodes.ILOAD, singular);
+    code.visitVarInsn(Opcodes.ISTORE, free);
+    code.visitVarInsn(Opcodes.ILOAD, free);
     code.visitInsn(Opcodes.ICONST_M1);
     code.visitJumpInsn(Opcodes.IF_ICMPEQ, regular);
-    code.visitVarInsn(Opcodes.ILOAD, singular);
+    code.visitVarInsn(Opcodes.ILOAD, free);
     code.visitInsn(Opcodes.IRETURN);
     code.visitLabel(regular);
-    Object[] types = parameters.types().toArray();
-    code.visitFrame(Opcodes.F_NEW, types.length, types, 0, new Object[0]);
+    code.visitFrame(Opcodes.F_NEW, types.size(), types.toArray(), 0, new Object[0]);
   }
 
   private void parts() {
-    List<Head.Argument> arguments = plan.arguments(head);
-    for (int i = 0; i < plan.methods().size(); i++) {
-      MethodPlan part = plan.methods().get(i);
-      Parameters parameters = Parameters.ofPart(head, arguments, fields);
-      MethodVisitor code =
-          ClassMethods.begin(
-              classFile,
-              Opcodes.ACC_PRIVATE | Opcodes.ACC_STATIC,
-              head.name() + (i + 1),
-              Parameters.descriptor(arguments, partRest(), part.checks()));
-      LocalSlots locals = new LocalSlots(part, parameters.end());
-      MethodBytes body = new MethodBytes(code, head, parameters, locals);
-      StackCode.tell(part, body);
-      end(code, body, part.checks());
+    List<List<Step>> parts = plan.parts();
+    for (int i = 0; i < parts.size() && parts.size() > 1; i++) {
+      boolean checks = plan.checks(parts.get(i));
+      Parameters parameters = Parameters.ofPart(head, plan.arguments(head), fields, 0);
+      MethodVisitor code = begin(partName(i), checks, 0);
+      steps(code, parameters, parts.get(i));
+      MethodBytes body = new MethodBytes(code, head, parameters, new LocalSlots(NONE, 0));
+      end(code, body, checks);
     }
+    for (int i = 0; i < plan.methods().size(); i++) {
+      MethodPlan method = plan.methods().get(i);
+      int wholeNumbers = method.parameters();
+      Parameters parameters = Parameters.ofPart(head, plan.arguments(head), fields, wholeNumbers);
+      MethodVisitor code = begin(methodName(i), method.checks(), wholeNumbers);
+      LocalSlots locals = new LocalSlots(method, parameters.end());
+      MethodBytes body = new MethodBytes(code, head, parameters, locals);
+      StackCode.tell(method, body);
+      end(code, body, method.checks());
+    }
+  }
+
+  private MethodVisitor begin(String name, boolean checks, int wholeNumbers) {
+    int access = Opcodes.ACC_PRIVATE | Opcodes.ACC_STATIC;
+    return ClassMethods.begin(classFile, access, name, descriptor(checks, wholeNumbers));
   }
 }

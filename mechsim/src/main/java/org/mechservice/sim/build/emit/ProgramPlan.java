@@ -11,10 +11,47 @@ import org.mechservice.sim.symbolic.Scalar;
  *
  * @param program the program
  * @param usage which of its values have a place
- * @param methods what follows the sines and cosines, in order
+ * @param methods what the steps call
+ * @param steps what follows the sines and cosines, in order
  * @param slots length of workspace it needs
+ * @param remark why it is laid out so, for people; empty if that goes without saying
  */
-record ProgramPlan(Program program, Usage usage, List<MethodPlan> methods, int slots) {
+record ProgramPlan(
+    Program program,
+    Usage usage,
+    List<MethodPlan> methods,
+    List<Step> steps,
+    int slots,
+    String remark) {
+
+  /** Returns the same with a remark. */
+  ProgramPlan because(String why) {
+    return new ProgramPlan(program, usage, methods, steps, slots, why);
+  }
+
+  /** Returns whether methods are shared by stretches of the program. */
+  boolean isShared() {
+    return methods.stream().anyMatch(method -> method.parameters() > 0);
+  }
+
+  /** Returns how many calls of methods one run of the program takes. */
+  int callCount() {
+    return steps.stream().mapToInt(step -> step.count() * step.calls().size()).sum();
+  }
+
+  /** Returns an estimate of the bytes of code of all methods and of the calls. */
+  int codeBytes() {
+    return methods.stream().mapToInt(CodeSize::of).sum()
+        + steps.stream().mapToInt(CodeSize::of).sum();
+  }
+
+  /** Says how the program is written, for people. */
+  String summary(String name) {
+    String operations = name + " " + program.operationCount() + " operations";
+    String in = methods.size() > 1 ? " in " + methods.size() + " methods" : "";
+    String calls = isShared() ? " called " + callCount() + " times" : "";
+    return operations + in + calls + (remark.isEmpty() ? "" : " (" + remark + ")");
+  }
 
   /**
    * Returns the angles whose sines and cosines the program needs, computed first: sine of angle i
@@ -48,6 +85,49 @@ record ProgramPlan(Program program, Usage usage, List<MethodPlan> methods, int s
     return false;
   }
 
+  /** Returns whether constants are read from the table of the class. */
+  private boolean readsConstants() {
+    for (MethodPlan method : methods) {
+      for (Place place : method.places().values()) {
+        if (place instanceof Place.Element element && element.array().equals(ConstantTable.NAME)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /** Returns whether the whole program is written into the method that runs it. */
+  boolean isOneMethod() {
+    return methods.size() == 1 && steps.size() == 1 && methods.get(0).parameters() == 0;
+  }
+
+  /** Returns the steps, in methods of their own if they are too long for one. */
+  List<List<Step>> parts() {
+    List<List<Step>> parts = new ArrayList<>();
+    int bytes = 0;
+    for (Step step : steps) {
+      int more = CodeSize.of(step);
+      if (parts.isEmpty() || bytes + more > Planner.METHOD_BYTES) {
+        parts.add(new ArrayList<>());
+        bytes = 0;
+      }
+      bytes += more;
+      parts.get(parts.size() - 1).add(step);
+    }
+    return parts;
+  }
+
+  /** Returns whether a call can end the program. */
+  boolean checks(Step.Call call) {
+    return methods.get(call.method()).checks();
+  }
+
+  /** Returns whether steps can end the program. */
+  boolean checks(List<Step> some) {
+    return some.stream().flatMap(step -> step.calls().stream()).anyMatch(this::checks);
+  }
+
   /** Returns the fields that every method of the program is given: workspace and parameters. */
   List<String> fields() {
     List<String> fields = new ArrayList<>();
@@ -56,6 +136,9 @@ record ProgramPlan(Program program, Usage usage, List<MethodPlan> methods, int s
     }
     if (readsModelParameters()) {
       fields.add(Head.MODEL_PARAMETERS.name());
+    }
+    if (readsConstants()) {
+      fields.add(ConstantTable.NAME);
     }
     return fields;
   }

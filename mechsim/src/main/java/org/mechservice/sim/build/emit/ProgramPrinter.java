@@ -2,7 +2,6 @@ package org.mechservice.sim.build.emit;
 
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Collectors;
 import org.mechservice.sim.symbolic.Scalar;
 
 /** Writes a planned program as Java methods. */
@@ -36,25 +35,31 @@ final class ProgramPrinter {
             + "("
             + parameters(head.arguments())
             + ")");
-    plan.fields().forEach(field -> source.line("double[] " + field + " = this." + field + ";"));
+    plan.fields().forEach(this::field);
     first.forEach(source::line);
     angles();
     if (!plan.angles().isEmpty()) {
       source.blank();
     }
-    if (plan.methods().size() == 1) {
+    if (plan.isOneMethod()) {
       body(plan.methods().get(0));
-    } else {
-      calls();
+    } else if (!plan.steps().isEmpty()) {
+      steps();
     }
     last.forEach(source::line);
     if (head.returnsResult()) {
       source.line("return REGULAR;");
     }
     source.close();
-    if (plan.methods().size() > 1) {
+    if (!plan.isOneMethod()) {
       parts();
     }
+  }
+
+  private void field(String name) {
+    boolean ofClass = name.equals(ConstantTable.NAME);
+    source.line(
+        "double[] " + name + " = " + (ofClass ? ConstantTable.FIELD : "this." + name) + ";");
   }
 
   private String parameters(List<Head.Argument> arguments) {
@@ -66,13 +71,13 @@ final class ProgramPrinter {
     return parameters.append("double[] ").append(head.output()).toString();
   }
 
-  private ExpressionPrinter printer(Map<Scalar, Place> places) {
-    return new ExpressionPrinter(places, head, names, numbers);
+  private ExpressionPrinter printer(MethodPlan method) {
+    return new ExpressionPrinter(method, head, names, numbers);
   }
 
   private void angles() {
     List<Scalar> angles = plan.angles();
-    ExpressionPrinter printer = printer(Map.of());
+    ExpressionPrinter printer = printer(new MethodPlan(List.of(), Map.of()));
     for (int i = 0; i < angles.size(); ) {
       int run = plan.runOfInputs(i);
       if (run >= SHORTEST_LOOP) {
@@ -99,19 +104,63 @@ final class ProgramPrinter {
     return offset == 0 ? variable : variable + " + " + offset;
   }
 
-  /** The main method of a program in parts: one call each, until a part ends the program. */
-  private void calls() {
-    boolean declared = false;
-    for (int i = 0; i < plan.methods().size(); i++) {
-      String call = head.name() + (i + 1) + "(" + names(plan.arguments(head)) + ")";
-      if (plan.methods().get(i).checks()) {
-        source.line((declared ? "" : "int ") + "singular = " + call + ";");
-        source.open("if (singular != REGULAR)").line("return singular;").close();
-        declared = true;
-      } else {
-        source.line(call + ";");
+  /** The main method of a program in parts: its steps, or the parts that take them. */
+  private void steps() {
+    List<List<Step>> parts = plan.parts();
+    if (parts.size() == 1) {
+      steps(parts.get(0));
+      return;
+    }
+    declare(plan.steps());
+    for (int i = 0; i < parts.size(); i++) {
+      call(partName(i) + "(" + names(plan.arguments(head)) + ")", plan.checks(parts.get(i)));
+    }
+  }
+
+  private String partName(int part) {
+    return head.name() + "Part" + (part + 1);
+  }
+
+  private void declare(List<Step> some) {
+    if (plan.checks(some)) {
+      source.line("int singular;");
+    }
+  }
+
+  private void steps(List<Step> some) {
+    declare(some);
+    for (Step step : some) {
+      if (step.isLoop()) {
+        source.open("for (int i = 0; i < " + step.count() + "; i++)");
+      }
+      step.calls().forEach(this::call);
+      if (step.isLoop()) {
+        source.close();
       }
     }
+  }
+
+  private void call(Step.Call call) {
+    StringBuilder text = new StringBuilder(methodName(call.method())).append('(');
+    text.append(names(plan.arguments(head)));
+    for (int parameter = 0; parameter < call.numbers().size(); parameter++) {
+      text.append(", ").append(call.text(parameter));
+    }
+    call(text.append(')').toString(), plan.checks(call));
+  }
+
+  /** A call that can end the program. */
+  private void call(String call, boolean checks) {
+    if (checks) {
+      source.line("singular = " + call + ";");
+      source.open("if (singular != REGULAR)").line("return singular;").close();
+    } else {
+      source.line(call + ";");
+    }
+  }
+
+  private String methodName(int method) {
+    return head.name() + (method + 1);
   }
 
   private String names(List<Head.Argument> arguments) {
@@ -125,28 +174,41 @@ final class ProgramPrinter {
   }
 
   private void parts() {
+    List<List<Step>> parts = plan.parts();
+    for (int i = 0; i < parts.size() && parts.size() > 1; i++) {
+      boolean checks = plan.checks(parts.get(i));
+      open(partName(i), checks, 0);
+      steps(parts.get(i));
+      close(checks);
+    }
     for (int i = 0; i < plan.methods().size(); i++) {
-      MethodPlan part = plan.methods().get(i);
-      source.blank();
-      source.open(
-          "private static "
-              + (part.checks() ? "int " : "void ")
-              + head.name()
-              + (i + 1)
-              + "("
-              + parameters(plan.arguments(head))
-              + plan.fields().stream().map(", double[] "::concat).collect(Collectors.joining())
-              + ")");
-      body(part);
-      if (part.checks()) {
-        source.line("return REGULAR;");
-      }
-      source.close();
+      MethodPlan method = plan.methods().get(i);
+      open(methodName(i), method.checks(), method.parameters());
+      body(method);
+      close(method.checks());
     }
   }
 
+  private void open(String name, boolean checks, int wholeNumbers) {
+    StringBuilder line = new StringBuilder("private static ");
+    line.append(checks ? "int " : "void ").append(name).append('(');
+    line.append(parameters(plan.arguments(head)));
+    plan.fields().forEach(field -> line.append(", double[] ").append(field));
+    for (int i = 0; i < wholeNumbers; i++) {
+      line.append(", int ").append(Index.name(i));
+    }
+    source.blank().open(line.append(')').toString());
+  }
+
+  private void close(boolean checks) {
+    if (checks) {
+      source.line("return REGULAR;");
+    }
+    source.close();
+  }
+
   private void body(MethodPlan method) {
-    ExpressionPrinter printer = printer(method.places());
+    ExpressionPrinter printer = printer(method);
     boolean first = true;
     for (Statement statement : method.statements()) {
       if (statement instanceof Statement.Comment comment) {
@@ -163,15 +225,22 @@ final class ProgramPrinter {
 
   private void statement(Statement statement, ExpressionPrinter printer) {
     if (statement instanceof Statement.Load load) {
-      source.line("double " + names.of(load.value()) + " = " + printer.place(load.from()) + ";");
+      source.line(
+          "double " + printer.name(load.value()) + " = " + printer.place(load.from()) + ";");
     } else if (statement instanceof Statement.Define define) {
       source.line(
-          "double " + names.of(define.value()) + " = " + printer.operation(define.value()) + ";");
+          "double "
+              + printer.name(define.value())
+              + " = "
+              + printer.operation(define.value())
+              + ";");
     } else if (statement instanceof Statement.Store store) {
       store(store, printer);
     } else if (statement instanceof Statement.PutOut output) {
       source.line(
           head.output() + "[" + output.index() + "] = " + printer.value(output.value()) + ";");
+    } else if (statement instanceof Statement.Put put) {
+      source.line(printer.place(put.to()) + " = " + printer.value(put.value()) + ";");
     } else if (statement instanceof Statement.CopyInputs copy) {
       source.line(
           "System.arraycopy(%s, %d, %s, %d, %d);"
@@ -200,7 +269,7 @@ final class ProgramPrinter {
     source.comment(JavaText.comment(check.meaning()));
     source.open(
         "if (" + printer.value(check.pivot()) + " <= " + printer.value(check.bound()) + ")");
-    source.line("return " + check.result() + ";");
+    source.line("return " + check.result().text() + ";");
     source.close();
   }
 }

@@ -42,6 +42,12 @@ final class StackCode {
     /** Gets ready to pop into an output. */
     void beginOutput(int index);
 
+    /** Pushes an element of an array. */
+    void pushElement(Place.Element element);
+
+    /** Gets ready to pop into an element of an array. */
+    void beginElement(Place.Element element);
+
     /** Pops into what was made ready. */
     void endElement();
 
@@ -49,7 +55,7 @@ final class StackCode {
     void copyInputs(int input, int index, int count);
 
     /** Pops a bound and a pivot and ends the program with a result unless the pivot is above. */
-    void check(int result);
+    void check(Index result);
   }
 
   private final MethodPlan method;
@@ -88,12 +94,37 @@ final class StackCode {
       machine.beginOutput(output.index());
       value(output.value());
       machine.endElement();
+    } else if (statement instanceof Statement.Put put) {
+      machine.beginElement(put.to());
+      value(put.value());
+      machine.endElement();
     } else if (statement instanceof Statement.CopyInputs copy) {
       machine.copyInputs(copy.input(), copy.index(), copy.count());
     } else if (statement instanceof Statement.Check check) {
       value(check.pivot());
       value(check.bound());
       machine.check(check.result());
+    }
+  }
+
+  private void sum(Sum sum) {
+    value(sum.first());
+    if (sum.opposite()) {
+      opposite(sum.second());
+    } else {
+      value(sum.second());
+    }
+    machine.operate(sum.operation());
+  }
+
+  /** A product or quotient without the sign of the constant it begins with. */
+  private void opposite(Scalar node) {
+    if (node.isConstant()) {
+      machine.pushConstant(-node.value());
+    } else {
+      opposite(node.first());
+      value(node.second());
+      machine.operate(node.operation());
     }
   }
 
@@ -111,6 +142,10 @@ final class StackCode {
       machine.pushLocal(local.value());
     } else if (place instanceof Place.Slot slot) {
       machine.pushSlot(slot.index());
+    } else if (place instanceof Place.Element element) {
+      machine.pushElement(element);
+    } else if (place instanceof Place.Constant constant) {
+      machine.pushConstant(constant.value());
     } else {
       machine.pushInput(((Place.Input) place).index());
     }
@@ -121,6 +156,7 @@ final class StackCode {
       case CONSTANT -> machine.pushConstant(node.value());
       case INPUT -> machine.pushInput(node.index());
       case SINE, COSINE -> throw new IllegalStateException("an angle function has a place");
+      case ADD, SUBTRACT -> sum(Sum.of(node, method.places()));
       default -> {
         for (Scalar operand : node.operands()) {
           value(operand);

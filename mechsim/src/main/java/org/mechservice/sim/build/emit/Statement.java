@@ -19,9 +19,12 @@ sealed interface Statement {
   /** Puts a value out. */
   record PutOut(int index, Scalar value) implements Statement {}
 
+  /** Puts a value into an element of an array that the method is given. */
+  record Put(Place.Element to, Scalar value) implements Statement {}
+
   /** Puts {@code count} inputs from {@code input} on out from {@code index} on. */
   record CopyInputs(int input, int index, int count) implements Statement {}
 
   /** Ends the program where a pivot is not above its bound. */
-  record Check(Scalar pivot, Scalar bound, int result, String meaning) implements Statement {}
+  record Check(Scalar pivot, Scalar bound, Index result, String meaning) implements Statement {}
 }

@@ -30,6 +30,28 @@ public record TermsClass(
     Program power,
     Optional<OfResidual> ofResidual,
     List<String> notes) {
+  /** Returns the program of the derivatives of the residual, if the class has it. */
+  public Optional<Program> derivatives() {
+    return ofResidual.flatMap(OfResidual::derivatives);
+  }
+
+  /** Returns the same without that program. */
+  public TermsClass withoutDerivatives() {
+    return new TermsClass(
+        modelName,
+        hasInputs,
+        stateCount,
+        velocityCount,
+        loops,
+        equations,
+        energy,
+        power,
+        ofResidual.map(
+            programs ->
+                new OfResidual(programs.offset(), programs.residual(), Optional.empty())),
+        notes);
+  }
+
   /**
    * Programs of the recursive residual.
    *

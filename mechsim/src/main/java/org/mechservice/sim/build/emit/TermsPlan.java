@@ -20,11 +20,14 @@ public final class TermsPlan implements WrittenClass {
   private static final String TERMS = "terms";
 
   private final TermsClass content;
+  private final CodeForm form;
+  private final ConstantTable constants = new ConstantTable();
   private final List<ModelPlan.Part> parts = new ArrayList<>();
   private final int slots;
 
-  private TermsPlan(TermsClass content) {
+  private TermsPlan(TermsClass content, CodeForm form) {
     this.content = content;
+    this.form = form;
     add(ofState("loops", TERMS, false), content.loops());
     add(ofState("equations", TERMS, true), content.equations());
     add(ofState("energy", "energy", false), content.energy());
@@ -57,17 +60,22 @@ public final class TermsPlan implements WrittenClass {
   }
 
   private void add(Head head, Program program) {
-    parts.add(new ModelPlan.Part(head, Planner.plan(program)));
+    parts.add(new ModelPlan.Part(head, Layout.plan(program, head, form, constants)));
   }
 
   /** Plans a class. */
-  public static TermsPlan of(TermsClass content) {
-    return new TermsPlan(content);
+  public static TermsPlan of(TermsClass content, CodeForm form) {
+    return new TermsPlan(content, form);
   }
 
   @Override
   public String simpleName() {
     return JavaText.className(content.modelName());
+  }
+
+  @Override
+  public String code() {
+    return ModelPlan.code(parts);
   }
 
   private Class<?> type() {
@@ -90,6 +98,9 @@ public final class TermsPlan implements WrittenClass {
     if (slots > 0) {
       imports.add("org.mechservice.solver.spatial.SinCos");
     }
+    if (!constants.isEmpty()) {
+      imports.add(ConstantTable.READER.getName());
+    }
     ModelPlan.functionOwners(parts).forEach(owner -> imports.add(owner.replace('/', '.')));
     imports.stream().sorted().forEach(name -> source.line("import " + name + ";"));
     source.blank().documentation(documentation());
@@ -99,6 +110,9 @@ public final class TermsPlan implements WrittenClass {
             + simpleName()
             + " implements "
             + implemented.substring(LoopTerms.class.getPackageName().length() + 1));
+    if (!constants.isEmpty()) {
+      constants.write(source);
+    }
     if (slots > 0) {
       source.line("private final double[] w = new double[" + slots + "];");
     }
@@ -120,7 +134,11 @@ public final class TermsPlan implements WrittenClass {
             "Terms of the equations of motion of model \""
                 + content.modelName()
                 + "\", whose loops the solver closes; generated."));
-    for (String note : content.notes()) {
+    List<String> notes = new ArrayList<>(content.notes());
+    content
+        .derivatives()
+        .ifPresent(program -> notes.add(program.operationCount() + " give its derivatives."));
+    for (String note : notes) {
       lines.add("");
       lines.add("<p>" + JavaText.comment(note));
     }
@@ -136,6 +154,9 @@ public final class TermsPlan implements WrittenClass {
     int access = Opcodes.ACC_PUBLIC | Opcodes.ACC_FINAL | Opcodes.ACC_SUPER;
     String[] interfaces = {Type.getInternalName(type())};
     file.visit(Opcodes.V17, access, name, null, "java/lang/Object", interfaces);
+    if (!constants.isEmpty()) {
+      constants.write(file, name);
+    }
     constructor(file, name);
     for (ModelPlan.Part part : parts) {
       new ProgramBytes(file, name, part.head(), part.plan())

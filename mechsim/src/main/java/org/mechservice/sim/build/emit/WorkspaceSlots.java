@@ -23,8 +23,10 @@ final class WorkspaceSlots {
 
   /**
    * @param chunkOfSection method of each section; not modified
+   * @param reuse whether elements are given again; otherwise the values of a section stand together
+   *     in their order, as those of every section alike do
    */
-  WorkspaceSlots(Program program, Usage usage, int[] chunkOfSection) {
+  WorkspaceSlots(Program program, Usage usage, int[] chunkOfSection, boolean reuse) {
     this.usage = usage;
     this.chunkOfSection = chunkOfSection;
     for (int section = 0; section <= chunkOfSection.length; section++) {
@@ -34,7 +36,9 @@ final class WorkspaceSlots {
     int chunk = 0;
     for (int section = 0; section < program.sections().size(); section++) {
       for (; chunk < chunkOfSection[section]; chunk++) {
-        free.addAll(freedAfter.get(chunk));
+        if (reuse) {
+          free.addAll(freedAfter.get(chunk));
+        }
       }
       for (Scalar node : usage.placedIn(section)) {
         int last = lastChunkUsing(node);

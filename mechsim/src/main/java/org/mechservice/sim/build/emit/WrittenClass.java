@@ -5,6 +5,9 @@ public sealed interface WrittenClass permits ModelPlan, TermsPlan, CompactClass 
   /** Returns the class's simple name. */
   String simpleName();
 
+  /** Returns how the class computes, with the operations of its programs, for people. */
+  String code();
+
   /** Returns the formatted source. */
   String source();
 
