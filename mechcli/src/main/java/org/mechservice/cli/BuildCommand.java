@@ -47,6 +47,15 @@ final class BuildCommand implements Callable<Integer> {
   private boolean compact;
 
   @Option(
+      names = "--code",
+      paramLabel = "auto|straight|shared",
+      hideParamSyntax = true,
+      description =
+          "How generated code is laid out, with the same results: straight writes every operation"
+              + " out, shared has one method for bodies that are alike, auto chooses.")
+  private String code = "";
+
+  @Option(
       names = "--source",
       paramLabel = "DIR",
       description = "Write the generated Java class into this folder.")
@@ -69,7 +78,8 @@ final class BuildCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     OutputFile.requireUsable(target);
     SimulationOptions asInFile = parameters.addTo(SimulationOptions.asInFile());
-    SimulationOptions options = method.addTo(compact ? asInFile.compact() : asInFile);
+    SimulationOptions laidOut = code.isEmpty() ? asInFile : asInFile.code(code);
+    SimulationOptions options = method.addTo(compact ? laidOut.compact() : laidOut);
     try (Service service = Service.open(server);
         MechSession session = service.connection().openSession(host)) {
       session.loadModel(model, userCode.folder()).forEach(spec.commandLine().getErr()::println);

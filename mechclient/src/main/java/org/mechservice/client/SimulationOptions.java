@@ -14,6 +14,7 @@ import java.util.stream.Stream;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.OPT_ABS_TOL;
 import org.mechservice.idl.OPT_CLOSURE;
+import org.mechservice.idl.OPT_CODE;
 import org.mechservice.idl.OPT_COLUMNS;
 import org.mechservice.idl.OPT_COMPACT;
 import org.mechservice.idl.OPT_FORMULATION;
@@ -102,6 +103,15 @@ public final class SimulationOptions {
   /** Lets the model carry data instead of generated code. */
   public SimulationOptions compact() {
     return with(OPT_COMPACT.value, "true");
+  }
+
+  /**
+   * Chooses how generated code is laid out, which changes its size and speed and no result: {@code
+   * auto}, {@code straight} (every operation written out) or {@code shared} (one method for bodies
+   * that are alike).
+   */
+  public SimulationOptions code(String form) {
+    return with(OPT_CODE.value, form);
   }
 
   /**

@@ -14,6 +14,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.MechServer;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
@@ -70,21 +71,25 @@ class CancelLatencyTest {
     try (MechServerProcess server =
             MechServerProcess.start(new ServerSettings("cancel", "127.0.0.1", 0, 2));
         ServiceOrb client = ServiceOrb.client()) {
-      MechSim session = client.connect(server.url()).createSession("soak", "", null);
-      IMechSimRemote beside = simulation(session, CASES.get(0));
+      MechServer service = client.connect(server.url());
+      IMechSimRemote beside =
+          simulation(service.createSession("beside", "", null), CASES.get(0));
       beside.start();
       for (Case one : CASES) {
-        double[] seconds = measured(session, one);
-        longest = Math.max(longest, seconds[seconds.length - 1]);
+        double[] cancels = measured(service, one, CancelLatencyTest::cancel);
+        double[] destroys = measured(service, one, IMechSimRemote::destroy);
+        longest = Math.max(longest, Math.max(last(cancels), last(destroys)));
         rows.append(
             String.format(
                 Locale.ROOT,
-                "| %s | %s | %d | %.1f ms | %.1f ms |%n",
+                "| %s | %s | %d | %.1f ms | %.1f ms | %.1f ms | %.1f ms |%n",
                 one.model(),
                 one.integrator(),
-                seconds.length,
-                1e3 * seconds[seconds.length / 2],
-                1e3 * seconds[seconds.length - 1]));
+                one.runs(),
+                1e3 * cancels[cancels.length / 2],
+                1e3 * last(cancels),
+                1e3 * destroys[destroys.length / 2],
+                1e3 * last(destroys)));
       }
       beside.destroy();
     }
@@ -95,10 +100,10 @@ class CancelLatencyTest {
             """
             # How soon a cancelled run has ended
 
-            Measured on %s by `mvn verify -Psoak`: JDK %s, %d processors, load average %.1f, loopback. Long runs are cancelled at random moments (seed %d), which in stiff ones are mostly inside Newton iterations and Jacobians, in the chain of 1000 bars inside differences and factorisations of matrices of 2000 unknowns; another run goes on beside them all the time. The time is counted from the client's call of `cancel` to the answer of a `getProgress` that says cancelled. A solver that is deep in one evaluation or factorisation is waited for 30 ms, then its run has ended without it; with a spool folder, the disk is waited for 20 ms more. That a run makes no evaluation after the one in which it was cancelled is a test of its own, which counts them.
+            Measured on %s by `mvn verify -Psoak`: JDK %s, %d processors, load average %.1f, loopback. Long runs are cancelled at random moments (seed %d), which in stiff ones are mostly inside Newton iterations and Jacobians, in the chain of 1000 bars inside differences and factorisations of matrices of 2000 unknowns; another run goes on beside them all the time. The time is counted from the client's call of `cancel` to the answer of a `getProgress` that says cancelled; of as many other runs, from the call of `destroy` to its answer. A solver that is deep in one evaluation or factorisation is waited for 30 ms, then its run has ended without it; with a spool folder, the disk is waited for 20 ms more. That a run makes no evaluation after the one in which it was cancelled is a test of its own, which counts them.
 
-            | model | integrator | runs | median | longest |
-            |---|---|---|---|---|
+            | model | integrator | runs of each kind | cancel, median | longest | destroy, median | longest |
+            |---|---|---|---|---|---|---|
             %s""",
             LocalDate.now(ZoneOffset.UTC),
             Runtime.version(),
@@ -110,12 +115,14 @@ class CancelLatencyTest {
   }
 
   /** Returns the times of all runs in ascending order, s. */
-  private static double[] measured(MechSim session, Case one) throws Exception {
+  private static double[] measured(MechServer service, Case one, Ending ending) throws Exception {
+    MechSim session = service.createSession("soak", "", null);
     Random random = new Random(SEED);
     double[] seconds = new double[one.runs()];
     for (int i = 0; i < seconds.length; i++) {
-      seconds[i] = cancelled(simulation(session, one), random.nextInt(one.latest()));
+      seconds[i] = ended(simulation(session, one), random.nextInt(one.latest()), ending);
     }
+    session.destroy();
     Arrays.sort(seconds);
     return seconds;
   }
@@ -127,7 +134,17 @@ class CancelLatencyTest {
     return session.createSimulation(one.options(), null);
   }
 
-  private static double cancelled(IMechSimRemote run, int afterMillis)
+  /** What ends a run. */
+  private interface Ending {
+    void end(IMechSimRemote run) throws UserException;
+  }
+
+  private static void cancel(IMechSimRemote run) {
+    run.cancel();
+    assertThat(run.getProgress().state).isEqualTo(SimState.SIM_CANCELLED);
+  }
+
+  private static double ended(IMechSimRemote run, int afterMillis, Ending ending)
       throws UserException, InterruptedException {
     run.start();
     while (run.getProgress().state != SimState.SIM_RUNNING) {
@@ -135,11 +152,11 @@ class CancelLatencyTest {
     }
     Thread.sleep(afterMillis);
     long asked = System.nanoTime();
-    run.cancel();
-    SimState state = run.getProgress().state;
-    double seconds = (System.nanoTime() - asked) * 1e-9;
-    assertThat(state).isEqualTo(SimState.SIM_CANCELLED);
-    run.destroy();
-    return seconds;
+    ending.end(run);
+    return (System.nanoTime() - asked) * 1e-9;
+  }
+
+  private static double last(double[] ascending) {
+    return ascending[ascending.length - 1];
   }
 }

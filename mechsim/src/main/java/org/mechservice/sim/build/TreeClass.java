@@ -17,6 +17,7 @@ import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.force.ForceFormulas;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** The class of an open chain, derived. */
@@ -61,7 +62,18 @@ final class TreeClass {
             : Optional.empty(),
         PowerEquations.power(links),
         forceValues(links, options),
+        formulaParts(links),
         notes(choice, derivative, residual, derivatives, leftOut));
+  }
+
+  private static Optional<ModelClass.FormulaParts> formulaParts(Links links) {
+    return ForceFormulas.of(links.mechanism())
+        .map(
+            parts ->
+                new ModelClass.FormulaParts(
+                    parts.lines(),
+                    parts.expressions().size(),
+                    PowerEquations.formulas(links, parts.expressions())));
   }
 
   private static Optional<ModelClass.ForceValues> forceValues(Links links, BuildOptions options) {

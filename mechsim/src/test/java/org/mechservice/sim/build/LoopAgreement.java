@@ -285,7 +285,8 @@ record LoopAgreement(
     return Optional.of(solution);
   }
 
-  private static double[] beside(double[] y, int seed) {
+  /** Returns a state that is another in its last digits. */
+  static double[] beside(double[] y, int seed) {
     Random random = new Random(seed);
     return Arrays.stream(y).map(x -> x + random.nextInt(-1, 2) * Math.ulp(x)).toArray();
   }

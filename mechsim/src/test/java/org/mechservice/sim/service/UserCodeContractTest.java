@@ -59,7 +59,7 @@ class UserCodeContractTest {
   }
 
   @Test
-  void runThatCannotBeSavedIsSaidToFinishOnAHostThatIsBeingEmptied() throws UserException {
+  void runWithUserCodeMayLeaveAHostThatIsBeingEmptied() throws UserException {
     try (HostedClient there = host(true)) {
       MechSim session = there.emptySession();
       session.loadModel(MODEL, source(PushedCart.harmlessSource()));
@@ -68,9 +68,9 @@ class UserCodeContractTest {
       assertThat(session.pollEvents(0, 100, 0))
           .flatExtracting(event -> List.of(event.messages))
           .extracting(message -> message.code)
-          .contains("S-116")
-          .doesNotContain("S-115");
-      assertThat(there.host.events(0, 100, 0)).extracting(event -> event.code).contains("S-116");
+          .contains("S-115")
+          .doesNotContain("S-116");
+      assertThat(there.host.events(0, 100, 0)).extracting(event -> event.code).contains("S-115");
     }
   }
 

@@ -21,7 +21,6 @@ import org.mechservice.idl.SimState;
 import org.mechservice.sim.build.user.PushedCart;
 import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.SimHost;
-import org.mechservice.sim.worker.WorkerMain;
 import org.omg.CORBA.UserException;
 
 /** Forces that users have written run in processes of their own, and can do no harm there. */
@@ -63,16 +62,12 @@ class WorkerTest {
     return session.createSimulation(new NameValue[0], null);
   }
 
+  /** The only processes of Java that a host starts. */
   private static Stream<ProcessHandle> workers() {
     return ProcessHandle.current()
         .children()
         .filter(
-            child ->
-                child
-                    .info()
-                    .commandLine()
-                    .map(line -> line.contains(WorkerMain.class.getName()))
-                    .orElse(false));
+            child -> child.info().command().map(program -> program.endsWith("java")).orElse(false));
   }
 
   private static void assertFailsWith(IMechSimRemote run, String code) throws Exception {

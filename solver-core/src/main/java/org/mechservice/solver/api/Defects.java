@@ -1,5 +1,6 @@
 package org.mechservice.solver.api;
 
+import java.util.List;
 import java.util.Optional;
 
 /** A model that can say why it has no derivative or residual in a state. */
@@ -19,6 +20,21 @@ public interface Defects {
    * singular position of its loops, or a loop that does not close at the state last tried.
    */
   default Optional<Defect> obstacle() {
+    return Optional.empty();
+  }
+
+  /**
+   * Returns which force is given by a formula without a finite value where a run stands that has
+   * failed, or where it tried to go: no evaluation looks for the root of a negative number, a
+   * division by zero or an overflow.
+   *
+   * @param t time the run stands at, s
+   * @param y state [q; v] there, perhaps with multipliers behind; may be changed and put back
+   * @param yDot its derivative; not used if no step was tried; not modified
+   * @param tried the last steps
+   */
+  default Optional<Defect> withoutValue(
+      double t, double[] y, double[] yDot, List<Failure.Step> tried) {
     return Optional.empty();
   }
 

@@ -50,6 +50,9 @@ public record Failure(
    * @param result what became of it, such as {@code accepted}
    */
   public record Step(double time, double stepSize, int order, double error, String result) {
+    /** Result of a step of which the implicit equations were not solved. */
+    public static final String UNSOLVED = "its equations were not solved";
+
     @Override
     public String toString() {
       String tried = "t=" + time + " s, h=" + stepSize + " s, order " + order;

@@ -10,11 +10,14 @@ import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.StateJumps;
 import org.mechservice.solver.closure.LoopFinding.Kind;
+import org.mechservice.solver.force.FormulaCheck;
+import org.mechservice.solver.force.TriedStates;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.Body;
 
@@ -89,6 +92,24 @@ abstract class LoopModel
   final int fail(Defect why) {
     defect = Optional.of(why);
     return DEFECT;
+  }
+
+  @Override
+  public final Optional<Defect> withoutValue(
+      double t, double[] y, double[] yDot, List<Failure.Step> tried) {
+    return FormulaCheck.of(work.motion)
+        .flatMap(
+            check ->
+                TriedStates.search(
+                    check.lines(),
+                    (time, state) -> {
+                      work.placeData(time, state);
+                      return check.values(time);
+                    },
+                    t,
+                    y,
+                    yDot,
+                    tried));
   }
 
   @Override

@@ -8,6 +8,7 @@ import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.api.ResultColumns;
@@ -15,6 +16,8 @@ import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.force.ForceSet;
+import org.mechservice.solver.force.FormulaCheck;
+import org.mechservice.solver.force.TriedStates;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
@@ -166,6 +169,24 @@ public abstract class OpenTreeModel
   @Override
   public final Defect lastDefect() {
     return defect.orElseThrow(() -> new IllegalStateException("no evaluation has failed"));
+  }
+
+  @Override
+  public final Optional<Defect> withoutValue(
+      double t, double[] y, double[] yDot, List<Failure.Step> tried) {
+    return FormulaCheck.of(motion)
+        .flatMap(
+            check ->
+                TriedStates.search(
+                    check.lines(),
+                    (time, state) -> {
+                      motion.sweep(time, state);
+                      return check.values(time);
+                    },
+                    t,
+                    y,
+                    yDot,
+                    tried));
   }
 
   @Override

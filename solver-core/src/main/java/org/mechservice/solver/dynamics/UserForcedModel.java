@@ -1,11 +1,13 @@
 package org.mechservice.solver.dynamics;
 
 import java.util.List;
+import java.util.Optional;
 import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.DirectedForces;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.api.ResidualModel;
@@ -74,6 +76,15 @@ public class UserForcedModel
   @Override
   public final String directedForce(int force) {
     return ((DirectedForces) generated).directedForce(force);
+  }
+
+  /** {@inheritDoc} Forces written as classes tell of themselves. */
+  @Override
+  public final Optional<Defect> withoutValue(
+      double t, double[] y, double[] yDot, List<Failure.Step> tried) {
+    return generated instanceof Defects formulas
+        ? formulas.withoutValue(t, y, yDot, tried)
+        : Optional.empty();
   }
 
   /** {@inheritDoc} Forces written as classes have no potential energy. */

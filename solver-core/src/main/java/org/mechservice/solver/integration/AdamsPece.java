@@ -111,6 +111,11 @@ abstract class AdamsPece extends SteppingIntegrator {
     return stiffness.nowAtStabilityLimit();
   }
 
+  /** Returns whether the solution slides along a jump; {@link JumpSearch#slides}. */
+  final boolean slides() {
+    return jumps.slides(progress.time(), tEnd);
+  }
+
   private StepResult beginAnew(double t, double[] y) {
     stiffness.beginAgain();
     progress.beginAgain(t);
@@ -284,7 +289,8 @@ abstract class AdamsPece extends SteppingIntegrator {
     double error = inaccurate ? control.error() : Double.NaN;
     progress.rejected(h, control.order(), error, attempt, limitingComponent(attempt));
     double smallest = bounds.smallest(progress.time());
-    if (progress.notFiniteTooOften() || Math.abs(h) <= smallest) {
+    boolean hopeless = Math.abs(h) <= smallest || slides();
+    if (progress.notFiniteTooOften() || hopeless) {
       return Optional.of(attempt.cause());
     }
     double size = Math.abs(inaccurate ? retry() : control.rejectNotFinite() * h);

@@ -254,14 +254,18 @@ final class BackwardStep {
     return Optional.empty();
   }
 
+  /** A search for a jump may ask once for the same step at order 1, not more often. */
   private void reduce(boolean inaccurate) {
+    boolean crossed = search.crossing();
     boolean searches = inaccurate && mode != Mode.FAITHFUL && !equations.solutionMayJump();
     if (searches && Double.isFinite(control.error())) {
       search.rejected(step.size(), control.order(), triedTime, control.error(), discrepancy());
     }
     if (search.active()) {
+      double tried = Math.abs(step.size());
       towardsJump();
-      step.reduce(1, progress.time());
+      boolean again = Math.abs(step.size()) >= tried && (crossed || !inaccurate);
+      step.reduce(again ? UNSOLVED_REDUCTION : 1, progress.time());
       return;
     }
     double factor = inaccurate ? control.reject(differences, norm) : UNSOLVED_REDUCTION;

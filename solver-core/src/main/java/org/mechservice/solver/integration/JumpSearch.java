@@ -26,6 +26,11 @@ final class JumpSearch {
   /** After this many failures in a row the jump is looked for right ahead. */
   private static final int MANY_IN_A_ROW = 4;
 
+  /** Jumps after which is looked how close they lie, and those that are too many for any run. */
+  private static final int MANY = 1000;
+
+  private static final double MOST = 1e7;
+
   private boolean active;
   private boolean crossing;
   private int failuresInARow;
@@ -39,12 +44,22 @@ final class JumpSearch {
   private int failedOrder;
   private boolean suspected;
 
+  /** Jumps crossed since a time. */
+  private int crossings;
+
+  private double since;
+
   /** A place behind the jump, and the size of the jump in units of the error allowed. */
   private double behind;
 
   private double jump;
 
   void clear() {
+    crossings = 0;
+    forget();
+  }
+
+  private void forget() {
     active = false;
     crossing = false;
     failuresInARow = 0;
@@ -128,9 +143,28 @@ final class JumpSearch {
     boolean crossed = active && passed;
     suspected |= error < NOTHING * smooth(h);
     if (passed || !(active || suspected)) {
-      clear();
+      forget();
+    }
+    if (crossed && crossings++ == 0) {
+      since = end;
     }
     return crossed;
+  }
+
+  /**
+   * Returns whether jumps follow each other so closely that nothing would come of crossing all that
+   * lie ahead: the solution slides along a jump of which both sides lead back to it.
+   *
+   * @param t time reached
+   * @param end of the problem
+   */
+  boolean slides(double t, double end) {
+    if (crossings < MANY) {
+      return false;
+    }
+    double ahead = crossings * (end - t) / (t - since);
+    crossings = 0;
+    return ahead > MOST;
   }
 
   /** Returns the step to try from {@code t}, signed; of order 1 if {@link #crossing}. */
@@ -160,5 +194,7 @@ final class JumpSearch {
     suspected = state.flag(suspected);
     behind = state.number(behind);
     jump = state.number(jump);
+    crossings = state.integer(crossings);
+    since = state.number(since);
   }
 }

@@ -8,8 +8,9 @@ import java.util.List;
  * further cost.
  *
  * <p>ode15s takes over when 13 of the last 16 steps were at the limit of stability, which ode113
- * sees in the two evaluations of its steps ({@link StiffnessMonitor}). ode113 takes over when its
- * steps at that limit would cost half the evaluations that ode15s has spent lately ({@link
+ * sees in the two evaluations of its steps ({@link StiffnessMonitor}), or when it slides along what
+ * looks like a jump: friction so steep that no step of its own tells it from one. ode113 takes over
+ * when its steps at that limit would cost half the evaluations that ode15s has spent lately ({@link
  * StiffPhase}). Both begin at order 1. A phase that proves too short to have paid makes the next
  * change of that kind ask for four times the evidence, so that methods that are about equally good
  * do not take turns.
@@ -36,6 +37,18 @@ public final class Switching implements Integrator {
 
   private final double rootOfTolerance;
 
+  /** Halvings of a way after which its ends are neighbours in double precision. */
+  private static final int HALVINGS = 60;
+
+  /** What is left of a difference across a real jump. */
+  private static final double LASTING = 0.1;
+
+  /** How often the way ahead is doubled to meet what the solution slides along. */
+  private static final int DOUBLINGS = 12;
+
+  /** Change of a derivative, as a part of it, that is no smooth one's within so short a way. */
+  private static final double MUCH = 0.1;
+
   /** Of both methods. */
   private final StepBounds bounds = new StepsToEnd();
 
@@ -52,6 +65,9 @@ public final class Switching implements Integrator {
 
   private boolean backwardBegun;
   private boolean changeDue;
+
+  /** Whether the right-hand side was found to jump where the solution slides. */
+  private boolean jumps;
 
   /** Steps of the present phase, and those at its end that speak for the other method. */
   private long stepsOfPhase;
@@ -82,6 +98,7 @@ public final class Switching implements Integrator {
     prepare(system, tEnd);
     changes.clear();
     backwardBegun = false;
+    jumps = false;
     neededForBackward = 1;
     neededForAdams = 1;
     beginPhase(false);
@@ -132,9 +149,75 @@ public final class Switching implements Integrator {
   /** Looks at the step just taken: the other method takes the next one if there is evidence. */
   private void watch() {
     stepsOfPhase++;
+    boolean slides = !stiff && !jumps && adams.slides();
+    if (slides) {
+      jumps = jumpsAhead();
+      slides = !jumps;
+    }
     boolean speaksForOther = stiff ? backwardCostsMore() : adams.atStabilityLimit();
     evidence = speaksForOther ? evidence + 1 : 0;
-    changeDue = evidence >= (stiff ? neededForAdams : neededForBackward);
+    changeDue = slides || evidence >= (stiff ? neededForAdams : neededForBackward);
+  }
+
+  /**
+   * Returns whether the right-hand side jumps where the solution slides, unless it is proved to be
+   * steep only: along the tangent ahead derivatives change much within a short way, and by halving
+   * that way until no number lies between, their changes get smaller. Of a real jump an implicit
+   * method could make a slope that is not there; then ode113 is left to end the run.
+   */
+  private boolean jumpsAhead() {
+    int n = y.length;
+    double t = progress.time();
+    double[] here = new double[n];
+    double[] slope = new double[n];
+    double[] ahead = new double[n];
+    double[] slopeAhead = new double[n];
+    boolean[] looked = new boolean[n];
+    boolean steep = false;
+    adams.interpolate(t, here, yDot);
+    system.derivative(t, here, slope);
+    double h = progress.stepSize();
+    for (int i = 0; i < DOUBLINGS; i++, h *= 2) {
+      for (int l = 0; l < n; l++) {
+        ahead[l] = here[l] + h * slope[l];
+      }
+      system.derivative(t + h, ahead, slopeAhead);
+      for (int l = 0; l < n; l++) {
+        double size = Math.max(Math.abs(slope[l]), Math.abs(slopeAhead[l]));
+        if (!looked[l] && Math.abs(slopeAhead[l] - slope[l]) > MUCH * size) {
+          looked[l] = true;
+          steep = true;
+          if (changeLasts(l, t, h, here, slope, slopeAhead[l])) {
+            return true;
+          }
+        }
+      }
+    }
+    return !steep;
+  }
+
+  /** Returns whether a derivative still changes as much when its ends are neighbours. */
+  private boolean changeLasts(
+      int l, double t, double h, double[] here, double[] slope, double slopeAhead) {
+    double from = 0;
+    double to = h;
+    double before = slope[l];
+    double behind = slopeAhead;
+    for (int i = 0; i < HALVINGS; i++) {
+      double middle = 0.5 * (from + to);
+      for (int j = 0; j < here.length; j++) {
+        y[j] = here[j] + middle * slope[j];
+      }
+      system.derivative(t + middle, y, yDot);
+      if (Math.abs(yDot[l] - before) < Math.abs(yDot[l] - behind)) {
+        from = middle;
+        before = yDot[l];
+      } else {
+        to = middle;
+        behind = yDot[l];
+      }
+    }
+    return !(Math.abs(behind - before) < LASTING * Math.abs(slopeAhead - slope[l]));
   }
 
   private boolean backwardCostsMore() {
@@ -239,6 +322,7 @@ public final class Switching implements Integrator {
     changes.transfer(state);
     stiff = state.flag(stiff);
     changeDue = state.flag(changeDue);
+    jumps = state.flag(jumps);
     stepsOfPhase = state.integer(stepsOfPhase);
     evidence = state.integer(evidence);
     neededForBackward = state.integer(neededForBackward);

@@ -16,8 +16,8 @@ import org.mechservice.solver.integration.Integrator;
 
 /** Says in the words of mechanics why a run could not go on. */
 final class FailureText {
-  /** Steps above this, s, are the smallest only where the time itself is huge. */
-  private static final double COARSE = 1e-9;
+  /** Where times lie farther apart than this, s, steps cannot be short. */
+  private static final double COARSE = 1e-10;
 
   private FailureText() {}
 
@@ -44,13 +44,13 @@ final class FailureText {
       case STEP_TOO_SMALL ->
           failure(
               "N-003",
-              "The error test fails at the smallest step the arithmetic can hold.",
+              "The error test fails however small the step.",
               failure,
               state(model, failure.worstComponent()),
-              failure.stepSize() > COARSE
+              Math.ulp(failure.time()) > COARSE
                   ? "Times this large lie too far apart for steps: begin the run near t = 0."
-                  : "The motion is singular or very stiff there; loosen the tolerances, or check"
-                      + " the values that act on this joint.");
+                  : "The motion is singular or very stiff there; take ode15s, loosen the tolerances,"
+                      + " or check the values that act on this joint.");
       case TOLERANCE_TOO_TIGHT ->
           failure(
               "N-004",
@@ -125,7 +125,7 @@ final class FailureText {
     return switch (attempt) {
       case PASSED -> "accepted";
       case TOO_INACCURATE -> "error too large";
-      case NOT_CONVERGING -> "its equations were not solved";
+      case NOT_CONVERGING -> Failure.Step.UNSOLVED;
       case SINGULAR_MATRIX -> "its matrix was singular";
       case NOT_COMPLETED -> "the loops could not be closed";
       case NOT_FINITE -> "something was not finite";
@@ -151,46 +151,6 @@ final class FailureText {
         0,
         "",
         "Tighten the tolerances; the mechanism may branch there.");
-  }
-
-  /** Explains an event that sets a state to what is no number. */
-  static Failure eventNotFinite(double t, String event, String state) {
-    return atEvent(
-        "N-013",
-        "The event sets state \"" + state + "\" to a value that is not finite.",
-        t,
-        event,
-        "Check the expressions it sets joints by.");
-  }
-
-  /** Explains an event after which no state closes the loops. */
-  static Failure eventOpensLoops(double t, String event, Optional<Defects.Defect> why) {
-    return atEvent(
-        "N-014",
-        "The loops cannot be closed after what the event sets.",
-        t,
-        why.map(defect -> event + ", " + defect.part()).orElse(event),
-        "Set values that the mechanism can take.");
-  }
-
-  /** Explains an event that sets a state which the loops have another value for. */
-  static Failure eventContradictsLoops(
-      double t, String event, String state, double given, double wanted) {
-    return atEvent(
-        "N-014",
-        String.format(
-            Locale.ROOT,
-            "The loops give state \"%s\" another value, %.6g, than the event sets, %.6g.",
-            state,
-            given,
-            wanted),
-        t,
-        event,
-        "Set as many coordinates as the mechanism has degrees of freedom, to values that fit.");
-  }
-
-  private static Failure atEvent(String code, String cause, double t, String event, String advice) {
-    return new Failure(code, cause, t, 0, 0, event, advice);
   }
 
   /** Explains a warning that ends a strict run. */

@@ -8,6 +8,7 @@ import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.DependentStates;
 import org.mechservice.solver.api.DirectedForces;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.ModelState;
@@ -186,8 +187,19 @@ public abstract class ModelEquations implements UnitGroups, PiecewiseSystem, Sav
     return result >= 0 ? result : ExplicitModel.REGULAR;
   }
 
+  /**
+   * Returns why a run failed, if the model can tell; for the arguments see {@link
+   * Defects#withoutValue}.
+   */
+  final Optional<Defects.Defect> defect(
+      double t, double[] y, double[] yDot, List<Failure.Step> tried) {
+    Optional<Defects.Defect> formula =
+        model instanceof Defects able ? able.withoutValue(t, y, yDot, tried) : Optional.empty();
+    return formula.isPresent() ? formula : defect();
+  }
+
   /** Returns why the last evaluation failed, if the model can tell. */
-  final Optional<Defects.Defect> defect() {
+  Optional<Defects.Defect> defect() {
     if (result <= DirectedForces.FIRST && model instanceof DirectedForces forces) {
       return Optional.of(FailureText.withoutDirection(forces, result));
     }

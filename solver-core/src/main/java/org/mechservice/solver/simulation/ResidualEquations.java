@@ -1,5 +1,7 @@
 package org.mechservice.solver.simulation;
 
+import java.util.Optional;
+import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.integration.Integrator;
@@ -10,6 +12,9 @@ import org.mechservice.solver.integration.StepResult;
 /** A model in residual form as the integrator sees it. */
 class ResidualEquations extends ModelEquations implements ResidualSystem {
   private final ResidualModel model;
+
+  /** Unknown whose derivative at the start is not finite, or −1. */
+  private int startNotFinite = -1;
 
   ResidualEquations(ResidualModel model) {
     super(model, model.unknownCount());
@@ -22,9 +27,32 @@ class ResidualEquations extends ModelEquations implements ResidualSystem {
     double[] yDot0 = new double[dimension()];
     int result = model.consistent(t0, y0, yDot0);
     note(result, yDot0);
-    return result == ExplicitModel.REGULAR
+    startNotFinite = firstNotFinite(yDot0);
+    return startNotFinite < 0 && result == ExplicitModel.REGULAR
         ? method.start(this, t0, y0, yDot0, tEnd)
         : StepResult.FAILED;
+  }
+
+  private static int firstNotFinite(double[] values) {
+    for (int i = 0; i < values.length; i++) {
+      if (!Double.isFinite(values[i])) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  @Override
+  Optional<Defects.Defect> defect() {
+    Optional<Defects.Defect> ofModel = super.defect();
+    return ofModel.isPresent() || startNotFinite < 0 || singularJoint() != ExplicitModel.REGULAR
+        ? ofModel
+        : Optional.of(
+            new Defects.Defect(
+                "N-001",
+                name(startNotFinite),
+                "The accelerations are not finite.",
+                "Check masses, inertias and forces for values that are zero, huge or opposite."));
   }
 
   @Override

@@ -357,8 +357,9 @@ public final class Simulation implements Solver {
     /** The model itself may have refused, before the integrator could begin. */
     private Outcome startFailed() {
       double t = settings.tStart();
-      if (equations.defect().isPresent()) {
-        return new Outcome.Failed(FailureText.of(equations.defect().get(), t, 0, 0));
+      Optional<Defects.Defect> defect = equations.defect(t, y, yDot, List.of());
+      if (defect.isPresent()) {
+        return new Outcome.Failed(FailureText.of(defect.get(), t, 0, 0));
       }
       return equations.singularJoint() == ExplicitModel.REGULAR
           ? integratorFailed()
@@ -368,7 +369,11 @@ public final class Simulation implements Solver {
 
     private Outcome integratorFailed() {
       IntegrationFailure failure = integrator.failure();
-      Optional<Defects.Defect> defect = equations.defect();
+      List<Failure.Step> tried = FailureText.steps(failure);
+      if (steps > 0) {
+        integrator.interpolate(integrator.time(), y, yDot);
+      }
+      Optional<Defects.Defect> defect = equations.defect(integrator.time(), y, yDot, tried);
       if (defect.isEmpty() && FailureText.mayLieInLoops(failure.cause())) {
         defect = equations.obstacle();
       }
@@ -377,7 +382,7 @@ public final class Simulation implements Solver {
               ? FailureText.of(defect.get(), failure.time(), failure.stepSize(), failure.order())
               : FailureText.of(
                   failure, model.description(), equations.singularJoint(), events.part());
-      return new Outcome.Failed(told.after(FailureText.steps(failure)));
+      return new Outcome.Failed(told.after(tried));
     }
 
     private Outcome rowFailed(double t, int column) {

@@ -136,7 +136,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     events.change(occurred, tAfter, y);
     for (int l = 0; l < y.length; l++) {
       if (!Double.isFinite(y[l])) {
-        return fail(FailureText.eventNotFinite(t, part(), equations.name(l)));
+        return fail(EventFailures.eventNotFinite(t, part(), equations.name(l)));
       }
     }
     System.arraycopy(y, 0, wanted, 0, y.length);
@@ -145,13 +145,13 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
       set[l] = isSet(l, occurred);
     }
     if (!equations.closeLoopsAfterJump(tAfter, y, set)) {
-      return fail(FailureText.eventOpensLoops(t, part(), equations.obstacle()));
+      return fail(EventFailures.eventOpensLoops(t, part(), equations.obstacle()));
     }
     for (int l = 0; l < y.length; l++) {
       boolean kept = Math.abs(y[l] - wanted[l]) <= KEPT * (1 + Math.abs(wanted[l]));
       if (!kept && set[l]) {
         return fail(
-            FailureText.eventContradictsLoops(t, part(), equations.name(l), y[l], wanted[l]));
+            EventFailures.eventContradictsLoops(t, part(), equations.name(l), y[l], wanted[l]));
       }
     }
     momentum.ifPresent(balance -> balance.jump(tBefore, from, tAfter, y));

@@ -19,6 +19,25 @@ abstract class AdamsContract extends IntegratorContract {
     return 0.25;
   }
 
+  /** A block on a spring with friction as a jump: once at rest, it would have to stay there. */
+  @Test
+  void slidingAlongAJumpEndsTheRunInsteadOfCrossingItForEver() {
+    Ode dry =
+        new Ode(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = y[1];
+              yDot[1] = -Math.signum(y[1]) - y[0];
+            });
+    Run run = Run.of(create(1e-8), dry, 0, new double[] {3.3, 0}, 20);
+    assertThat(run.result()).isEqualTo(StepResult.FAILED);
+    assertThat(run.integrator().failure().cause())
+        .isEqualTo(IntegrationFailure.Cause.STEP_TOO_SMALL);
+    assertThat(run.integrator().time()).isCloseTo(2 * Math.PI, within(1e-3));
+    assertThat(run.atEnd()).containsExactly(new double[] {-0.7, 0}, within(1e-4));
+    assertThat(run.statistics().evaluations()).isLessThan(100_000);
+  }
+
   @Test
   void stepsGrowWithTheSeventhRootOfTheToleranceAtOrderSix() {
     assertStepsGrowWithTheRootOfTheTolerance(6);

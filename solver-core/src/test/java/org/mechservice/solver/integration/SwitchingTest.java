@@ -46,6 +46,46 @@ class SwitchingTest {
     assertThat(run.integrator().methodChangeCount()).isBetween(35L, 46L);
   }
 
+  /** A block on a spring with friction as a jump: once at rest, it would have to stay there. */
+  @Test
+  void slidingAlongAJumpEndsTheRunInsteadOfCrossingItForEver() {
+    Ode dry =
+        new Ode(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = y[1];
+              yDot[1] = -Math.signum(y[1]) - y[0];
+            });
+    Run run =
+        Run.of(
+            new Switching(new IntegratorSettings(1e-8, 1e-8)), dry, 0, new double[] {3.3, 0}, 20);
+    assertThat(run.result()).isEqualTo(StepResult.FAILED);
+    assertThat(run.integrator().failure().cause())
+        .isEqualTo(IntegrationFailure.Cause.STEP_TOO_SMALL);
+    assertThat(run.integrator().time()).isCloseTo(2 * Math.PI, within(1e-3));
+    assertThat(run.atEnd()).containsExactly(new double[] {-0.7, 0}, within(1e-4));
+    assertThat(run.statistics().evaluations()).isLessThan(100_000);
+  }
+
+  @Test
+  void slidingAlongWhatIsOnlySteepIsLeftToTheStiffMethod() {
+    Ode steep =
+        new Ode(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = y[1];
+              yDot[1] = 1000 * (0.01 * t - y[0]) - 5 * y[1] / Math.hypot(y[1], 1e-9);
+            });
+    Run run =
+        Run.of(
+            new Switching(new IntegratorSettings(1e-8, 1e-8)), steep, 0, new double[] {0, 0}, 0.4);
+    assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+    assertThat(run.integrator().methodChangeCount()).isEqualTo(1);
+    // It creeps at a part of 1e-9 m/s: the spring's 4 N at the end are less than friction.
+    assertThat(run.atEnd()).containsExactly(new double[] {0, 0}, within(1e-8));
+    assertThat(run.statistics().evaluations()).isLessThan(100_000);
+  }
+
   @Test
   void jumpsThatTakeFewStepsAreNotWorthAChange() {
     Run run = relaxation(1e-3, 10);

@@ -126,6 +126,12 @@ final class AppliedForces {
     return values;
   }
 
+  /** Returns expressions of time, parameters and the state as scalars. */
+  List<Scalar> scalars(List<Expression> expressions) {
+    program.section("Parts of the formulas of forces.", "parts");
+    return expressions.stream().map(formulas::scalar).toList();
+  }
+
   private void section(ForceElement element) {
     program.section(
         "Force " + element.name() + " (" + element.getClass().getSimpleName() + ").",

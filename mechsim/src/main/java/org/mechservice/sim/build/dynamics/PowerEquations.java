@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.expression.Expression;
 
 /** Power of what has no potential energy, and the values of forces. */
 public final class PowerEquations {
@@ -95,6 +96,17 @@ public final class PowerEquations {
       }
     }
     program.section("Values of forces.", "values");
+    for (int i = 0; i < values.size(); i++) {
+      program.output(i, values.get(i));
+    }
+    return program;
+  }
+
+  /** Derives the program from the state [q; v] to the values of expressions, in their order. */
+  public static Program formulas(Links mechanism, List<Expression> expressions) {
+    Program program = new Program();
+    Coordinates coordinates = new Coordinates(program, mechanism);
+    List<Scalar> values = new AppliedForces(program, mechanism, coordinates).scalars(expressions);
     for (int i = 0; i < values.size(); i++) {
       program.output(i, values.get(i));
     }

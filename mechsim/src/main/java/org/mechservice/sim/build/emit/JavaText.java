@@ -37,6 +37,7 @@ public final class JavaText {
           "String",
           "System",
           "Variable",
+          "WrittenFormulas",
           "De",
           "Ode113",
           "Integrator",

@@ -61,6 +61,7 @@ final class ModelBytes {
       method(plan.forces().get());
     }
     plan.directedForces().ifPresent(this::directedForce);
+    plan.formulas().ifPresent(this::formulas);
     classFile.visitEnd();
     return checked(classFile, plan.simpleName());
   }
@@ -209,6 +210,17 @@ final class ModelBytes {
     code.visitVarInsn(Opcodes.ILOAD, 1);
     code.visitInsn(Opcodes.AALOAD);
     ClassMethods.end(code, Opcodes.ARETURN);
+  }
+
+  private void formulas(ModelPlan.Part part) {
+    ModelClass.FormulaParts parts = plan.content().formulas().orElseThrow();
+    MethodVisitor lines = ClassMethods.beginPublic(classFile, "formulas", "()" + STRING);
+    lines.visitLdcInsn(parts.lines());
+    ClassMethods.end(lines, Opcodes.ARETURN);
+    MethodVisitor count = ClassMethods.beginPublic(classFile, "formulaCount", "()I");
+    new NumberCode(count).push(parts.count());
+    ClassMethods.end(count, Opcodes.IRETURN);
+    method(part);
   }
 
   /** Of the two sets of Euler parameters of an orientation the one with e0 ≥ 0. */

@@ -24,6 +24,7 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
  * @param poses program from [q; v] to the poses of the bodies, if they are asked for
  * @param power program from [q; v] to the power of what has no potential energy, if there is any
  * @param forces values of forces, if they are asked for
+ * @param formulas parts of the formulas of forces, if any can be without a value
  * @param notes further paragraphs of the class comment, for people
  */
 public record ModelClass(
@@ -36,6 +37,7 @@ public record ModelClass(
     Optional<Program> poses,
     Optional<Program> power,
     Optional<ForceValues> forces,
+    Optional<FormulaParts> formulas,
     List<String> notes) {
   /**
    * Values that forces put out.
@@ -44,6 +46,15 @@ public record ModelClass(
    * @param program from [q; v] to the values
    */
   public record ForceValues(List<Variable> columns, Program program) {}
+
+  /**
+   * Parts of the formulas of forces, to find the one without a value after a failure.
+   *
+   * @param lines what the values are
+   * @param count of the values
+   * @param program from [q; v] to the values
+   */
+  public record FormulaParts(String lines, int count, Program program) {}
 
   /** The package of generated models. */
   public static final String PACKAGE = "org.mechservice.model";

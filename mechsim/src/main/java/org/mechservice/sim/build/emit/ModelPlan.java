@@ -20,6 +20,7 @@ import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.dynamics.TreeStepModel;
+import org.mechservice.solver.force.WrittenFormulas;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
 /**
@@ -35,6 +36,7 @@ public final class ModelPlan implements WrittenClass {
   private static final Head ENERGY = ofState("energy", "energy", false, true);
   private static final Head POSES = ofState("poses", "poses", false, true);
   private static final Head POWER = ofState("sumPower", "power", false, false);
+  private static final Head FORMULAS = ofState("formulaValues", "values", false, true);
   private static final Head FORCES = ofState("forces", "forces", false, false);
 
   /**
@@ -53,6 +55,7 @@ public final class ModelPlan implements WrittenClass {
   private final Optional<Part> poses;
   private final Optional<Part> power;
   private final Optional<Part> forces;
+  private final Optional<Part> formulas;
 
   private ModelPlan(ModelClass content, CodeForm form) {
     this.content = content;
@@ -71,6 +74,7 @@ public final class ModelPlan implements WrittenClass {
     this.poses = content.poses().map(program -> part(POSES, program));
     this.power = content.power().map(program -> part(POWER, program));
     this.forces = content.forces().map(values -> part(FORCES, values.program()));
+    this.formulas = content.formulas().map(parts -> part(FORMULAS, parts.program()));
   }
 
   private Part part(Head head, Program program) {
@@ -186,11 +190,17 @@ public final class ModelPlan implements WrittenClass {
     return forces;
   }
 
+  /** Returns the program of the parts of forces' formulas, if any can be without a value. */
+  Optional<Part> formulas() {
+    return formulas;
+  }
+
   private List<Part> all() {
     List<Part> all = new ArrayList<>(programs);
     poses.ifPresent(all::add);
     power.ifPresent(all::add);
     forces.ifPresent(all::add);
+    formulas.ifPresent(all::add);
     return all;
   }
 
@@ -238,6 +248,7 @@ public final class ModelPlan implements WrittenClass {
     power.ifPresent(part -> interfaces.add(PowerInput.class));
     forces.ifPresent(part -> interfaces.add(ResultColumns.class));
     directedForces().ifPresent(names -> interfaces.add(DirectedForces.class));
+    formulas.ifPresent(part -> interfaces.add(WrittenFormulas.class));
     return interfaces;
   }
 

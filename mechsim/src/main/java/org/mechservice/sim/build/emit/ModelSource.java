@@ -59,6 +59,7 @@ final class ModelSource {
     plan.power().ifPresent(this::power);
     plan.forces().ifPresent(this::forces);
     plan.directedForces().ifPresent(this::directedForce);
+    plan.formulas().ifPresent(this::formulas);
     return source.close().toString();
   }
 
@@ -264,6 +265,15 @@ final class ModelSource {
     source.blank().line("@Override").open("public String directedForce(int force)");
     source.line("return (" + JavaText.literal(names) + ").split(\"\\n\", -1)[force];");
     source.close();
+  }
+
+  private void formulas(ModelPlan.Part part) {
+    ModelClass.FormulaParts parts = plan.content().formulas().orElseThrow();
+    source.blank().line("@Override").open("public String formulas()");
+    source.line("return " + JavaText.literal(parts.lines()) + ";").close();
+    source.blank().line("@Override").open("public int formulaCount()");
+    source.line("return " + parts.count() + ";").close();
+    method(part, List.of(), List.of());
   }
 
   private void method(ModelPlan.Part part, List<String> first, List<String> last) {

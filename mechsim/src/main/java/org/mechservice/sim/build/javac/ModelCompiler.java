@@ -28,6 +28,7 @@ public final class ModelCompiler {
           "org.mechservice.solver.spatial",
           "org.mechservice.solver.expression",
           "org.mechservice.solver.closure",
+          "org.mechservice.solver.force",
           "org.mechservice.solver.integration",
           "org.mechservice.solver.standalone");
 

@@ -1,0 +1,51 @@
+package org.mechservice.solver.simulation;
+
+import java.util.Locale;
+import java.util.Optional;
+import org.mechservice.solver.api.Defects;
+import org.mechservice.solver.api.Failure;
+
+/** Says why a run could not go on after an event. */
+final class EventFailures {
+  private EventFailures() {}
+
+  /** Explains an event that sets a state to what is no number. */
+  static Failure eventNotFinite(double t, String event, String state) {
+    return atEvent(
+        "N-013",
+        "The event sets state \"" + state + "\" to a value that is not finite.",
+        t,
+        event,
+        "Check the expressions it sets joints by.");
+  }
+
+  /** Explains an event after which no state closes the loops. */
+  static Failure eventOpensLoops(double t, String event, Optional<Defects.Defect> why) {
+    return atEvent(
+        "N-014",
+        "The loops cannot be closed after what the event sets.",
+        t,
+        why.map(defect -> event + ", " + defect.part()).orElse(event),
+        "Set values that the mechanism can take.");
+  }
+
+  /** Explains an event that sets a state which the loops have another value for. */
+  static Failure eventContradictsLoops(
+      double t, String event, String state, double given, double wanted) {
+    return atEvent(
+        "N-014",
+        String.format(
+            Locale.ROOT,
+            "The loops give state \"%s\" another value, %.6g, than the event sets, %.6g.",
+            state,
+            given,
+            wanted),
+        t,
+        event,
+        "Set as many coordinates as the mechanism has degrees of freedom, to values that fit.");
+  }
+
+  private static Failure atEvent(String code, String cause, double t, String event, String advice) {
+    return new Failure(code, cause, t, 0, 0, event, advice);
+  }
+}
