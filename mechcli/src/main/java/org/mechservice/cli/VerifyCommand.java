@@ -75,7 +75,9 @@ final class VerifyCommand implements Callable<Integer> {
       return (X509Certificate) CertificateFactory.getInstance("X.509").generateCertificate(in);
     } catch (CertificateException e) {
       throw new UsageException(
-          "S-150 " + key + " is no certificate; name the identity.crt of the machine that built it");
+          "S-150 "
+              + key
+              + " is no certificate; name the identity.crt of the machine that built it");
     }
   }
 }

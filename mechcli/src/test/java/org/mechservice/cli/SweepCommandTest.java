@@ -298,7 +298,10 @@ class SweepCommandTest {
           .as(err.toString())
           .isZero();
       killer.join();
-      assertThat(cells(Files.readString(folder.resolve("r.csv"))).stream().skip(1).map(row -> row.get(1)))
+      assertThat(
+              cells(Files.readString(folder.resolve("r.csv"))).stream()
+                  .skip(1)
+                  .map(row -> row.get(1)))
           .hasSize(60)
           .containsOnly("completed");
       assertThat(stays.address()).isNotEmpty();

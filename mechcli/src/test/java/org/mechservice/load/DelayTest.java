@@ -86,8 +86,7 @@ class DelayTest {
                 List.of(),
                 256,
                 List.of(
-                    "-Djacorb.ior_proxy_host=127.0.0.2",
-                    "-Djacorb.ior_proxy_port=" + relay.port()),
+                    "-Djacorb.ior_proxy_host=127.0.0.2", "-Djacorb.ior_proxy_port=" + relay.port()),
                 "server",
                 "--port",
                 Integer.toString(relay.port()))) {

@@ -49,10 +49,7 @@ final class Findable implements AutoCloseable {
       Files.move(growing, target, StandardCopyOption.REPLACE_EXISTING);
     } catch (IOException e) {
       throw new IllegalArgumentException(
-          "S-162 the server's reference cannot be written to "
-              + file
-              + ": "
-              + FileTrouble.why(e),
+          "S-162 the server's reference cannot be written to " + file + ": " + FileTrouble.why(e),
           e);
     }
   }

@@ -72,8 +72,7 @@ class CancelLatencyTest {
             MechServerProcess.start(new ServerSettings("cancel", "127.0.0.1", 0, 2));
         ServiceOrb client = ServiceOrb.client()) {
       MechServer service = client.connect(server.url());
-      IMechSimRemote beside =
-          simulation(service.createSession("beside", "", null), CASES.get(0));
+      IMechSimRemote beside = simulation(service.createSession("beside", "", null), CASES.get(0));
       beside.start();
       for (Case one : CASES) {
         double[] cancels = measured(service, one, CancelLatencyTest::cancel);

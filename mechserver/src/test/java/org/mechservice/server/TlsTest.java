@@ -144,8 +144,7 @@ class TlsTest {
     try (ServiceOrb stranger = ServiceOrb.client(mallory)) {
       assertThatThrownBy(() -> stranger.connect(server.url()))
           .isInstanceOf(ServiceUnreachableException.class)
-          .hasMessageStartingWith(
-              "S-152 no trust between this process and the server at 127.0.0.1")
+          .hasMessageStartingWith("S-152 no trust between this process and the server at 127.0.0.1")
           .hasMessageEndingWith("of another authority than this process's, or not valid now");
     }
   }

@@ -10,7 +10,6 @@ import org.mechservice.sim.build.jar.Packing;
 import org.mechservice.sim.build.javac.ModelCompiler;
 import org.mechservice.sim.build.user.UserClasses;
 import org.mechservice.sim.scene.FormulationChoice;
-import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**

@@ -120,7 +120,9 @@ public final class GenerationLimits {
     return velocitiesOnWay(mechanism).map(onWay -> onWay + 1).sum();
   }
 
-  /** Operations of L^T D L of a mass matrix: d divisions and d (d + 1) others behind d velocities. */
+  /**
+   * Operations of L^T D L of a mass matrix: d divisions and d (d + 1) others behind d velocities.
+   */
   private static long factors(Mechanism mechanism) {
     return velocitiesOnWay(mechanism).mapToLong(d -> (long) d * (d + 2)).sum();
   }

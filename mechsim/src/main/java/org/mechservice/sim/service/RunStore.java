@@ -97,7 +97,8 @@ final class RunStore implements AutoCloseable {
         keep(found, rows);
       }
     } catch (IOException e) {
-      throw new IllegalArgumentException("S-114 the spool folder cannot be read: " + FileTrouble.why(e), e);
+      throw new IllegalArgumentException(
+          "S-114 the spool folder cannot be read: " + FileTrouble.why(e), e);
     }
   }
 

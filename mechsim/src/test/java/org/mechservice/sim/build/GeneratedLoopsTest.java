@@ -118,7 +118,9 @@ class GeneratedLoopsTest {
     assertThat(generated.formulationReason()).contains("derivatives of the residual from data");
   }
 
-  /** Returns y' at the start, a residual there, and the solution of an implicit step if it has one. */
+  /**
+   * Returns y' at the start, a residual there, and the solution of an implicit step if it has one.
+   */
   static double[] everything(Model model) {
     ResidualModel residual = (ResidualModel) model;
     double[] y = new double[residual.unknownCount()];

@@ -23,7 +23,6 @@ import org.mechservice.idl.ResultBlockHolder;
 import org.mechservice.idl.ResultCursor;
 import org.mechservice.idl.SimState;
 import org.mechservice.sim.host.HostOptions;
-import org.mechservice.sim.host.SimHost;
 import org.mechservice.solver.api.Solver;
 import org.omg.CORBA.UserException;
 

@@ -200,8 +200,7 @@ class ClosedTree {
     motion.sweep(t, y);
     applyForces(t);
     energy[0] = world.kineticEnergy() + rods.kineticEnergy(motion);
-    energy[1] =
-        world.potentialEnergy() + rods.potentialEnergy(motion) + forces.potentialEnergy();
+    energy[1] = world.potentialEnergy() + rods.potentialEnergy(motion) + forces.potentialEnergy();
   }
 
   /** Writes at a state the power of what has no potential energy, and the sum of its sizes, W. */

@@ -182,8 +182,7 @@ final class CodedTree extends ClosedTree {
       }
     }
     placeData(t, state);
-    return super.formResidual(t, a, aAt, extended)
-        && super.linearise(t, a, aAt, lambda, jacobian);
+    return super.formResidual(t, a, aAt, extended) && super.linearise(t, a, aAt, lambda, jacobian);
   }
 
   @Override

@@ -243,8 +243,8 @@ public final class ResidualJacobian {
   /**
    * Takes all derivatives, complete, as code has evaluated them.
    *
-   * @param dense M, of which the lower triangle and the diagonal are read, ∂F/∂v and ∂F/∂q, each row
-   *     by row in the order of the state; not modified
+   * @param dense M, of which the lower triangle and the diagonal are read, ∂F/∂v and ∂F/∂q, each
+   *     row by row in the order of the state; not modified
    */
   public void take(double[] dense) {
     int square = pattern.size * pattern.size;

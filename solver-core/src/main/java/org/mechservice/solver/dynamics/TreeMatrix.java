@@ -123,8 +123,8 @@ public final class TreeMatrix implements TreeElements {
   }
 
   /**
-   * Takes the elements from the lower triangle and the diagonal of a matrix, row by row in the order
-   * of the state.
+   * Takes the elements from the lower triangle and the diagonal of a matrix, row by row in the
+   * order of the state.
    *
    * @param dense n² numbers from {@code at}; not modified
    */

@@ -69,8 +69,7 @@ public final class EnergyEquations {
     }
     AppliedForces applied = new AppliedForces(program, mechanism, coordinates);
     VelocityRows rows = new VelocityRows(expressions, mechanism, coordinates);
-    MassiveRodTerms rods =
-        new MassiveRodTerms(expressions, mechanism, applied.kinematics(), rows);
+    MassiveRodTerms rods = new MassiveRodTerms(expressions, mechanism, applied.kinematics(), rows);
     potential = potential.plus(applied.potential()).plus(rods.potential(mechanism.mechanism()));
     kinetic = kinetic.plus(rods.kinetic());
     program.section("Kinetic and potential energy.", "energy");

@@ -47,8 +47,7 @@ public record TermsClass(
         energy,
         power,
         ofResidual.map(
-            programs ->
-                new OfResidual(programs.offset(), programs.residual(), Optional.empty())),
+            programs -> new OfResidual(programs.offset(), programs.residual(), Optional.empty())),
         notes);
   }
 

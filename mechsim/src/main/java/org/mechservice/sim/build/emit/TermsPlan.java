@@ -44,7 +44,8 @@ public final class TermsPlan implements WrittenClass {
               programs
                   .derivatives()
                   .ifPresent(
-                      derivatives -> add(ofDerivatives(given, content.velocityCount()), derivatives));
+                      derivatives ->
+                          add(ofDerivatives(given, content.velocityCount()), derivatives));
             });
     slots = parts.stream().mapToInt(part -> part.plan().slots()).max().orElse(0);
   }
