@@ -215,7 +215,9 @@ class WorkerTest {
   @Test
   void checkpointOfAnotherForceIsRefused() throws Exception {
     try (HostedClient there = host(HostLimits.DEFAULT)) {
-      byte[] checkpoint = held(simulation(there, PUSH)).checkpoint();
+      IMechSimRemote held = held(simulation(there, PUSH));
+      byte[] checkpoint = held.checkpoint();
+      held.destroy();
       IMechSimRemote other = simulation(there, PUSH.replace("3", "4"));
       other.restore(checkpoint);
       other.start();
