@@ -1,6 +1,8 @@
 package org.mechservice.solver.simulation;
 
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.DependentStates;
@@ -79,9 +81,32 @@ final class CheckpointWriter {
     state.require("formulation", model.description().formulation());
     state.require("hash of the model", store.modelHash());
     state.require("solver version", SolverVersion.CURRENT);
-    state.require("run", request.settings());
+    requireSettings(state, request.settings().toString());
     state.require("list of column groups", request.columns().stream().sorted().toList());
     state.require("energy balance", request.maxDrift().isPresent() ? "watched" : "not watched");
     run.transfer(state);
+  }
+
+  /**
+   * Settings are carried over as the text of their record, the same components in the same order;
+   * those that differ are named.
+   */
+  private static void requireSettings(StateTransfer state, String here) {
+    String saved = state.text(here);
+    if (!saved.equals(here)) {
+      throw new IllegalArgumentException(
+          "the run has " + without(saved, here) + ", but the saved state " + without(here, saved));
+    }
+  }
+
+  /** Returns what stands in the text of a record and not in that of another. */
+  private static String without(String other, String text) {
+    List<String> components = new ArrayList<>(components(text));
+    components.removeAll(components(other));
+    return String.join(", ", components);
+  }
+
+  private static List<String> components(String text) {
+    return List.of(text.substring(text.indexOf('[') + 1, text.length() - 1).split(", "));
   }
 }
