@@ -7,6 +7,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.Consumer;
 import org.mechservice.idl.SimState;
 import org.mechservice.solver.api.Outcome;
 
@@ -19,16 +20,21 @@ final class RunConclusion {
   private final RunStory story;
   private final RunStore store;
   private final RunRecord record;
+  private final Consumer<String> unkept;
   private Optional<RunVerdict> verdict = Optional.empty();
   private Optional<RunLimitException> limitReached = Optional.empty();
   private Future<?> settled = CompletableFuture.completedFuture(null);
   private boolean destroyed;
   private boolean left;
 
-  RunConclusion(RunStory story, RunStore store, RunRecord record) {
+  /**
+   * @param unkept hears why a cancelled run, whose end was told already, is not on disk
+   */
+  RunConclusion(RunStory story, RunStore store, RunRecord record, Consumer<String> unkept) {
     this.story = story;
     this.store = store;
     this.record = record;
+    this.unkept = unkept;
   }
 
   /** Returns how the run ended; empty if it has not, or never began. */
@@ -104,10 +110,15 @@ final class RunConclusion {
 
   private synchronized void tellAtOnce(RunVerdict end) {
     if (tell(end) && record.lasts() && !destroyed) {
-      settled =
-          store.soon(
-              story.plan().identity().simId(),
-              () -> record.settle(() -> story.afterwards(Optional.of(end))));
+      settled = store.soon(story.plan().identity().simId(), () -> settle(end));
+    }
+  }
+
+  private void settle(RunVerdict end) {
+    try {
+      record.settle(() -> story.afterwards(Optional.of(end)));
+    } catch (IOException e) {
+      unkept.accept(FileTrouble.why(e));
     }
   }
 

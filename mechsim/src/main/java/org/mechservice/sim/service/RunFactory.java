@@ -94,7 +94,7 @@ final class RunFactory {
             System.currentTimeMillis(),
             earlierIds);
     RunPlan plan = new RunPlan(identity, task, columns, facts);
-    return new SimulationRun(plan, queue, store, session::stateChanged);
+    return new SimulationRun(plan, queue, store, session);
   }
 
   private void requireRoomForRows(RunSettings settings, int columns) throws LimitExceeded {

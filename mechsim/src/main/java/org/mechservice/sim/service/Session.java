@@ -29,7 +29,7 @@ import org.omg.PortableServer.Servant;
  * What one client holds on this host: its simulations, and the lease that any call to any of its
  * objects renews.
  */
-final class Session {
+final class Session implements SimulationRun.Listener {
   /** Kinds of events, by state. */
   private static final String[] KINDS = {
     "sim-created",
@@ -181,7 +181,8 @@ final class Session {
   }
 
   /** Tells the client and the operator, and writes down, that a simulation changed its state. */
-  void stateChanged(SimulationRun run, SimState state, String text) {
+  @Override
+  public void stateChanged(SimulationRun run, SimState state, String text) {
     events.status(run.progress(), text);
     host.journal().tell(happening(run, state, text));
     IMechClient listener = listenerOf(run);
@@ -237,12 +238,28 @@ final class Session {
             + (movable
                 ? "goes on on another host if its client takes it there and one has room"
                 : "cannot be saved and finishes here");
-    said(run, new Diagnostic[] {Wire.information(code, text)});
+    tell(run, "drained", Severity.SEV_INFO, code, text);
+  }
+
+  /** Tells the client, and writes down, that a cancelled run will not outlive the host. */
+  @Override
+  public void notOnDisk(SimulationRun run, String why) {
+    String text =
+        "the results cannot be kept on disk: "
+            + why
+            + "; they are there as long as host "
+            + host.hostName()
+            + " runs";
+    tell(run, "sim-not-kept", Severity.SEV_WARNING, "S-014", text);
+  }
+
+  private void tell(SimulationRun run, String kind, Severity weight, String code, String text) {
+    said(run, new Diagnostic[] {Wire.diagnostic(weight, code, text)});
     host.journal()
         .tell(
             new Happening(
-                "drained",
-                Severity.SEV_INFO,
+                kind,
+                weight,
                 code,
                 host.hostName(),
                 id,

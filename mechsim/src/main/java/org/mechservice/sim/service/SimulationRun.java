@@ -22,9 +22,12 @@ import org.mechservice.solver.api.Variable;
  * leaves its rows in a {@link ResultSpool}. Thread-safe.
  */
 final class SimulationRun implements Runnable {
-  /** Hears of changes of state, in the thread that makes them; must not block. */
+  /** Hears of what becomes of a run, in the thread that makes it so; must not block. */
   interface Listener {
     void stateChanged(SimulationRun run, SimState state, String text);
+
+    /** Hears that a run whose end was told before could not be written to disk. */
+    void notOnDisk(SimulationRun run, String why);
   }
 
   /**
@@ -60,7 +63,12 @@ final class SimulationRun implements Runnable {
     rows = new RunRows(task, plan.columns(), spool, control);
     story = new RunStory(plan, queue, this, control, phase, clock, rows, new RunCurves());
     news = new RunNews(story);
-    conclusion = new RunConclusion(story, store, store.record(simId(), spool));
+    conclusion =
+        new RunConclusion(
+            story,
+            store,
+            store.record(simId(), spool),
+            why -> listener.notOnDisk(this, why));
     task.checkpoints().countRowsWith(spool::rows);
   }
 

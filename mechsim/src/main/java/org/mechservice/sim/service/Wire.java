@@ -31,7 +31,11 @@ final class Wire {
   }
 
   static Diagnostic information(String code, String text) {
-    return new Diagnostic(Severity.SEV_INFO, code, text, "", "", 0, 0);
+    return diagnostic(Severity.SEV_INFO, code, text);
+  }
+
+  static Diagnostic diagnostic(Severity weight, String code, String text) {
+    return new Diagnostic(weight, code, text, "", "", 0, 0);
   }
 
   static Channel[] channels(List<Variable> variables) {

@@ -17,6 +17,7 @@ import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.IMechSimRemoteHelper;
 import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.InvalidState;
+import org.mechservice.idl.MechSim;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.OPT_CONTINUES;
@@ -111,6 +112,29 @@ class SpoolRestartTest {
     assertThatThrownBy(() -> rows.read(0, 1)).hasMessageContaining("deleted");
     store.close();
     assertThat(filesIn(folder)).containsExactly("lock");
+  }
+
+  @Test
+  void clientAndOperatorHearThatACancelledRunCouldNotBeWrittenDown() throws Exception {
+    try (HostedClient there = on(folder, SimHost.installedSolver())) {
+      MechSim session = there.session();
+      IMechSimRemote run = session.createSimulation(new NameValue[0], null);
+      run.runTo(1);
+      Eventually.holds(() -> run.getProgress().state == SimState.SIM_PAUSED);
+      for (String name : filesIn(folder)) {
+        Files.delete(folder.resolve(name));
+      }
+      Files.delete(folder);
+      run.cancel();
+
+      assertThat(run.getProgress().state).isEqualTo(SimState.SIM_CANCELLED);
+      Eventually.holds(
+          () ->
+              Stream.of(session.pollEvents(0, 100, 0))
+                  .flatMap(event -> Stream.of(event.messages))
+                  .anyMatch(message -> message.code.equals("S-014")));
+      assertThat(there.host.events(0, 100, 0)).extracting(event -> event.code).contains("S-014");
+    }
   }
 
   private static List<String> filesIn(Path folder) throws IOException {
