@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.security.cert.Certificate;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import org.mechservice.idl.DiagnosticSeqHolder;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.IMechSimRemote;
@@ -105,8 +106,8 @@ public final class MechConnection implements AutoCloseable {
    * @throws ServerLostException if the server is lost
    */
   public int places() {
-    ServerChoice.Chosen server = servers.chosen();
-    return ServiceDescription.of(server.calls().get(server.server()::getInfo)).places();
+    return asked(server -> ServiceDescription.of(server.calls().get(server.server()::getInfo)))
+        .places();
   }
 
   /**
@@ -127,15 +128,21 @@ public final class MechConnection implements AutoCloseable {
    */
   public MechSession openSession(String hostName) {
     Stopwatch watch = new Stopwatch();
+    return asked(
+        server -> {
+          MechSim session = createSession(server, hostName);
+          return opened(server, session, connectSeconds + watch.lap());
+        });
+  }
+
+  /** Asks the server that is used, or the next one if that is gone. */
+  private <T> T asked(Function<ServerChoice.Chosen, T> question) {
     ServerChoice.Chosen server = servers.chosen();
-    MechSim session;
     try {
-      session = createSession(server, hostName);
+      return question.apply(server);
     } catch (ServerLostException e) {
-      server = servers.instead(server, e);
-      session = createSession(server, hostName);
+      return question.apply(servers.instead(server, e));
     }
-    return opened(server, session, connectSeconds + watch.lap());
   }
 
   private MechSession opened(ServerChoice.Chosen server, MechSim session, double seconds) {
@@ -174,13 +181,20 @@ public final class MechConnection implements AutoCloseable {
    * @throws LimitExceededException if the host takes no more sessions
    */
   public ReattachedRun reattach(String simId) {
-    ServerChoice.Chosen first = servers.chosen();
+    Found found = asked(server -> findAnywhere(server, simId));
+    return new ReattachedRun(callsTo(found.run(), found.by()), leases, found.run());
+  }
+
+  /** A run and the server that has found it, which may live while the host of the run does not. */
+  private record Found(ServerChoice.Chosen by, IMechSimRemote run) {}
+
+  private Found findAnywhere(ServerChoice.Chosen first, String simId) {
     try {
-      return reattached(first, simId);
+      return find(first, simId);
     } catch (NotFoundException notThere) {
       for (ServerChoice.Chosen next : servers.others(first)) {
         try {
-          return reattached(next, simId);
+          return find(next, simId);
         } catch (NotFoundException | ServerLostException e) {
           notThere.addSuppressed(e);
         }
@@ -189,9 +203,8 @@ public final class MechConnection implements AutoCloseable {
     }
   }
 
-  private ReattachedRun reattached(ServerChoice.Chosen server, String simId) {
-    IMechSimRemote found = server.calls().get(() -> server.server().findSimulation(simId));
-    return new ReattachedRun(callsTo(found, server), leases, found);
+  private static Found find(ServerChoice.Chosen server, String simId) {
+    return new Found(server, server.calls().get(() -> server.server().findSimulation(simId)));
   }
 
   /**
@@ -205,10 +218,11 @@ public final class MechConnection implements AutoCloseable {
   public ImportedModel importModel(Path file) throws IOException {
     String name = String.valueOf(file.getFileName());
     ModelFile foreign = new ModelFile(name, ModelBytes.of(file));
-    ServerChoice.Chosen server = servers.chosen();
     DiagnosticSeqHolder losses = new DiagnosticSeqHolder();
     try {
-      ModelFile model = server.calls().get(() -> server.server().importModel(foreign, losses));
+      ModelFile model =
+          asked(
+              server -> server.calls().get(() -> server.server().importModel(foreign, losses)));
       return new ImportedModel(
           new String(model.content, StandardCharsets.UTF_8),
           located(ModelMessage.listOf(losses.value), name, file));

@@ -39,6 +39,29 @@ class FailOverTest {
   }
 
   @Test
+  void runIsLookedForAtTheNextServerWhenOneIsGone() {
+    try (ScriptedServer second = new ScriptedServer()) {
+      ScriptedServer first = new ScriptedServer();
+      try (MechConnection connection = open(first.address() + "," + second.address())) {
+        first.close();
+        assertThatThrownBy(() -> connection.reattach("7")).isInstanceOf(NotFoundException.class);
+        assertThat(second.happened).containsExactly("findSimulation 7");
+      }
+    }
+  }
+
+  @Test
+  void placesAreCountedAtTheNextServerWhenOneIsGone() {
+    try (ScriptedServer second = new ScriptedServer()) {
+      ScriptedServer first = new ScriptedServer();
+      try (MechConnection connection = open(first.address() + "," + second.address())) {
+        first.close();
+        assertThat(connection.places()).isEqualTo(1);
+      }
+    }
+  }
+
+  @Test
   void allThatFailedAreNamed() {
     assertThatThrownBy(() -> open("127.0.0.1:1,127.0.0.1:2"))
         .isInstanceOf(ServerLostException.class)

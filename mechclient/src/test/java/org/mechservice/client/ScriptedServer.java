@@ -27,6 +27,7 @@ import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.ModelInfo;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NameValueSeqHolder;
+import org.mechservice.idl.NotFound;
 import org.mechservice.idl.Progress;
 import org.mechservice.idl.ResultBlock;
 import org.mechservice.idl.ResultBlockHolder;
@@ -162,6 +163,11 @@ final class ScriptedServer implements AutoCloseable {
   private final class Server {
     ServerInfo getInfo() {
       return new ServerInfo("scripted", apiVersion, "0.0", 0, new String[0]);
+    }
+
+    IMechSimRemote findSimulation(String simId) throws UserException {
+      happened.add("findSimulation " + simId);
+      throw new NotFound("S-011", "there is no simulation " + simId);
     }
 
     MechSim createSession(String clientName, String hostName, IMechClient client)
