@@ -9,11 +9,14 @@ import java.util.Optional;
 import java.util.jar.Attributes;
 import java.util.jar.JarInputStream;
 import java.util.zip.ZipEntry;
+import org.mechservice.solver.api.Model;
 import org.mechservice.solver.pack.KeptClasses;
 import org.mechservice.solver.pack.PackedClasses;
 
 /** The content of a JAR whose hash was checked; what is loaded is what was checked. */
 final class FetchedJar {
+  private static final String API_VERSION_ATTRIBUTE = "Mech-Api-Version";
+
   private final Attributes manifest;
   private final Map<String, byte[]> entries;
 
@@ -26,13 +29,14 @@ final class FetchedJar {
    * Unpacks a JAR in memory.
    *
    * @param cache keeps classes that are packed together, which take long to unpack
-   * @throws JarRefusedException if it cannot be read
+   * @throws JarRefusedException if it cannot be read, or was built for another solver API
    */
   static FetchedJar unpack(byte[] jar, String what, JarCache cache) {
     Map<String, byte[]> entries = new HashMap<>();
     try (JarInputStream in = new JarInputStream(new ByteArrayInputStream(jar))) {
       Attributes manifest =
           in.getManifest() == null ? new Attributes() : in.getManifest().getMainAttributes();
+      requireSameApi(manifest, what);
       ZipEntry entry = in.getNextEntry();
       while (entry != null) {
         byte[] content = in.readAllBytes();
@@ -46,6 +50,22 @@ final class FetchedJar {
       return new FetchedJar(manifest, entries);
     } catch (IOException | UncheckedIOException e) {
       throw new JarRefusedException("S-036", what + " is no JAR: " + e.getMessage());
+    }
+  }
+
+  /** Before anything is unpacked: the form of packed classes belongs to the version, too. */
+  private static void requireSameApi(Attributes manifest, String what) {
+    String built = manifest.getValue(API_VERSION_ATTRIBUTE);
+    String own = Integer.toString(Model.API_VERSION);
+    if (!own.equals(built)) {
+      throw new JarRefusedException(
+          "S-036",
+          what
+              + " was built for solver API version "
+              + (built == null ? "none" : built)
+              + "; this client has "
+              + own
+              + ": use the client of the server's version");
     }
   }
 

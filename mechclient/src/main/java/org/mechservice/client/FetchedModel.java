@@ -29,7 +29,6 @@ record FetchedModel(
     Optional<String> formulationReason,
     Set<ColumnGroup> shown) {
   private static final String SHOWN_ATTRIBUTE = "Mech-Columns-Shown";
-  private static final String API_VERSION_ATTRIBUTE = "Mech-Api-Version";
   private static final String REASON_ATTRIBUTE = "Mech-Formulation-Reason";
 
   /**
@@ -40,7 +39,6 @@ record FetchedModel(
   static FetchedModel load(BuiltJar modelJar, byte[] runtimeJar, JarCache cache) {
     FetchedJar model = FetchedJar.unpack(modelJar.bytes(), "the model JAR", cache);
     FetchedJar runtime = FetchedJar.unpack(runtimeJar, "the runtime JAR", cache);
-    requireSameApi(model);
     FetchedClasses classes = new FetchedClasses(List.of(model, runtime));
     try {
       return new FetchedModel(
@@ -51,14 +49,6 @@ record FetchedModel(
           ColumnGroup.of(model.attribute(SHOWN_ATTRIBUTE).orElse(ColumnGroup.JOINTS.label())));
     } catch (ReflectiveOperationException | LinkageError | ServiceConfigurationError e) {
       throw refused("cannot be loaded: " + e);
-    }
-  }
-
-  private static void requireSameApi(FetchedJar model) {
-    String built = model.attribute(API_VERSION_ATTRIBUTE).orElse("none");
-    String own = Integer.toString(Model.API_VERSION);
-    if (!built.equals(own)) {
-      throw refused("was built for solver API version " + built + "; this client has " + own);
     }
   }
 

@@ -118,6 +118,14 @@ class ClientContractTest {
   }
 
   @Test
+  void runtimePackedForAnotherApiIsRefusedByItsVersionNotAsDamaged() {
+    server.jars = TestJars.withRuntimePackedFor("99");
+    assertThatThrownBy(() -> session.prepareLocalRun(SimulationOptions.asInFile()))
+        .isInstanceOf(JarRefusedException.class)
+        .hasMessageContaining("the runtime JAR was built for solver API version 99");
+  }
+
+  @Test
   void serverThatDiesInTheMiddleIsReportedWithItsAddressAndTheRowsSoFarAreKept()
       throws IOException {
     Process process = startScriptedServer();

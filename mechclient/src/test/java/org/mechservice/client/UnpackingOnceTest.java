@@ -10,12 +10,12 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.jar.Attributes;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
 import java.util.jar.Manifest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.solver.api.Model;
 import org.mechservice.solver.pack.KeptClasses;
 import org.mechservice.solver.pack.PackedClasses;
 
@@ -66,8 +66,7 @@ final class UnpackingOnceTest {
   }
 
   private FetchedJar unpack(String keptSha256) throws IOException {
-    Manifest manifest = new Manifest();
-    manifest.getMainAttributes().put(Attributes.Name.MANIFEST_VERSION, "1.0");
+    Manifest manifest = TestJars.manifest(Integer.toString(Model.API_VERSION));
     manifest.getMainAttributes().putValue(PackedClasses.KEPT_SHA_256, keptSha256);
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     try (JarOutputStream jar = new JarOutputStream(bytes, manifest)) {

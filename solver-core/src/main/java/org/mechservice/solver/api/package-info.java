@@ -3,7 +3,8 @@
  * its control, its rows and its report.
  *
  * <p>Only types of java.base occur here. A model JAR is compiled against this package alone, and in
- * local mode it is the one package that the client and the fetched solver have in common, so {@link
- * Model#API_VERSION} names its state: a JAR built for another version is refused.
+ * local mode it is, with the form in which fetched classes are packed, what the client and the
+ * fetched solver have in common, so {@link Model#API_VERSION} names the state of both: a JAR built
+ * for another version is refused before it is unpacked.
  */
 package org.mechservice.solver.api;
