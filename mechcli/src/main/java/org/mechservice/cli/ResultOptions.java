@@ -75,7 +75,7 @@ final class ResultOptions {
       err.println(failed.failure().message() + files.whereRowsAre());
       return ExitStatus.SIMULATION_FAILED;
     } else if (outcome instanceof Outcome.Stopped) {
-      err.println("S-045 stopped on request at " + files.reached() + "." + files.whereRowsAre());
+      err.println("S-045 the run was stopped at " + files.reached() + "." + files.whereRowsAre());
       return ExitStatus.INTERRUPTED;
     }
     return ExitStatus.DONE;

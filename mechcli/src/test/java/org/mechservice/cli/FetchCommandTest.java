@@ -113,6 +113,18 @@ class FetchCommandTest {
   }
 
   @Test
+  void runThatWasCutOffWithItsClientIsFetchedAsFarAsItCameAndIsNotSaidToBeStoppedOnRequest()
+      throws Exception {
+    SimulationOptions endless = SimulationOptions.asInFile().endTime(1e7).outputStep(100);
+    String id = leftBehind(endless, RunState.RUNNING);
+    awaitEndOfSessions();
+    Path file = folder.resolve("r.csv");
+    assertThat(fetch(id, file)).isEqualTo(ExitStatus.INTERRUPTED);
+    assertThat(err.toString()).startsWith("S-045 the run was stopped at t=").hasLineCount(1);
+    assertThat(file).isNotEmptyFile();
+  }
+
+  @Test
   void runThatHasToWaitSaysItsPlaceInTheQueue() throws Exception {
     SimulationOptions endless = SimulationOptions.asInFile().endTime(1e7).outputStep(1e4);
     try (MechConnection connection = MechConnection.open(server.url());
