@@ -1,8 +1,6 @@
 package org.mechservice.solver.simulation;
 
 import java.io.IOException;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.DependentStates;
@@ -14,6 +12,7 @@ import org.mechservice.solver.integration.StateTransfer;
 /** Leaves checkpoints on the way of a run, and takes one up that fits the run to the bit. */
 final class CheckpointWriter {
   private static final double NANOSECONDS = 1e9;
+  private static final String AROUND_COMPONENTS = "[\\[\\], ]+";
 
   private final Model model;
   private final RunRequest request;
@@ -88,25 +87,21 @@ final class CheckpointWriter {
   }
 
   /**
-   * Settings are carried over as the text of their record, the same components in the same order;
-   * those that differ are named.
+   * Settings are carried over as the text of their record, which in one version of the solver has
+   * the same components in the same order; those that differ are named.
    */
   private static void requireSettings(StateTransfer state, String here) {
-    String saved = state.text(here);
-    if (!saved.equals(here)) {
-      throw new IllegalArgumentException(
-          "the run has " + without(saved, here) + ", but the saved state " + without(here, saved));
+    String[] now = here.split(AROUND_COMPONENTS, -1);
+    String[] saved = state.text(here).split(AROUND_COMPONENTS, -1);
+    String different = "";
+    for (int i = 0; i < Math.min(now.length, saved.length); i++) {
+      if (!now[i].equals(saved[i])) {
+        different += ", " + now[i] + " instead of " + saved[i];
+      }
     }
-  }
-
-  /** Returns what stands in the text of a record and not in that of another. */
-  private static String without(String other, String text) {
-    List<String> components = new ArrayList<>(components(text));
-    components.removeAll(components(other));
-    return String.join(", ", components);
-  }
-
-  private static List<String> components(String text) {
-    return List.of(text.substring(text.indexOf('[') + 1, text.length() - 1).split(", "));
+    if (!different.isEmpty()) {
+      throw new IllegalArgumentException(
+          "the run has other settings than the saved state" + different);
+    }
   }
 }

@@ -188,7 +188,9 @@ class CheckpointTest {
     Kept kept = goingOnFrom(checkpoint());
     assertThatIllegalArgumentException()
         .isThrownBy(() -> run(new HarmonicOscillator(), request("DE"), new RecordedRows(), kept))
-        .withMessage("S-071 the run has integrator=DE, but the saved state integrator=ode113");
+        .withMessage(
+            "S-071 the run has other settings than the saved state, integrator=DE instead of"
+                + " integrator=ode113");
   }
 
   @Test
