@@ -221,8 +221,7 @@ public final class MechConnection implements AutoCloseable {
     DiagnosticSeqHolder losses = new DiagnosticSeqHolder();
     try {
       ModelFile model =
-          asked(
-              server -> server.calls().get(() -> server.server().importModel(foreign, losses)));
+          asked(server -> server.calls().get(() -> server.server().importModel(foreign, losses)));
       return new ImportedModel(
           new String(model.content, StandardCharsets.UTF_8),
           located(ModelMessage.listOf(losses.value), name, file));

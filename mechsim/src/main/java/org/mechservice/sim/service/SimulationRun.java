@@ -65,10 +65,7 @@ final class SimulationRun implements Runnable {
     news = new RunNews(story);
     conclusion =
         new RunConclusion(
-            story,
-            store,
-            store.record(simId(), spool),
-            why -> listener.notOnDisk(this, why));
+            story, store, store.record(simId(), spool), why -> listener.notOnDisk(this, why));
     task.checkpoints().countRowsWith(spool::rows);
   }
 
