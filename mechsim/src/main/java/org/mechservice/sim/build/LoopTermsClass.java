@@ -12,6 +12,7 @@ import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.TermsClass;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.closure.CountedAngles;
 import org.mechservice.solver.closure.LoopEquations;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -40,7 +41,7 @@ final class LoopTermsClass {
     return new TermsClass(
         mechanism.name(),
         !mechanism.parameters().isEmpty() || ModelClass.hasUserForces(mechanism),
-        links.positionCount() + links.velocityCount(),
+        links.positionCount() + links.velocityCount() + CountedAngles.of(mechanism).size(),
         links.velocityCount(),
         loops,
         equations,

@@ -107,7 +107,6 @@ public final class GenerationLimits {
       long factors = factors(mechanism);
       beyond.addAll(noFaster(choice.formulation(), factors, "its factors alone take " + factors));
     }
-    add(beyond, "coordinates of cut joints in", CutCoordinateUses.names(mechanism).stream());
     add(
         beyond,
         "tunable parameters in coefficients of forces",

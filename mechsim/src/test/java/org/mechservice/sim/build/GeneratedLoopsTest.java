@@ -26,7 +26,6 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.expression.BodyPoint;
-import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
@@ -38,7 +37,6 @@ import org.mechservice.solver.mechanism.StartRole;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
-import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.spatial.InertiaTensor;
@@ -218,34 +216,5 @@ class GeneratedLoopsTest {
     assertThat(data.derivative(0, y, new double[2])).isEqualTo(Defects.DEFECT);
     assertThat(code.derivative(0, y, new double[2])).isEqualTo(Defects.DEFECT);
     assertThat(((Defects) code).lastDefect()).isEqualTo(((Defects) data).lastDefect());
-  }
-
-  @Test
-  void aForceOnACutJointIsLeftToTheDataWithItsReason() {
-    Mechanism loops = LoopAgreement.scene(1);
-    List<LoopClosure> closures = loops.closures();
-    assertThat(closures).isNotEmpty();
-    ForceElement push =
-        new JointForce("push", new ClosureCoordinate(0, 0), Expression.of(1), Origin.NONE);
-    GeneratedModel generated =
-        ModelFactory.generate(
-            Scenes.model(with(loops, List.of(push))),
-            LoopAgreement.options("DSR", "projection", false));
-    assertThat(generated.formulationReason())
-        .contains("no code is generated yet for coordinates of cut joints in \"push\"");
-  }
-
-  private static Mechanism with(Mechanism loops, List<ForceElement> forces) {
-    return new Mechanism(
-        loops.name(),
-        loops.root(),
-        loops.gravity(),
-        loops.bodies(),
-        loops.joints(),
-        loops.motions(),
-        loops.startRoles(),
-        loops.closures(),
-        forces,
-        loops.parameters());
   }
 }

@@ -115,6 +115,7 @@ class ClosedTree {
 
   /** Takes note of an accepted step at the last sweep: angles of cut joints count on from here. */
   void accepted(double t) {
+    loops.accepted();
     if (applyForces(t)) {
       forces.accepted();
     }

@@ -1,6 +1,7 @@
 package org.mechservice.solver.closure;
 
 import java.util.Arrays;
+import java.util.Optional;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.dynamics.ResidualJacobian;
 import org.mechservice.solver.force.UserForceSource;
@@ -9,8 +10,7 @@ import org.mechservice.solver.force.UserForceSource;
  * The equations of a mechanism with loops, evaluated by code that was written for it. The data
  * serve what is asked for seldom: poses, reactions, and the reason where a force has no direction.
  *
- * <p>Nothing counts whole turns here: code is written only where neither a force nor a relation
- * depends on coordinates of cut joints.
+ * <p>Code is given the angles of cut joints, from which it counts whole turns, behind the state.
  */
 final class CodedTree extends ClosedTree {
   private final LoopTerms terms;
@@ -30,10 +30,20 @@ final class CodedTree extends ClosedTree {
   /** A residual of the data. */
   private final double[] extended;
 
-  /** Time and state of the last placement. */
+  private final CountedAngles angles;
+
+  /** Where coordinates of cut joints were at the last accepted step, as the data count them. */
+  private final double[] counted;
+
+  private Optional<ClosedTree> following = Optional.empty();
+
+  /** Time and state of the last placement, and behind it the counted angles. */
   private double time;
 
   private final double[] state;
+
+  /** A state of which only energy and power are asked, followed by the same. */
+  private final double[] beside;
 
   /** What the equations returned there, and whether they were evaluated there. */
   private int result;
@@ -51,19 +61,39 @@ final class CodedTree extends ClosedTree {
     residual = new double[nv];
     derivatives = new double[terms instanceof LoopTerms.OfDerivatives ? 3 * nv * nv : 0];
     extended = new double[tree.velocityCount];
-    state = closed.start();
+    counted = new double[super.stateLength()];
+    angles = new CountedAngles(tree);
+    state = angles.behind(closed.start());
+    beside = state.clone();
     // rows have learned here what they measure
     placeData(closed.startTime(), state);
   }
 
   @Override
   ClosedTree ofData() {
-    return new ClosedTree(tree, userForces);
+    ClosedTree other = new ClosedTree(tree, userForces);
+    following = Optional.of(other);
+    lead();
+    return other;
+  }
+
+  /** Lets the data that others work with count on from where these do. */
+  private void lead() {
+    if (following.isPresent()) {
+      super.save(counted, 0);
+      following.get().restore(counted, 0);
+    }
   }
 
   private void remember(double t, double[] y) {
     time = t;
-    System.arraycopy(y, 0, state, 0, state.length);
+    System.arraycopy(y, 0, state, 0, nq + nv);
+  }
+
+  private double[] beside(double[] y) {
+    System.arraycopy(state, nq + nv, beside, nq + nv, angles.count());
+    System.arraycopy(y, 0, beside, 0, nq + nv);
+    return beside;
   }
 
   @Override
@@ -80,7 +110,7 @@ final class CodedTree extends ClosedTree {
   void place(double t, double[] y) {
     remember(t, y);
     formed = false;
-    terms.loops(t, y, values);
+    terms.loops(t, state, values);
     loops.take(values, nv);
   }
 
@@ -162,13 +192,13 @@ final class CodedTree extends ClosedTree {
 
   @Override
   void energy(double t, double[] y, double[] energy) {
-    terms.energy(t, y, energy);
+    terms.energy(t, beside(y), energy);
   }
 
   @Override
   void power(double t, double[] y, double[] power) {
     Arrays.fill(power, 0);
-    terms.power(t, y, power);
+    terms.power(t, beside(y), power);
   }
 
   /** {@inheritDoc} The data do it where the code has no derivatives, or a force no value. */
@@ -185,8 +215,32 @@ final class CodedTree extends ClosedTree {
     return super.formResidual(t, a, aAt, extended) && super.linearise(t, a, aAt, lambda, jacobian);
   }
 
+  /** {@inheritDoc} Where there are none, nothing is evaluated. */
   @Override
   void accepted(double t) {
-    // Nothing counts on from an accepted state.
+    if (angles.count() > 0) {
+      placeData(time, state);
+      super.accepted(t);
+      angles.follow(motion, state, nq + nv);
+      lead();
+    }
+  }
+
+  @Override
+  int stateLength() {
+    return super.stateLength() + angles.count();
+  }
+
+  @Override
+  void save(double[] saved, int at) {
+    super.save(saved, at);
+    System.arraycopy(state, nq + nv, saved, at + super.stateLength(), angles.count());
+  }
+
+  @Override
+  void restore(double[] saved, int at) {
+    super.restore(saved, at);
+    System.arraycopy(saved, at + super.stateLength(), state, nq + nv, angles.count());
+    lead();
   }
 }

@@ -312,7 +312,6 @@ final class Completion {
   boolean accepted(double t, double[] y) {
     work.place(t, y);
     differentiate(y);
-    loops.accepted();
     remember(y);
     boolean other = renew(ofPositions, positions.matrix, nq);
     boolean others = renew(ofVelocities, loops.jacobian, loops.width()) || other;

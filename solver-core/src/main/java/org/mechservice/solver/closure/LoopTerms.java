@@ -20,7 +20,8 @@ import org.mechservice.solver.api.ExplicitModel;
  *   <li>M, n × n row by row, of which only the lower triangle and the diagonal are used.
  * </ul>
  *
- * <p>What is zero in every state need not be written.
+ * <p>What is zero in every state need not be written. The state y is [q; v], followed by the {@link
+ * CountedAngles}, rad, as they were at the last accepted step: those of now are the nearest.
  */
 public interface LoopTerms {
   /** What {@link #equations} returns where all forces have values. */
@@ -60,7 +61,7 @@ public interface LoopTerms {
    * Writes Φ, Φ', J and the sizes.
    *
    * @param t time, s
-   * @param y state [q; v]; need not close the loops; not modified
+   * @param y state [q; v] and counted angles; need not close the loops; not modified
    * @param terms overwritten
    */
   void loops(double t, double[] y, double[] terms);
@@ -69,7 +70,7 @@ public interface LoopTerms {
    * Writes all terms.
    *
    * @param t time, s
-   * @param y state [q; v]; not modified
+   * @param y state [q; v] and counted angles; not modified
    * @param terms overwritten
    * @return {@link #REGULAR}, or what a force returns that has no direction ({@link
    *     org.mechservice.solver.api.DirectedForces})
@@ -80,7 +81,7 @@ public interface LoopTerms {
    * Writes the energies of bodies, rods and springs.
    *
    * @param t time, s
-   * @param y state [q; v]; not modified
+   * @param y state [q; v] and counted angles; not modified
    * @param energy kinetic and potential energy, J; overwritten
    */
   void energy(double t, double[] y, double[] energy);
@@ -89,7 +90,7 @@ public interface LoopTerms {
    * Writes the power of the forces that have no potential energy.
    *
    * @param t time, s
-   * @param y state [q; v]; not modified
+   * @param y state [q; v] and counted angles; not modified
    * @param power two zeros; overwritten by the sum and the sum of the sizes, W, if there is such a
    *     force
    */
@@ -101,7 +102,7 @@ public interface LoopTerms {
      * Writes γ.
      *
      * @param t time, s
-     * @param y state [q; v]; not modified
+     * @param y state [q; v] and counted angles; not modified
      * @param terms overwritten
      */
     void offset(double t, double[] y, double[] terms);
@@ -110,7 +111,7 @@ public interface LoopTerms {
      * Writes M v' + b − τ.
      *
      * @param t time, s
-     * @param y state [q; v]; not modified
+     * @param y state [q; v] and counted angles; not modified
      * @param a accelerations v', n numbers, rad/s² or m/s²; not modified
      * @param residual n numbers, N·m or N; overwritten
      * @return as {@link #equations}
@@ -125,7 +126,7 @@ public interface LoopTerms {
      * tangent. What is zero in every state need not be written.
      *
      * @param t time, s
-     * @param y state [q; v]; not modified
+     * @param y state [q; v] and counted angles; not modified
      * @param a accelerations v', n numbers, rad/s² or m/s²; not modified
      * @param lambda multipliers λ, m numbers, N or N·m; not modified
      * @param derivatives M, of which only the lower triangle and the diagonal are used, then ∂/∂v,

@@ -90,7 +90,6 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
   @Override
   public final void accepted(double t, double[] y) {
     work.place(t, y);
-    work.loops.accepted();
     partition.choose(work.loops.jacobian, work.loops.width());
     watch.accepted(t);
     work.accepted(t);

@@ -14,7 +14,6 @@ import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
 import org.mechservice.solver.mechanism.force.ForceElement;
@@ -32,7 +31,8 @@ final class AppliedForces {
   private final Expressions expressions;
   private final Links mechanism;
   private final BodyPoints points;
-  private final JointLinks joints;
+  private final JointLinks links;
+  private final JointCoordinates joints;
   private final LinkKinematics kinematics;
   private final StateFormulas formulas;
 
@@ -41,8 +41,10 @@ final class AppliedForces {
     this.expressions = program.expressions();
     this.mechanism = mechanism;
     this.points = new BodyPoints(expressions, mechanism);
-    this.joints = new JointLinks(expressions, mechanism, coordinates);
+    this.links = new JointLinks(expressions, mechanism, coordinates);
     this.kinematics = new LinkKinematics(program, mechanism, coordinates);
+    CutCoordinates cuts = new CutCoordinates(expressions, mechanism, points, kinematics);
+    this.joints = new JointCoordinates(mechanism.mechanism(), links, cuts);
     this.formulas = new StateFormulas(expressions, joints, points, kinematics);
   }
 
@@ -72,7 +74,7 @@ final class AppliedForces {
     }
     if (elements.stream().anyMatch(UserForceElement.class::isInstance)) {
       program.section("Forces written as classes, already evaluated.", "given");
-      new GivenLoads(expressions, mechanism, points, joints).apply(loads);
+      new GivenLoads(expressions, mechanism, points, links).apply(loads);
     }
     return loads;
   }
@@ -147,7 +149,7 @@ final class AppliedForces {
     } else if (element instanceof JointFriction friction) {
       return friction(friction);
     } else if (element instanceof JointForce force) {
-      JointCoordinate coordinate = ofTree(force.coordinate());
+      Coordinate coordinate = force.coordinate();
       Scalar size = formulas.scalar(force.force());
       Scalar power = size.times(joints.velocity(coordinate));
       return new CoordinateTerm(joints, coordinate, size, expressions.zero(), power);
@@ -180,17 +182,10 @@ final class AppliedForces {
         number(s.smoothing()));
   }
 
-  private static JointCoordinate ofTree(Coordinate coordinate) {
-    if (coordinate instanceof JointCoordinate joint) {
-      return joint;
-    }
-    throw new IllegalArgumentException("coordinates of cut joints are not generated");
-  }
-
   /** A joint's spring counts positions, its force counts velocities. */
   private ForceTerm jointSpring(JointSpringDamper s) {
-    JointCoordinate position = ofTree(s.coordinate());
-    JointCoordinate velocity = joints.velocityOf(position);
+    Coordinate position = s.coordinate();
+    Coordinate velocity = joints.velocityOf(position);
     SpringLaw law =
         new SpringLaw(
             s.side(),
@@ -210,7 +205,7 @@ final class AppliedForces {
   }
 
   private ForceTerm friction(JointFriction f) {
-    JointCoordinate coordinate = ofTree(f.coordinate());
+    Coordinate coordinate = f.coordinate();
     Scalar v = joints.velocity(coordinate);
     Scalar force = v.times(formulas.scalar(f.viscous()).negated());
     Scalar dry = formulas.scalar(f.coulomb());

@@ -2,7 +2,7 @@ package org.mechservice.sim.build.dynamics;
 
 import java.util.List;
 import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.expression.Coordinate;
 
 /**
  * A force on one coordinate of a joint.
@@ -14,7 +14,7 @@ import org.mechservice.solver.expression.JointCoordinate;
  * @param power power of what has none, W
  */
 record CoordinateTerm(
-    JointLinks joints, JointCoordinate coordinate, Scalar force, Scalar potential, Scalar power)
+    JointCoordinates joints, Coordinate coordinate, Scalar force, Scalar potential, Scalar power)
     implements ForceTerm {
 
   @Override

@@ -5,11 +5,12 @@ import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.closure.CountedAngles;
 import org.mechservice.solver.closure.LoopTerms;
 
 /**
  * The terms of the equations of a mechanism with loops as programs, laid out as {@link LoopTerms}
- * says. Whatever is zero in every state is not put out.
+ * says; counted angles follow [q; v]. Whatever is zero in every state is not put out.
  */
 public final class LoopCode {
   private final Program program = new Program();
@@ -67,9 +68,9 @@ public final class LoopCode {
    * Derives the program from [q; v], followed by v', to M v' + b − τ; guards as {@link #equations}.
    */
   public static Program residual(Links mechanism) {
-    int states = mechanism.positionCount() + mechanism.velocityCount();
     // accelerations count like velocities, which come after the positions
-    LoopCode code = new LoopCode(mechanism, 0, states - mechanism.positionCount());
+    int derivative = mechanism.velocityCount() + CountedAngles.of(mechanism.mechanism()).size();
+    LoopCode code = new LoopCode(mechanism, 0, derivative);
     code.putOutBias(0);
     return code.program;
   }

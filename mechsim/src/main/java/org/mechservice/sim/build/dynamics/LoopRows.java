@@ -113,8 +113,14 @@ final class LoopRows {
   }
 
   private RelationRow relationRow() {
-    JointLinks joints = new JointLinks(expressions, mechanism, coordinates);
-    return new RelationRow(expressions, joints, mechanism, rows, new LoopEquations(tree).length());
+    return new RelationRow(
+        expressions,
+        new JointLinks(expressions, mechanism, coordinates),
+        new CutCoordinates(expressions, mechanism, points, kinematics),
+        mechanism,
+        rows,
+        new LoopEquations(tree).length(),
+        sweep);
   }
 
   private Pair pair(LoopClosure closure) {

@@ -138,6 +138,10 @@ final class PairTerms implements PairForms<PairTerm> {
 
   @Override
   public PairTerm angularVelocity(int axis) {
-    throw new IllegalArgumentException("an angular velocity is no coordinate");
+    double[] unit = new double[3];
+    unit[axis] = 1;
+    ScalarVector byTurn = ScalarVector.of(expressions, new Vector3(unit[0], unit[1], unit[2]));
+    Scalar zero = expressions.zero();
+    return new PairTerm(zero, byTurn, none, zero, false);
   }
 }

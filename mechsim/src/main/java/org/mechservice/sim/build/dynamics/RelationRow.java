@@ -10,63 +10,106 @@ import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.sim.symbolic.Substitution;
+import org.mechservice.solver.expression.ClosureCoordinate;
+import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
 
-/** A relation between positions of joints of the tree as an equation of a loop. */
+/** A relation between positions of joints as an equation of a loop. */
 final class RelationRow extends Formulas {
-  /** A position the relation depends on, and the input that stands for it while it is derived. */
-  private record Leaf(JointCoordinate coordinate, Scalar stand) {}
+  /**
+   * A position the relation depends on.
+   *
+   * @param stand the input that stands for it while the relation is derived
+   * @param rate the one for its rate; of cut joints alone
+   * @param second the one for the rate of that
+   */
+  private record Leaf(Coordinate coordinate, Scalar stand, Scalar rate, Scalar second) {}
 
   private final Expressions expressions;
   private final JointLinks joints;
+  private final CutCoordinates cuts;
   private final Links mechanism;
   private final VelocityRows rows;
   private final double length;
+  private final Optional<ForceSweep> sweep;
   private final List<Leaf> leaves = new ArrayList<>();
 
   /**
    * @param length what makes displacements comparable with angles, m
+   * @param sweep how the links accelerate while no joint does, if γ is wanted
    */
   RelationRow(
       Expressions expressions,
       JointLinks joints,
+      CutCoordinates cuts,
       Links mechanism,
       VelocityRows rows,
-      double length) {
+      double length,
+      Optional<ForceSweep> sweep) {
     super(expressions);
     this.expressions = expressions;
     this.joints = joints;
+    this.cuts = cuts;
     this.mechanism = mechanism;
     this.rows = rows;
     this.length = length;
+    this.sweep = sweep;
   }
 
   @Override
   Scalar leaf(Expression leaf) {
-    if (leaf instanceof Expression.CoordinatePosition position
-        && position.coordinate() instanceof JointCoordinate joint) {
-      return stand(joint);
+    if (leaf instanceof Expression.CoordinatePosition position) {
+      return stand(position.coordinate());
     }
     throw new IllegalArgumentException("no code is generated for a relation that has " + leaf);
   }
 
-  private Scalar stand(JointCoordinate coordinate) {
+  private Scalar stand(Coordinate coordinate) {
     for (Leaf leaf : leaves) {
       if (leaf.coordinate().equals(coordinate)) {
         return leaf.stand();
       }
     }
-    Scalar stand = expressions.input(Program.PLACEHOLDER - leaves.size());
-    leaves.add(new Leaf(coordinate, stand));
-    return stand;
+    int first = Program.PLACEHOLDER - 3 * leaves.size();
+    Leaf leaf =
+        new Leaf(
+            coordinate,
+            expressions.input(first),
+            expressions.input(first - 1),
+            expressions.input(first - 2));
+    leaves.add(leaf);
+    return leaf.stand();
   }
 
   private Scalar inPlace(Scalar derived) {
+    return cutsInPlace(statesInPlace(derived));
+  }
+
+  /** Puts positions of joints of the tree in place, which motion changes as it does the state. */
+  private Scalar statesInPlace(Scalar derived) {
     Scalar found = derived;
     for (Leaf leaf : leaves) {
-      found = new Substitution(leaf.stand(), joints.position(leaf.coordinate())).of(found);
+      if (leaf.coordinate() instanceof JointCoordinate joint) {
+        found = new Substitution(leaf.stand(), joints.position(joint)).of(found);
+      }
+    }
+    return found;
+  }
+
+  /** Puts positions of cut joints and their rates in place, which are known as such. */
+  private Scalar cutsInPlace(Scalar derived) {
+    Scalar found = derived;
+    ScalarVector none = ScalarVector.zero(expressions);
+    for (Leaf leaf : leaves) {
+      if (leaf.coordinate() instanceof ClosureCoordinate position) {
+        CutCoordinate cut = cuts.ofPosition(position);
+        found = new Substitution(leaf.stand(), cut.position()).of(found);
+        found = new Substitution(leaf.rate(), cut.velocity()).of(found);
+        found = new Substitution(leaf.second(), cut.acceleration(sweep, none)).of(found);
+      }
     }
     return found;
   }
@@ -74,23 +117,36 @@ final class RelationRow extends Formulas {
   /** Returns the equation. */
   LoopRow row(Expression relation) {
     Scalar derived = scalar(relation);
-    Scalar value = inPlace(derived);
     Scalar[] jacobian = rows.zeros();
     Scalar size = expressions.zero();
     for (Leaf leaf : leaves) {
       Scalar slope = slope(derived, leaf);
-      Link link = joints.link(leaf.coordinate());
-      if (!link.isDriven()) {
-        int at = rows.velocity(link);
-        jacobian[at] = jacobian[at].plus(slope);
-      }
-      Scalar moves = expressions.function(MathFunction.ABS, slope).times(unit(link));
+      addRow(leaf.coordinate(), slope, jacobian);
+      Scalar moves = expressions.function(MathFunction.ABS, slope).times(unit(leaf.coordinate()));
       size = size.isZero() ? moves : expressions.function(MathFunction.MAX, size, moves);
     }
     Differentiation byMotion = new Differentiation(expressions, motion());
+    Scalar value = statesInPlace(derived);
     Scalar rate = byMotion.of(value);
     Scalar offset = byMotion.of(rate);
-    return new LoopRow(value, rate, offset, jacobian, size.isConstant() ? none() : some(size));
+    return new LoopRow(
+        cutsInPlace(value),
+        cutsInPlace(rate),
+        cutsInPlace(offset),
+        jacobian,
+        size.isConstant() ? none() : some(size));
+  }
+
+  private void addRow(Coordinate coordinate, Scalar slope, Scalar[] jacobian) {
+    if (coordinate instanceof ClosureCoordinate position) {
+      cuts.ofPosition(position).addRow(slope, rows, jacobian);
+      return;
+    }
+    Link link = joints.link((JointCoordinate) coordinate);
+    if (!link.isDriven()) {
+      int at = rows.velocity(link);
+      jacobian[at] = jacobian[at].plus(slope);
+    }
   }
 
   /** Adds the joint forces that a multiplier of the equation stands for. */
@@ -98,7 +154,12 @@ final class RelationRow extends Formulas {
     Scalar derived = scalar(relation);
     for (Leaf leaf : leaves) {
       Scalar force = slope(derived, leaf).times(multiplier);
-      joints.addForce(joints.velocityOf(leaf.coordinate()), force, loads);
+      if (leaf.coordinate() instanceof ClosureCoordinate position) {
+        cuts.ofPosition(position).addForce(force, loads);
+      } else {
+        JointCoordinate position = (JointCoordinate) leaf.coordinate();
+        joints.addForce(joints.velocityOf(position), force, loads);
+      }
     }
   }
 
@@ -119,11 +180,15 @@ final class RelationRow extends Formulas {
   }
 
   /** The size of what a joint's position measures. */
-  private double unit(Link link) {
-    return link.turns() ? 1 : length;
+  private double unit(Coordinate coordinate) {
+    boolean turns =
+        coordinate instanceof ClosureCoordinate position
+            ? cuts.ofPosition(position).term().countsTurns()
+            : joints.link((JointCoordinate) coordinate).turns();
+    return turns ? 1 : length;
   }
 
-  /** How the state moves while no joint accelerates: q' = v, t' = 1. */
+  /** How things move while no joint accelerates: q' = v, t' = 1, and what stands for rates. */
   private Map<Scalar, Scalar> motion() {
     Map<Scalar, Scalar> motion = new HashMap<>();
     motion.put(expressions.input(Program.TIME), expressions.one());
@@ -131,6 +196,10 @@ final class RelationRow extends Formulas {
       if (!link.isDriven() && !link.isBall()) {
         motion.put(expressions.input(link.position()), expressions.input(link.velocity()));
       }
+    }
+    for (Leaf leaf : leaves) {
+      motion.put(leaf.stand(), leaf.rate());
+      motion.put(leaf.rate(), leaf.second());
     }
     return motion;
   }

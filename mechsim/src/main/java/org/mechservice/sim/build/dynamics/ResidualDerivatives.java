@@ -10,6 +10,7 @@ import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.closure.CountedAngles;
 
 /**
  * The derivatives of the residual M v' + b − τ of an open chain by v', v and q (RR-JF, NUMERICS
@@ -81,17 +82,21 @@ public final class ResidualDerivatives {
   }
 
   /**
-   * Derives the program of a mechanism with loops: from [q; v], followed by v' and λ, to the
-   * derivatives of M v' + b − τ + Jᵀ λ in the order of {@link
+   * Derives the program of a mechanism with loops: from [q; v], followed by counted angles, v' and
+   * λ, to the derivatives of M v' + b − τ + Jᵀ λ in the order of {@link
    * org.mechservice.solver.closure.LoopTerms.OfDerivatives}.
    */
   public static Program ofLoops(Links mechanism) {
     // accelerations count like velocities, which come after the positions
-    int accelerations = mechanism.velocityCount();
+    int accelerations = mechanism.velocityCount() + counted(mechanism);
     ResidualDerivatives closed =
         new ResidualDerivatives(MassiveRodTerms.withEnds(mechanism), accelerations);
     closed.derive(closed::addLoops, slopes -> new ElementPlaces.Dense(closed.places));
     return closed.program;
+  }
+
+  private static int counted(Links mechanism) {
+    return CountedAngles.of(mechanism.mechanism()).size();
   }
 
   /** Adds loads that depend on more than the forces of the model. */
@@ -113,7 +118,7 @@ public final class ResidualDerivatives {
       loads.add(i, none, acts.force(), acts.moment());
     }
     rods.addMass(massOfRods);
-    int lambda = mechanism.positionCount() + 2 * mechanism.velocityCount();
+    int lambda = mechanism.positionCount() + 2 * mechanism.velocityCount() + counted(mechanism);
     new LoopRows(program, mechanism, coordinates, kinematics, rows, Optional.empty())
         .addForces(row -> expressions.input(lambda + row).negated(), loads);
   }

@@ -10,7 +10,7 @@ import org.mechservice.sim.symbolic.Program;
  *
  * @param modelName the model's name in its file
  * @param hasInputs whether the class is given the values of parameters or loads of user forces
- * @param stateCount number of states [q; v]
+ * @param stateCount number of states [q; v] and counted angles
  * @param velocityCount number of v among them
  * @param loops program of the method of that name
  * @param equations program of the method of that name
