@@ -162,6 +162,7 @@ class AdministrationTest {
     try (Farm farm = new Farm(1)) {
       farm.host("h", 1);
       IMechSimRemote run = Farm.running(farm.session("h"));
+      Eventually.holds(() -> run.getProgress().state == SimState.SIM_RUNNING);
       run.cancel();
       List<String> kinds = new ArrayList<>();
       long[] last = {0};

@@ -59,7 +59,7 @@ public record ExtremeCase(
       throw new IllegalStateException("cases.csv: " + line);
     }
     String expected = fields[2];
-    String part = expected.startsWith("refused ") ? expected.substring("refused ".length()) : "";
+    String part = expected.replaceFirst("^(refused|ends at) ", "");
     Expectation expectation =
         switch (expected) {
           case "motion" -> Expectation.MOTION;

@@ -53,10 +53,18 @@ public final class Launcher extends ClassLoader {
       strings[i] = in.readUTF();
     }
     String[] names = new String[in.readInt()];
-    byte[][] pools = new byte[names.length][];
+    byte[][] tags = new byte[names.length][];
     for (int i = 0; i < names.length; i++) {
       names[i] = strings[in.readChar()];
-      pools[i] = pool(in, strings);
+      tags[i] = tags(in);
+    }
+    int[][] named = new int[names.length][];
+    for (int i = 0; i < names.length; i++) {
+      named[i] = named(in, tags[i]);
+    }
+    byte[][] pools = new byte[names.length][];
+    for (int i = 0; i < names.length; i++) {
+      pools[i] = pool(in, tags[i], named[i], strings);
     }
     for (int i = 0; i < names.length; i++) {
       int length = in.readInt();
@@ -69,20 +77,40 @@ public final class Launcher extends ClassLoader {
     return mainClass;
   }
 
-  private static byte[] pool(DataInputStream in, String[] strings) throws IOException {
+  /** Reads the tags of a constant pool; 0 where there is no constant. */
+  private static byte[] tags(DataInputStream in) throws IOException {
+    byte[] tags = new byte[in.readChar()];
+    for (int i = 1; i < tags.length; i++) {
+      tags[i] = in.readByte();
+      i += size(tags[i]) / 8; // What is as wide as a long counts twice.
+    }
+    return tags;
+  }
+
+  /** Reads which strings a constant pool has. */
+  private static int[] named(DataInputStream in, byte[] tags) throws IOException {
+    int[] named = new int[tags.length];
+    for (int i = 1; i < tags.length; i++) {
+      if (tags[i] == STRING) {
+        named[i] = in.readChar();
+      }
+    }
+    return named;
+  }
+
+  private static byte[] pool(DataInputStream in, byte[] tags, int[] named, String[] strings)
+      throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     DataOutputStream out = new DataOutputStream(bytes);
-    int count = in.readChar();
-    out.writeChar(count);
-    for (int i = 1; i < count; i++) {
-      int tag = in.readByte();
-      out.writeByte(tag);
-      if (tag == STRING) {
-        out.writeUTF(strings[in.readChar()]);
-      } else {
-        int size = size(tag);
-        out.write(in.readNBytes(size));
-        i += size / 8; // What is as wide as a long counts twice.
+    out.writeChar(tags.length);
+    for (int i = 1; i < tags.length; i++) {
+      if (tags[i] != 0) {
+        out.writeByte(tags[i]);
+      }
+      if (tags[i] == STRING) {
+        out.writeUTF(strings[named[i]]);
+      } else if (tags[i] != 0) {
+        out.write(in.readNBytes(size(tags[i])));
       }
     }
     return bytes.toByteArray();

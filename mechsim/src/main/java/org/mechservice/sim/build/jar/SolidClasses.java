@@ -18,7 +18,9 @@ import org.objectweb.asm.ClassReader;
 
 /**
  * Classes in one file, which compresses far better than many small ones: what they name is told
- * once for all, and like stands beside like. Read by the {@link Launcher} of a standalone JAR.
+ * once for all, and like stands beside like: the tags of all constants, which strings they are, the
+ * other constants, and last what is not constants. Read by the {@link Launcher} of a standalone
+ * JAR.
  */
 public final class SolidClasses {
   /** By package, in it by size: neighbours share names, and small classes are alike. */
@@ -109,7 +111,14 @@ public final class SolidClasses {
     out.writeInt(classes.size());
     for (Content content : classes) {
       out.writeChar(number(content.reader().getClassName()));
-      writePool(content, out);
+      out.writeChar(content.constants());
+      forEachConstant(content, (item, tag) -> out.writeByte(tag));
+    }
+    for (Content content : classes) {
+      forEachConstant(content, (item, tag) -> writeName(content, item, tag, out));
+    }
+    for (Content content : classes) {
+      forEachConstant(content, (item, tag) -> writeOthers(content, item, tag, out));
     }
     for (Content content : classes) {
       int rest = content.bytes().length - content.reader().header;
@@ -119,20 +128,31 @@ public final class SolidClasses {
     }
   }
 
-  private void writePool(Content content, DataOutputStream out) throws IOException {
-    out.writeChar(content.constants());
+  private interface ConstantWriter {
+    void write(int item, int tag) throws IOException;
+  }
+
+  private static void forEachConstant(Content content, ConstantWriter writer) throws IOException {
     for (int item = 1; item < content.constants(); item++) {
       int tag = content.tag(item);
-      if (tag == 0) {
-        continue;
+      if (tag != 0) {
+        writer.write(item, tag);
       }
-      out.writeByte(tag);
-      if (tag == Launcher.STRING) {
-        out.writeChar(number(content.string(item)));
-      } else {
-        int at = content.reader().getItem(item);
-        out.write(content.bytes(), at, content.end(item) - at);
-      }
+    }
+  }
+
+  private void writeName(Content content, int item, int tag, DataOutputStream out)
+      throws IOException {
+    if (tag == Launcher.STRING) {
+      out.writeChar(number(content.string(item)));
+    }
+  }
+
+  private static void writeOthers(Content content, int item, int tag, DataOutputStream out)
+      throws IOException {
+    if (tag != Launcher.STRING) {
+      int at = content.reader().getItem(item);
+      out.write(content.bytes(), at, content.end(item) - at);
     }
   }
 
