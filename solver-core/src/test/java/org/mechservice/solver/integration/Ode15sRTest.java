@@ -337,7 +337,9 @@ class Ode15sRTest extends IntegratorContract {
     assertThat(yDot[0]).isCloseTo(2, within(1e-9));
   }
 
-  /** As of a multiplier that balances stiff forces: a tenth of the error allowed is not to be had. */
+  /**
+   * As of a multiplier that balances stiff forces: a tenth of the error allowed is not to be had.
+   */
   @Test
   void startIsTakenThatRoundingLeavesRightToTheErrorAllowedOnly() {
     ResidualSystem rounded =

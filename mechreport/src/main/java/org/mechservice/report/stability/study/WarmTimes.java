@@ -33,7 +33,8 @@ record WarmTimes(double warmSeconds, double longSeconds) {
       for (Run run : cold) {
         spent.merge(run.method(), run.seconds().getAsDouble(), Double::sum);
       }
-      cold = cold.stream().filter(run -> spent.getOrDefault(run.method(), 0.0) < warmSeconds).toList();
+      cold =
+          cold.stream().filter(run -> spent.getOrDefault(run.method(), 0.0) < warmSeconds).toList();
     }
   }
 
