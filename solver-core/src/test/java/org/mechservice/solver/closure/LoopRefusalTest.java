@@ -23,6 +23,7 @@ import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.StartRole;
@@ -77,6 +78,46 @@ class LoopRefusalTest {
         }
       }
     }
+  }
+
+  /** Rods across the plane in which two bars side by side swing: at the start they hold nothing. */
+  private static Mechanism barsHeldAcrossTheirPlane() {
+    Body left = bar("left");
+    Body right = bar("right");
+    List<Joint> hinges =
+        List.of(
+            new Linkages.Hinge("a", R, BodyPoint.ROOT, 0, Vector3.ZERO, Linkages.Y).joint(),
+            new Linkages.Hinge("b", R, BodyPoint.ROOT, 1, Linkages.Y.times(3), Linkages.Y).joint());
+    List<LoopClosure> rods = new ArrayList<>();
+    for (double along : new double[] {0.5, 1}) {
+      rods.add(
+          new DistanceClosure(
+              "rod at " + along,
+              new BodyPoint(0, Linkages.X.times(along)),
+              new BodyPoint(1, new Vector3(along, 3, 0)),
+              3,
+              0,
+              Origin.NONE));
+    }
+    return Linkages.mechanism("across", List.of(left, right), hinges, rods);
+  }
+
+  private static Body bar(String name) {
+    return new Body(name, 1, Linkages.X, InertiaTensor.ZERO, Origin.NONE);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"DSR", "RR", "RR-JF"})
+  void aStartThatHidesAllEquationsIsRefusedByProjectionWithWhatHelps(String formulation) {
+    Mechanism across = barsHeldAcrossTheirPlane();
+    String integrator = formulation.equals("DSR") ? "ode113" : "ode15sR";
+    RunSettings settings = SceneRun.settings(1, 0.1, integrator, 1e-6);
+    assertThat(new ClosedMechanism(across, formulation, settings).againstProjection()).isPresent();
+    Outcome outcome = LoopModels.run(across, formulation, settings).report.outcome();
+    assertThat(outcome).isInstanceOf(Outcome.Failed.class);
+    Failure failure = ((Outcome.Failed) outcome).failure();
+    assertThat(failure.code()).isEqualTo("N-023");
+    assertThat(failure.message()).contains("rod at", "start in a singular position", "penalty");
   }
 
   @Test

@@ -337,6 +337,32 @@ class Ode15sRTest extends IntegratorContract {
     assertThat(yDot[0]).isCloseTo(2, within(1e-9));
   }
 
+  /**
+   * As of a multiplier that balances stiff forces: a tenth of the error allowed is not to be had.
+   */
+  @Test
+  void startIsTakenThatRoundingLeavesRightToTheErrorAllowedOnly() {
+    ResidualSystem rounded =
+        new Implicit(
+            2,
+            (t, y, yDot, r) -> {
+              double off = y[1] - 0.3;
+              r[0] = yDot[0] + y[1];
+              r[1] = off + Math.copySign(1e-9, off);
+            }) {
+          @Override
+          public Component component(int index) {
+            return index == 1 ? Component.ALGEBRAIC : Component.DIFFERENTIAL;
+          }
+        };
+    Ode15sR integrator = new Ode15sR(new IntegratorSettings(1e-8, 1e-8));
+    assertThat(integrator.start(rounded, 0, new double[] {1, 1}, new double[2], 1))
+        .isEqualTo(StepResult.ADVANCED);
+    double[] y = new double[2];
+    integrator.interpolate(0, y, new double[2]);
+    assertThat(y[1]).isCloseTo(0.3, within(1e-8));
+  }
+
   @Test
   void contradictionAtTheStartNamesTheWorstRow() {
     // Row 1 asks for y_0 = 2 of a differential component that is 1.

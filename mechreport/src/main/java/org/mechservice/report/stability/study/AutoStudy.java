@@ -1,7 +1,6 @@
 package org.mechservice.report.stability.study;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -25,9 +24,20 @@ import org.mechservice.solver.api.ModelDescription;
 
 /** What the automatic choice costs beside the best fixed one, on stiff scenes and others. */
 final class AutoStudy implements Study {
-  private static final double[] TOLERANCES = {1e-4, 1e-6, 1e-8, 1e-9};
+  /** With gaps of two decades, an error just missed cost a method two decades more. */
+  private static final double[] TOLERANCES = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
+
   private static final int REPEATS = 11;
-  private static final int WARM_UP = 5;
+
+  /** Runs that tell which methods are worth all repeats. */
+  private static final int SORTING = 3;
+
+  /**
+   * Processor time of each method before it is timed, s. Chains of five bars reach their final cost
+   * within 0.6 s; after 5 runs of 5 ms they cost three times as much, and which of two methods with
+   * the same steps was compiled first decided between them.
+   */
+  private static final double WARM = 1;
 
   /** A cost that another is below by this factor is not the best. */
   private static final double SEVERAL = 2;
@@ -37,9 +47,11 @@ final class AutoStudy implements Study {
 
   private final Bench bench;
   private final double limit;
+  private final WarmTimes warmTimes;
 
   AutoStudy(Bench bench) {
     this.bench = bench;
+    warmTimes = new WarmTimes(bench.quick() ? WARM / 5 : WARM, LONG);
     limit = bench.quick() ? 1 : 2;
   }
 
@@ -52,10 +64,10 @@ final class AutoStudy implements Study {
   public void measure(StudyPage page) {
     page.title("The automatic choice beside the best fixed one");
     page.notes(
-        "Every method that fits, and auto, at tolerances 1e-4, 1e-6, 1e-8, 1e-9; cost: the least processor"
-            + " time, median of %d warm runs in turns, of a run whose error is at most the one"
-            + " wanted. Runs are stopped after %.0f s.",
-        REPEATS, limit);
+        "Every method that fits, and auto, at tolerances 1e-4, 1e-5 … 1e-9; cost: the least processor"
+            + " time, median of %d runs in turns, of a run whose error is at most the one wanted."
+            + " Each method has run for %.1f s before. Runs are stopped after %.0f s.",
+        REPEATS, warmTimes.warmSeconds(), limit);
     StudyPage.Table table =
         page.table(
             "Costs",
@@ -140,7 +152,8 @@ final class AutoStudy implements Study {
   }
 
   private List<Cost> timed(MethodRunner runner, List<Cost> costs, Candidate auto) {
-    List<Cost> warm = timed(runner, costs, WARM_UP);
+    warmTimes.warm(runs(runner, costs));
+    List<Cost> warm = timed(runner, costs, SORTING);
     List<Cost> near = warm.stream().filter(cost -> mayBeBest(cost, warm, auto)).toList();
     return timed(runner, near, REPEATS);
   }
@@ -157,26 +170,24 @@ final class AutoStudy implements Study {
     return cost.candidate().equals(auto) || cost.seconds() <= SEVERAL * least;
   }
 
-  /** Medians of runs in turns; long ones are not repeated. */
   private List<Cost> timed(MethodRunner runner, List<Cost> costs, int repeats) {
-    double[][] seconds = new double[costs.size()][repeats];
-    for (int round = 0; round < repeats; round++) {
-      for (int i = 0; i < costs.size(); i++) {
-        Cost cost = costs.get(i);
-        seconds[i][round] =
-            cost.first().seconds() < LONG
-                ? runner.run(cost.candidate(), cost.tolerance(), 1, limit).seconds()
-                : cost.first().seconds();
-      }
-    }
+    List<Double> seconds = warmTimes.medians(runs(runner, costs), repeats);
     List<Cost> timed = new ArrayList<>();
     for (int i = 0; i < costs.size(); i++) {
-      Arrays.sort(seconds[i]);
       Cost cost = costs.get(i);
-      timed.add(
-          new Cost(cost.candidate(), cost.tolerance(), cost.first(), seconds[i][repeats / 2]));
+      timed.add(new Cost(cost.candidate(), cost.tolerance(), cost.first(), seconds.get(i)));
     }
     return timed;
+  }
+
+  private List<WarmTimes.Run> runs(MethodRunner runner, List<Cost> costs) {
+    return costs.stream()
+        .map(
+            cost ->
+                new WarmTimes.Run(
+                    cost.candidate(),
+                    () -> runner.run(cost.candidate(), cost.tolerance(), 1, limit).seconds()))
+        .toList();
   }
 
   private static double line(
