@@ -8,6 +8,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.BuildOptions;
 import org.mechservice.sim.build.GeneratedModel;
 import org.mechservice.sim.build.ModelFactory;
+import org.mechservice.sim.build.emit.CodeForm;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -33,7 +34,9 @@ public final class PeerModels {
   private static void write(Path folder, String name) throws IOException {
     MechmlModel model = Scenes.named(name);
     Mechanism mechanism = model.mechanism();
-    BuildOptions options = new BuildOptions("DTR", Set.of(), Scenes.SETTINGS);
+    // C has what is written out; Java takes what suits it.
+    BuildOptions options =
+        new BuildOptions("DTR", Set.of(), Scenes.SETTINGS).in(CodeForm.STRAIGHT);
     GeneratedModel generated = ModelFactory.generate(model, options);
     double[] y = new double[mechanism.positionCount() + mechanism.velocityCount()];
     mechanism.initialState(y);
