@@ -169,20 +169,13 @@ final class BackwardStep {
   /** Predicts and iterates. */
   private Attempt solve() {
     if (!solver.begun()) {
-      norm.allow(allowedPart());
+      norm.allow(allowance.part(step.size(), equations));
       triedTime = step.endOf(progress.time());
       differences.predict(control.order(), formulas);
       norm.weigh(differences.state(), differences.predicted);
       solver.begin(triedTime, differences, control.order(), norm);
     }
     return solver.solve(triedTime, hGamma(), differences, norm);
-  }
-
-  /**
-   * Returns the part of the tolerances that the step may err by; the smallest step: all of them.
-   */
-  private double allowedPart() {
-    return step.canBeReduced(progress.time()) ? allowance.part(step.size(), equations) : 1;
   }
 
   private Attempt test() {
