@@ -181,8 +181,7 @@ public final class FirstEvaluations {
     line("");
     line(
         "Cold: the first thing a process does. Warm: the least of %d, or of as many as %.0f s hold.",
-        WARM,
-        WARM_MILLIS / 1000);
+        WARM, WARM_MILLIS / 1000);
     line("");
     line("| model | class bytes, cold | class bytes, warm | through source, warm |");
     line("|---|---:|---:|---:|");

@@ -35,8 +35,7 @@ public final class PeerModels {
     MechmlModel model = Scenes.named(name);
     Mechanism mechanism = model.mechanism();
     // C has what is written out; Java takes what suits it.
-    BuildOptions options =
-        new BuildOptions("DTR", Set.of(), Scenes.SETTINGS).in(CodeForm.STRAIGHT);
+    BuildOptions options = new BuildOptions("DTR", Set.of(), Scenes.SETTINGS).in(CodeForm.STRAIGHT);
     GeneratedModel generated = ModelFactory.generate(model, options);
     double[] y = new double[mechanism.positionCount() + mechanism.velocityCount()];
     mechanism.initialState(y);

@@ -88,7 +88,7 @@ public final class ModelReport {
     progress.at("building the model in every formulation", 0, Double.NaN);
     MethodList methods = MethodList.of(session);
     List<Candidate> candidates = methods.candidates();
-    ExplicitModel model = explicit(candidates.get(0));
+    ExplicitModel model = candidates.get(0).equations();
     RunSettings settings = model.description().defaults();
     StateDistance distance = new StateDistance(model.description());
     progress.at("making the reference", 0, Double.NaN);
@@ -137,10 +137,6 @@ public final class ModelReport {
     return LoopForces.of(session.fetchModel(options).newModel());
   }
 
-  private static ExplicitModel explicit(Candidate candidate) {
-    return (ExplicitModel) candidate.models().get();
-  }
-
   private static int freedoms(ModelProblem problem, ExplicitModel model) {
     int positions = model.description().positionCount();
     return (int)
@@ -152,6 +148,10 @@ public final class ModelReport {
       ExplicitModel model,
       RunSettings settings,
       StateDistance distance) {
+    RunGrid uniform = RunGrid.uniform(settings.tStart(), settings.tEnd(), OUTPUT_INTERVALS);
+    if (candidates.get(0).isChangedOnTheWay()) {
+      return Judge.ofChanges(uniform);
+    }
     ModelProblem problem = new ModelProblem(model);
     Optional<PublishedReference> published =
         PublishedReference.of(
@@ -161,7 +161,7 @@ public final class ModelReport {
         sources(candidates),
         new ReferenceMaker(distance, effort.referenceSeconds()),
         distance,
-        RunGrid.uniform(settings.tStart(), settings.tEnd(), OUTPUT_INTERVALS));
+        uniform);
   }
 
   /** One model per formulation and closure: the first two differ in their equations. */
@@ -171,7 +171,7 @@ public final class ModelReport {
       Method method = candidate.method();
       String name = new Method(method.formulation(), method.closure(), "").name().strip();
       sources.putIfAbsent(
-          name, new ReferenceMaker.Source(name, () -> new ModelProblem(explicit(candidate))));
+          name, new ReferenceMaker.Source(name, () -> new ModelProblem(candidate.equations())));
     }
     return List.copyOf(sources.values());
   }

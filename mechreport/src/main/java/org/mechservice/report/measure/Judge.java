@@ -78,12 +78,20 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
     return cut(reference, grid);
   }
 
-  private static Judge none(RunGrid grid) {
-    return new Judge(
-        Optional.empty(),
+  /** Judges nothing, where the state is changed on the way. */
+  public static Judge ofChanges(RunGrid grid) {
+    return none(
         grid,
-        List.of(),
-        "No reference code solved the scene in its time, so errors are not known.");
+        "Events or kinks of prescribed motions change the state on the way, which the codes that"
+            + " make references do not know, so errors are not known.");
+  }
+
+  private static Judge none(RunGrid grid) {
+    return none(grid, "No reference code solved the scene in its time, so errors are not known.");
+  }
+
+  private static Judge none(RunGrid grid, String why) {
+    return new Judge(Optional.empty(), grid, List.of(), why);
   }
 
   private static Judge join(

@@ -8,9 +8,11 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
 import org.mechservice.report.method.Candidate;
+import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.WatchedModel;
 
 /**
  * What a run spends its time on: the model's methods are timed through a proxy, whose own cost per
@@ -74,7 +76,7 @@ public record TimeShares(Map<Part, Double> parts, double tolerance) {
     double spent = 0;
     for (int i = 0; i < RUNS && spent < limitSeconds; i++) {
       Watched watched = new Watched(candidate.models().get());
-      runner.run(watched.timed(candidate), watched.proxy(), watched, tolerance, 1, limitSeconds);
+      runner.run(watched.timed(candidate), watched.watched(), watched, tolerance, 1, limitSeconds);
       spent += watched.seconds;
       if (watched.seconds < least) {
         least = watched.seconds;
@@ -97,17 +99,32 @@ public record TimeShares(Map<Part, Double> parts, double tolerance) {
       this.model = model;
     }
 
-    /** The model with the same interfaces of the solver's API. */
-    Model proxy() {
+    /** The model, what it is wrapped in about it, with its calls timed. */
+    Model watched() {
+      return watched(model);
+    }
+
+    private Model watched(Model inner) {
+      if (inner instanceof WatchedModel watched) {
+        return new WatchedModel(watched(watched.model()), watched.events());
+      }
+      if (inner instanceof ExtendedModel extended) {
+        return new ExtendedModel(watched(extended.model()), extended.columns());
+      }
+      return proxy(inner);
+    }
+
+    /** A model with the same interfaces of the solver's API. */
+    private Model proxy(Model inner) {
       Set<Class<?>> interfaces = new LinkedHashSet<>();
-      for (Class<?> type = model.getClass(); type != null; type = type.getSuperclass()) {
+      for (Class<?> type = inner.getClass(); type != null; type = type.getSuperclass()) {
         collect(type, interfaces);
       }
       return (Model)
           Proxy.newProxyInstance(
               Model.class.getClassLoader(),
               interfaces.toArray(Class<?>[]::new),
-              (self, method, arguments) -> call(method, arguments));
+              (self, method, arguments) -> call(inner, method, arguments));
     }
 
     /**
@@ -146,11 +163,11 @@ public record TimeShares(Map<Part, Double> parts, double tolerance) {
       }
     }
 
-    private Object call(Method method, Object[] arguments) throws Throwable {
+    private Object call(Model inner, Method method, Object[] arguments) throws Throwable {
       long started = System.nanoTime();
       depth++;
       try {
-        return method.invoke(model, arguments);
+        return method.invoke(inner, arguments);
       } catch (InvocationTargetException e) {
         throw e.getCause();
       } finally {
@@ -180,7 +197,7 @@ public record TimeShares(Map<Part, Double> parts, double tolerance) {
     /** Most of what a watched call costs lies outside of what it measures of itself. */
     private double costOfWatching() {
       int trials = 20_000;
-      Model watched = proxy();
+      Model watched = watched();
       long before = calls;
       Map<Part, Long> kept = new EnumMap<>(nanos);
       long started = System.nanoTime();

@@ -1,8 +1,13 @@
 package org.mechservice.report.method;
 
+import java.util.List;
 import java.util.function.Supplier;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.api.WatchedModel;
 
 /**
  * A method with the model built for it.
@@ -11,4 +16,21 @@ import org.mechservice.solver.api.Solver;
  * @param models makes an instance for each run
  * @param solver runs it
  */
-public record Candidate(Method method, Supplier<Model> models, Solver solver) {}
+public record Candidate(Method method, Supplier<Model> models, Solver solver) {
+  /** Returns a new instance of the equations of motion, without what happens along a run. */
+  public ExplicitModel equations() {
+    return (ExplicitModel) WatchedModel.bare(ExtendedModel.bare(models.get()));
+  }
+
+  /** Returns whether events or kinks of prescribed motions change the state within a run. */
+  public boolean isChangedOnTheWay() {
+    RunSettings settings = equations().description().defaults();
+    return WatchedModel.eventsOf(ExtendedModel.bare(models.get()))
+        .filter(
+            events -> {
+              List<Double> unused = events.begin(settings.tStart(), settings.tEnd());
+              return !events.kinds().isEmpty();
+            })
+        .isPresent();
+  }
+}

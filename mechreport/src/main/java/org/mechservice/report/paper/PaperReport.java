@@ -192,7 +192,7 @@ public final class PaperReport {
   }
 
   private static MethodRunner runner(Candidate candidate) {
-    ExplicitModel model = (ExplicitModel) candidate.models().get();
+    ExplicitModel model = candidate.equations();
     StateDistance distance = new StateDistance(model.description());
     double[] start = new double[model.description().stateCount()];
     model.initialState(start);
@@ -247,7 +247,7 @@ public final class PaperReport {
       session.loadModel("model.xml", text.getBytes(StandardCharsets.UTF_8));
       Candidate explicit = candidate(session, EXPLICIT);
       Candidate implicit = candidate(session, IMPLICIT);
-      ExplicitModel model = (ExplicitModel) explicit.models().get();
+      ExplicitModel model = explicit.equations();
       double end = model.description().defaults().tEnd();
       double[] times = {0, end};
       double[] start = new double[model.description().stateCount()];

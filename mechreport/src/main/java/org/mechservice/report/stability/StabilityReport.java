@@ -83,7 +83,7 @@ public final class StabilityReport {
 
   private CaseOutcome run(ExtremeCase wanted, MethodList methods, List<String> warnings) {
     List<Candidate> candidates = methods.candidates();
-    ExplicitModel model = (ExplicitModel) candidates.get(0).models().get();
+    ExplicitModel model = candidates.get(0).equations();
     StateDistance distance = new StateDistance(model.description());
     Judge judge = judge(wanted, candidates, model, distance);
     Reference reference = judge.reference().orElseGet(() -> unknown(model));
@@ -116,13 +116,14 @@ public final class StabilityReport {
     if (wanted.judge() != ExtremeCase.JudgedBy.REFERENCE) {
       return new Judge(Optional.empty(), grid, List.of(), "");
     }
+    if (candidates.get(0).isChangedOnTheWay()) {
+      return Judge.ofChanges(grid);
+    }
     Map<String, ReferenceMaker.Source> sources = new LinkedHashMap<>();
     for (Candidate candidate : candidates) {
       String name = candidate.method().formulation();
       sources.putIfAbsent(
-          name,
-          new ReferenceMaker.Source(
-              name, () -> new ModelProblem((ExplicitModel) candidate.models().get())));
+          name, new ReferenceMaker.Source(name, () -> new ModelProblem(candidate.equations())));
     }
     double end = model.description().defaults().tEnd();
     double[] start = new ModelProblem(model).start();

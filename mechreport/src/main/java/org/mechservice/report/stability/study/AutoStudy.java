@@ -221,7 +221,7 @@ final class AutoStudy implements Study {
   }
 
   private Judge judge(List<Candidate> candidates) {
-    ExplicitModel model = (ExplicitModel) candidates.get(0).models().get();
+    ExplicitModel model = candidates.get(0).equations();
     StateDistance distance = new StateDistance(model.description());
     double end = model.description().defaults().tEnd();
     double[] start = new ModelProblem(model).start();
@@ -233,7 +233,7 @@ final class AutoStudy implements Study {
     List<ReferenceMaker.Source> sources =
         List.of(
             new ReferenceMaker.Source(
-                "DTR", () -> new ModelProblem((ExplicitModel) candidates.get(0).models().get())));
+                "DTR", () -> new ModelProblem(candidates.get(0).equations())));
     return Judge.of(
         Optional.empty(),
         sources,

@@ -9,7 +9,6 @@ import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.Method;
 import org.mechservice.report.method.ModelProblem;
 import org.mechservice.report.page.SolverChart;
-import org.mechservice.solver.api.ExplicitModel;
 
 /** Steps and cost of explicit and implicit methods as damping and stiffness grow. */
 final class DampingStudy implements Study {
@@ -108,7 +107,7 @@ final class DampingStudy implements Study {
   private Pair pair(MechSession session, StudyPage.Table table, double stiffness, double ratio) {
     Candidate explicit = Bench.candidate(session, EXPLICIT);
     Candidate implicit = Bench.candidate(session, IMPLICIT);
-    ModelProblem problem = new ModelProblem((ExplicitModel) explicit.models().get());
+    ModelProblem problem = new ModelProblem(explicit.equations());
     Optional<Spectrum.Sample> spectrum = Spectrum.at(problem, 0, problem.start());
     double rightmost =
         modes(spectrum).stream().mapToDouble(Spectrum.Mode::real).max().orElse(Double.NaN);

@@ -97,7 +97,7 @@ final class SingularStudy implements Study {
       Map<String, Double> last) {
     List<Candidate> candidates =
         METHODS.stream().map(method -> Bench.compact(session, method)).toList();
-    ExplicitModel model = (ExplicitModel) candidates.get(0).models().get();
+    ExplicitModel model = candidates.get(0).equations();
     StateDistance measure = new StateDistance(model.description());
     RunGrid grid = RunGrid.uniform(0, model.description().defaults().tEnd(), 20);
     double[] start = new double[model.description().stateCount()];

@@ -1,0 +1,47 @@
+package org.mechservice.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.lang.reflect.Proxy;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.mechservice.report.method.Candidate;
+import org.mechservice.report.method.Method;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelEvents;
+import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.simulation.RuntimeSolver;
+
+class CandidateTest {
+  private static Candidate candidate(Model model) {
+    return new Candidate(new Method("DTR", Method.OPEN, "DE"), () -> model, new RuntimeSolver());
+  }
+
+  /** Events of these kinds; in a run begun, the equations jump at 1 s. */
+  private static ModelEvents events(List<ModelEvents.Kind> kinds) {
+    return (ModelEvents)
+        Proxy.newProxyInstance(
+            ModelEvents.class.getClassLoader(),
+            new Class<?>[] {ModelEvents.class},
+            (self, method, arguments) -> method.getName().equals("kinds") ? kinds : List.of(1.0));
+  }
+
+  @Test
+  void equationsAreThoseOfTheModelThatIsWatched() {
+    PlanarPendulum model = new PlanarPendulum(0);
+    assertThat(candidate(model).equations()).isSameAs(model);
+    assertThat(candidate(new WatchedModel(model, events(List.of()))).equations()).isSameAs(model);
+  }
+
+  @Test
+  void eventsChangeTheStateOnTheWayAndJumpsOfForcesDoNot() {
+    Model model = new PlanarPendulum(0);
+    List<ModelEvents.Kind> one =
+        List.of(
+            new ModelEvents.Kind(
+                "stop", ModelEvents.Direction.values()[0], ModelEvents.Action.values()[0]));
+    assertThat(candidate(model).isChangedOnTheWay()).isFalse();
+    assertThat(candidate(new WatchedModel(model, events(List.of()))).isChangedOnTheWay()).isFalse();
+    assertThat(candidate(new WatchedModel(model, events(one))).isChangedOnTheWay()).isTrue();
+  }
+}
