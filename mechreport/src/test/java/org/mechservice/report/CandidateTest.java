@@ -38,8 +38,7 @@ class CandidateTest {
     Model model = new PlanarPendulum(0);
     List<ModelEvents.Kind> one =
         List.of(
-            new ModelEvents.Kind(
-                "stop", ModelEvents.Direction.values()[0], ModelEvents.Action.values()[0]));
+            new ModelEvents.Kind("stop", ModelEvents.Direction.RISING, ModelEvents.Action.STOP));
     assertThat(candidate(model).isChangedOnTheWay()).isFalse();
     assertThat(candidate(new WatchedModel(model, events(List.of()))).isChangedOnTheWay()).isFalse();
     assertThat(candidate(new WatchedModel(model, events(one))).isChangedOnTheWay()).isTrue();
