@@ -49,8 +49,13 @@ final class HowMeasured {
   static String definition(SceneFindings found) {
     return "Error: the largest |x − x<sub>ref</sub>| / (1 + |x<sub>ref</sub>|) of all positions and"
         + " velocities in SI units, over "
-        + found.judge().reference().map(reference -> reference.times().length).orElse(0)
-        + " times; the same for every method.";
+        + found.judge().reference().map(HowMeasured::times).orElse("no times")
+        + "; the same for every method.";
+  }
+
+  private static String times(Reference reference) {
+    String clear = reference.jumps().isEmpty() ? "" : " clear of the jumps of the state";
+    return reference.times().length + " times" + clear;
   }
 
   private String timing() {
