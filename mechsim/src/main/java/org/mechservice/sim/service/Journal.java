@@ -36,10 +36,7 @@ public final class Journal {
    * @param listener told every event at once; must not block for long
    */
   public Journal(String source, Consumer<ServiceEvent> listener) {
-    this(
-        source,
-        listener,
-        LoggerFactory.getLogger(Journal.class.getPackageName() + "." + source));
+    this(source, listener, LoggerFactory.getLogger(Journal.class.getPackageName() + "." + source));
   }
 
   private Journal(String source, Consumer<ServiceEvent> listener, Logger log) {

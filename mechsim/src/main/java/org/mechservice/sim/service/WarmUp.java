@@ -27,7 +27,6 @@ import org.mechservice.idl.SimState;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.solver.api.Solver;
-import org.omg.CORBA.SystemException;
 import org.omg.CORBA.UserException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -41,7 +40,7 @@ import org.slf4j.LoggerFactory;
  */
 public final class WarmUp implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(WarmUp.class);
-  private static final String MODEL = "warm-up.xml";
+  static final String MODEL = "warm-up.xml";
   private static final NameValue[] AS_IN_FILE = {};
 
   /** So long that it is cancelled before its end, with so few rows that they need no disk. */
@@ -94,11 +93,13 @@ public final class WarmUp implements AutoCloseable {
         RunStore store = new RunStore(Optional.empty(), limits);
         ModelLibrary library = new ModelLibrary()) {
       HostServices host =
-          new HostServices(orb, "warm-up", limits, Journal.unwritten(), store, Runnable::run, false);
+          new HostServices(
+              orb, "warm-up", limits, Journal.unwritten(), store, Runnable::run, false);
       Session session = new Session("warm-up", client, host);
       try {
         RunFactory runs =
-            new RunFactory(solver, queue, store, Path.of(System.getProperty("java.io.tmpdir", ".")));
+            new RunFactory(
+                solver, queue, store, Path.of(System.getProperty("java.io.tmpdir", ".")));
         Admission admission = new Admission(limits, () -> List.of(session));
         return cancelled(
             opened(session, new MechSimServant(session, library, runs, admission, session::end)));
@@ -146,7 +147,7 @@ public final class WarmUp implements AutoCloseable {
     return state.value() > SimState._SIM_PAUSED;
   }
 
-  private static byte[] content() throws IOException {
+  static byte[] content() throws IOException {
     try (InputStream in = WarmUp.class.getResourceAsStream(MODEL)) {
       return Objects.requireNonNull(in).readAllBytes();
     }
