@@ -149,6 +149,14 @@ class EventReportTest {
   }
 
   @Test
+  void referenceThatEndsBeforeItsLastTimeSaysWhy() {
+    Mechanism stopped = EventScenes.ball(EventScenes.passing(5, Action.STOP));
+    Judge judge = judge(stopped, RunGrid.uniform(0, 2, 20), 2);
+    assertThat(judge.reference().orElseThrow().end()).isEqualTo(1.0);
+    assertThat(judge.said()).anyMatch(said -> said.startsWith("The run ends at 1.00964 s"));
+  }
+
+  @Test
   void runIsJudgedUpToWhereItsEventsAccumulate() {
     ReferenceMaker maker = new ReferenceMaker(distance(BALL), 20);
     ReferenceMaker.Extent extent =
