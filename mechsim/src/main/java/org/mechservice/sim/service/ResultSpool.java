@@ -94,7 +94,16 @@ final class ResultSpool implements AutoCloseable {
   }
 
   /**
-   * Writes everything to where it outlives the process, if it shall. Who reads meanwhile does not
+   * Writes everything to where it outlives the process, if it shall, without waiting for the disk.
+   *
+   * @throws IOException if that is not possible
+   */
+  void handOver() throws IOException {
+    written();
+  }
+
+  /**
+   * Writes everything to where it outlives the machine, if it shall. Who reads meanwhile does not
    * wait for the disk.
    *
    * @throws IOException if that is not possible
