@@ -51,7 +51,7 @@ final class RunRecord {
     if (!settled) {
       EndedRun end = run.get();
       if (folder.isPresent()) {
-        rows.handOver();
+        rows.write();
         folder.get().note(end);
       }
       ended(end);
