@@ -83,17 +83,17 @@ public record CheckReport(
     if (!notGenerated.isEmpty()) {
       return data(choice, notGenerated);
     }
+    BuildOptions options = new BuildOptions(choice.formulation(), Set.of(), model.settings().run());
     Links links = Links.of(model.mechanism());
     Program derivative =
         model.mechanism().closures().isEmpty()
             ? TreeClass.derivative(links, choice)
-            : LoopTermsClass.derive(links, choice).equations();
+            : LoopTermsClass.derive(links, options, choice).equations();
     List<String> noFaster =
         GenerationLimits.noFaster(choice.formulation(), derivative.operationCount());
     if (!noFaster.isEmpty()) {
       return data(choice, noFaster);
     }
-    BuildOptions options = new BuildOptions(choice.formulation(), Set.of(), model.settings().run());
     return new Generation(
         choice.callingForcesOf(model.mechanism()),
         derivative.operationCount(),

@@ -41,8 +41,8 @@ final class LeftOut {
     leftOut.frames(links);
     if (links.mechanism().closures().isEmpty()) {
       leftOut.equations(derivative);
-      leftOut.outputs(options);
     }
+    leftOut.outputs(options);
     return List.copyOf(leftOut.omissions);
   }
 
@@ -53,8 +53,6 @@ final class LeftOut {
   private void language(Mechanism mechanism, Links links) {
     if (mechanism.closures().isEmpty()) {
       add("loop closures and constraints", "the joints form a tree");
-    } else {
-      add("poses and reactions", "the data beside the code give them");
     }
     if (!moves(links, LinkKind.BALL)) {
       add("quaternions", "no joint is spherical or free");

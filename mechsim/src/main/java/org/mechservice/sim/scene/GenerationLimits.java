@@ -45,6 +45,12 @@ public final class GenerationLimits {
    */
   private static final int MOST_OF_LOOP_DERIVATIVES = 5_000;
 
+  /** Why derivatives of a residual with loops are left to the data. */
+  public static final String TOO_LONG_DERIVATIVES =
+      "they take more than "
+          + MOST_OF_LOOP_DERIVATIVES
+          + " operations, which data evaluate as fast";
+
   /** Returns whether derivatives of a residual with loops are faster as code than from data. */
   public static boolean areWorthCode(int operations) {
     return operations <= MOST_OF_LOOP_DERIVATIVES;
