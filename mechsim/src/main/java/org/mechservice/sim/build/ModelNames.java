@@ -11,8 +11,8 @@ import org.mechservice.solver.mechanism.force.ForceElement;
 
 /** What names a generated class can carry. */
 final class ModelNames {
-  /** Bytes of one constant in a class file (JVMS §4.4.7); UTF-8 takes at most three a character. */
-  private static final int LONGEST_CONSTANT = 65535 / 3;
+  /** Bytes of one constant in a class file (JVMS §4.4.7). */
+  private static final int LONGEST_CONSTANT = 65535;
 
   private ModelNames() {}
 
@@ -44,17 +44,22 @@ final class ModelNames {
   }
 
   private static void requireShort(String whose, List<String> names) {
-    int length = names.stream().mapToInt(name -> name.length() + 1).sum();
+    int length = names.stream().mapToInt(name -> bytes(name) + 1).sum();
     if (length > LONGEST_CONSTANT) {
       throw new ModelBuildException(
           "S-083",
           "the names of the "
               + whose
-              + " have "
+              + " take "
               + length
-              + " characters together; a model class holds "
+              + " bytes together; a model class holds "
               + LONGEST_CONSTANT
               + ": use shorter names");
     }
+  }
+
+  /** Returns how many bytes a class file takes for a name: one to three a character. */
+  private static int bytes(String name) {
+    return name.chars().map(c -> c <= 0x7F ? 1 : c <= 0x7FF ? 2 : 3).sum();
   }
 }

@@ -181,7 +181,8 @@ final class BackwardStep {
   private Attempt test() {
     control.estimate(differences, norm);
     if (control.error() <= 1) {
-      return search.inside(step.size(), discrepancy()) ? Attempt.TOO_INACCURATE : Attempt.PASSED;
+      boolean jumpInside = search.active() && search.inside(step.size(), discrepancy());
+      return jumpInside ? Attempt.TOO_INACCURATE : Attempt.PASSED;
     }
     jumps.failed(step.size(), control.error());
     boolean jumped = equations.solutionMayJump() && jumps.solutionJumped(control.error());

@@ -19,12 +19,18 @@ final class CodeSize implements StackCode.Machine {
   private static final int SUM = 4;
 
   /** A call of a method with its arrays, and what happens if it ends the program. */
-  private static final int STEP = 24;
+  static final int STEP = 24;
 
   private static final int LOOP = 16;
 
   /** What a local variable takes before it is known which. */
   private static final int LOCAL = 3;
+
+  /** An estimate of what puts out a value that has a place. */
+  static final int OUTPUT = ELEMENT + LOCAL;
+
+  /** An estimate of what checks a value that has a place. */
+  static final int GUARD = 2 * LOCAL + CHECK;
 
   /** Local variables up to this slot take the short form, two bytes an access, others four. */
   private static final int LAST_SHORT_SLOT = 255;
@@ -50,8 +56,8 @@ final class CodeSize implements StackCode.Machine {
         bytes[s] += ofValue(usage, node);
       }
       Program.Section section = program.sections().get(s);
-      bytes[s] += section.outputs().size() * (ELEMENT + LOCAL);
-      bytes[s] += section.guards().size() * (2 * LOCAL + CHECK);
+      bytes[s] += section.outputs().size() * OUTPUT;
+      bytes[s] += section.guards().size() * GUARD;
     }
     return bytes;
   }
@@ -85,6 +91,13 @@ final class CodeSize implements StackCode.Machine {
       bytes += STEP + call.numbers().size() * number;
     }
     return bytes;
+  }
+
+  /** Returns an estimate of the code that computes sines and cosines. */
+  static int of(AngleRun run) {
+    CodeSize size = new CodeSize(new LocalSlots(MethodPlan.EMPTY, FIRST_SLOT));
+    StackCode.tellValue(run.angle(), size);
+    return size.bytes + ELEMENT + CALL + (run.isLoop() ? LOOP + 2 * SUM : 0);
   }
 
   private void local(Scalar value) {
