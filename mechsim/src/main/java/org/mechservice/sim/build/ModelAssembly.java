@@ -200,7 +200,8 @@ final class ModelAssembly {
   GeneratedModel looped(Links links, TermsClass terms) {
     TermsPlan written = TermsPlan.of(terms, options.form());
     int operations = terms.equations().operationCount();
-    List<String> tooLarge = tooLarge(written, operations);
+    int ofDerivatives = terms.derivatives().map(Program::operationCount).orElse(0);
+    List<String> tooLarge = tooLarge(written, operations + ofDerivatives);
     if (!tooLarge.isEmpty()) {
       return compact(tooLarge);
     }

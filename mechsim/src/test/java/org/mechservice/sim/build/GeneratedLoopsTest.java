@@ -126,14 +126,15 @@ class GeneratedLoopsTest {
 
   @Test
   void derivativesOfTheResidualAreCode() {
-    GeneratedModel generated = generated(LoopAgreement.scene(1), "RR-JF", "projection");
+    Mechanism loops = RandomLoops.on(RandomTrees.tree(1, 12), 1, 2);
+    GeneratedModel generated = generated(loops, "RR-JF", "projection");
     assertThat(generated.source()).contains("implements LoopTerms.OfDerivatives");
     assertThat(generated.fromData()).isEmpty();
   }
 
   @Test
   void derivativesTooLongToBeFasterAreLeftToTheDataWithTheirReason() {
-    Mechanism loops = RandomLoops.on(RandomTrees.tree(1, 12), 1, 2);
+    Mechanism loops = RandomLoops.on(RandomTrees.tree(30, 30), 30, 2);
     GeneratedModel generated = generated(loops, "RR-JF", "penalty");
     assertThat(generated.source()).contains("implements LoopTerms.OfResidual");
     assertThat(generated.fromData())
