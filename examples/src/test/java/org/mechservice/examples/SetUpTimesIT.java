@@ -77,7 +77,9 @@ class SetUpTimesIT {
   }
 
   private void table(List<List<Report>> remoteRuns, List<List<Report>> localRuns) {
-    line("Cold: a new process with an embedded server for every run. Warm: a new client process");
+    line(
+        "Cold: a new process with an embedded server for every run, which builds a small model of");
+    line("its own while its ORB starts. Warm: a new client process");
     line(
         "for every run, on a server that has served %d runs, with a model new to it or",
         2 * WARM_UP_RUNS);

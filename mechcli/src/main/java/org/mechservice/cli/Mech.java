@@ -3,6 +3,7 @@ package org.mechservice.cli;
 import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import org.mechservice.solver.simulation.SolverVersion;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -12,22 +13,6 @@ import picocli.CommandLine.IVersionProvider;
 @Command(
     name = "mech",
     description = "Simulates multibody systems written in MechML.",
-    subcommands = {
-      SimulateCommand.class,
-      SweepCommand.class,
-      FetchCommand.class,
-      CheckCommand.class,
-      BuildCommand.class,
-      ImportCommand.class,
-      ReportCommand.class,
-      StabilityCommand.class,
-      ServerCommand.class,
-      SimhostCommand.class,
-      AdminCommand.class,
-      KeysCommand.class,
-      VerifyCommand.class,
-      CommandLine.HelpCommand.class
-    },
     synopsisSubcommandLabel = "COMMAND",
     mixinStandardHelpOptions = true,
     versionProvider = Mech.Version.class,
@@ -39,6 +24,26 @@ import picocli.CommandLine.IVersionProvider;
       "3:server or network"
     })
 public final class Mech {
+  private static final String HELP = "help";
+
+  /** In the order in which help lists them. */
+  private static final List<Class<?>> COMMANDS =
+      List.of(
+          SimulateCommand.class,
+          SweepCommand.class,
+          FetchCommand.class,
+          CheckCommand.class,
+          BuildCommand.class,
+          ImportCommand.class,
+          ReportCommand.class,
+          StabilityCommand.class,
+          ServerCommand.class,
+          SimhostCommand.class,
+          AdminCommand.class,
+          KeysCommand.class,
+          VerifyCommand.class,
+          CommandLine.HelpCommand.class);
+
   /** Runs a command and ends the process with its exit status. */
   public static void main(String[] arguments) {
     System.exit(run(utf8(System.out), utf8(System.err), arguments));
@@ -53,17 +58,35 @@ public final class Mech {
    * @return exit status
    */
   public static int run(PrintWriter out, PrintWriter err, String... arguments) {
+    String[] words = arguments.length == 0 ? new String[] {HELP} : arguments;
+    CommandLine line = new CommandLine(new Mech());
+    asked(words[0]).forEach(line::addSubcommand);
     int status =
-        new CommandLine(new Mech())
-            .setOut(out)
+        line.setOut(out)
             .setErr(err)
             .setCaseInsensitiveEnumValuesAllowed(true)
             .setParameterExceptionHandler(UsageReport::badUsage)
             .setExecutionExceptionHandler(FailureReport::failed)
-            .execute(arguments.length == 0 ? new String[] {"help"} : arguments);
+            .execute(words);
     out.flush();
     err.flush();
     return status;
+  }
+
+  /**
+   * Returns the command that a word names, or all of them: to prepare the options of all takes as
+   * long as a small simulation.
+   */
+  private static List<Class<?>> asked(String word) {
+    return COMMANDS.stream()
+        .filter(type -> !word.equals(HELP) && word.equals(nameOf(type)))
+        .findFirst()
+        .<List<Class<?>>>map(List::of)
+        .orElse(COMMANDS);
+  }
+
+  private static String nameOf(Class<?> command) {
+    return command.getAnnotation(Command.class).name();
   }
 
   private static PrintWriter utf8(PrintStream stream) {

@@ -6,7 +6,6 @@ import java.util.concurrent.Callable;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.PlacementPolicy;
 import org.mechservice.server.ServerSettings;
-import org.mechservice.sim.service.WarmUp;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -92,9 +91,7 @@ final class ServerCommand implements Callable<Integer> {
             audit);
     try (MechServerProcess server = MechServerProcess.start(settings)) {
       spec.commandLine().getOut().println(server.url());
-      if (capacity > 0) {
-        WarmUp.begin();
-      }
+      server.warmUp();
       Serving.untilEnded(server, server::awaitShutdown);
     }
     return ExitStatus.DONE;

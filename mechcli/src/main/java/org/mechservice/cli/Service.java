@@ -7,6 +7,7 @@ import org.mechservice.client.ServiceException;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
 import org.mechservice.sim.host.HostOptions;
+import org.mechservice.sim.service.HeadStart;
 
 /** The service a command asks: one on the network, or one started for this command alone. */
 final class Service implements AutoCloseable {
@@ -43,6 +44,7 @@ final class Service implements AutoCloseable {
           MechConnection.open(asked.address(), JarCache.ofUser(), asked.identity()));
     }
     // What the user of this process has written may run in it.
+    HeadStart.begin();
     HostOptions embedded = new HostOptions("embedded", capacity).withUserCode(true);
     MechServerProcess server =
         MechServerProcess.start(new ServerSettings("127.0.0.1", 0, embedded));

@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import org.mechservice.sim.host.HostSettings;
 import org.mechservice.sim.host.SimHostProcess;
-import org.mechservice.sim.service.WarmUp;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -62,7 +61,7 @@ final class SimhostCommand implements Callable<Integer> {
             tls.identity());
     try (SimHostProcess host = SimHostProcess.start(settings)) {
       spec.commandLine().getOut().println(host.address());
-      WarmUp.begin();
+      host.warmUp();
       Serving.untilEnded(host, host::awaitShutdown);
     }
     return ExitStatus.DONE;

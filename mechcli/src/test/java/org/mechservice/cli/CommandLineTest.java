@@ -7,6 +7,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -53,6 +54,24 @@ class CommandLineTest {
     assertThat(mech(line.split(" "))).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(err.toString().strip()).isEqualTo(message);
     assertThat(out.toString()).isEmpty();
+  }
+
+  @Test
+  void everyCommandThatHelpListsIsThereByItself() {
+    mech("help");
+    List<String> names =
+        out.toString()
+            .lines()
+            .filter(line -> line.matches("  [a-z]+ +[A-Z].*"))
+            .map(line -> line.strip().split(" ", 2)[0])
+            .filter(name -> !name.equals("help"))
+            .toList();
+    assertThat(names).hasSizeGreaterThan(10);
+    for (String name : names) {
+      out.getBuffer().setLength(0);
+      assertThat(mech(name, "--help")).isEqualTo(ExitStatus.DONE);
+      assertThat(out.toString()).startsWith("Usage: mech " + name + " ");
+    }
   }
 
   @ValueSource(strings = {"simulate", "check", "admin status", "simhost"})

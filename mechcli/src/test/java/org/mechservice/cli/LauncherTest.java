@@ -31,6 +31,7 @@ class LauncherTest {
           "head",
           "find",
           "cat",
+          "cp",
           "mkdir",
           "rm",
           "dirname",
@@ -49,7 +50,8 @@ class LauncherTest {
         *XshowSettings*) echo '    java.home = /some/jdk' >&2 ;;
         -version) echo 'openjdk version "17.0.15" 2025-04-15' >&2 ;;
         --list-modules) echo 'java.base@17'; echo 'jdk.compiler@17' ;;
-        *ArchiveClassesAtExit*) echo archive >mechcli/target/mech.jsa ;;
+        *DumpLoadedClassList=*--mode*) list=${*#*List=}; echo "${*##*--mode}" >"${list%% *}" ;;
+        *Xshare:dump*) cp mechcli/target/mech.classes mechcli/target/mech.jsa ;;
         *) echo "started: $*" ;;
       esac
       """;
@@ -126,8 +128,15 @@ class LauncherTest {
   }
 
   @Test
+  void archiveHasTheClassesOfRemoteAndOfLocalRuns() throws Exception {
+    start(house.resolve("mech"), "check", "m.xml");
+    assertThat(house.resolve("mechcli/target/mech.jsa")).content().contains("remote", "local");
+  }
+
+  @Test
   void startsWithoutAnArchiveWhereNoneCanBeMade() throws Exception {
-    program("java", JDK.replace("echo archive >mechcli/target/mech.jsa", "exit 1"));
+    program(
+        "java", JDK.replace("cp mechcli/target/mech.classes mechcli/target/mech.jsa", "exit 1"));
     Ended mech = start(house.resolve("mech"), "check", "m.xml");
     assertThat(mech.out).startsWith("started").doesNotContain("SharedArchiveFile");
     assertThat(mech.err).hasLineCount(1);

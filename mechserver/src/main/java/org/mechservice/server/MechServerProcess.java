@@ -115,6 +115,11 @@ public final class MechServerProcess implements AutoCloseable {
     return orb.url(ServiceKey.SERVER);
   }
 
+  /** Begins to make the server ready for its first client, if it runs simulations itself. */
+  public void warmUp() {
+    ownHost.ifPresent(SimHost::warmUp);
+  }
+
   /** Returns where figures are to be had, if anywhere. */
   Optional<Integer> metricsPort() {
     return metrics.map(MetricsEndpoint::port);

@@ -28,6 +28,7 @@ import org.mechservice.sim.service.Journal;
 import org.mechservice.sim.service.LimitsInForce;
 import org.mechservice.sim.service.Refusal;
 import org.mechservice.sim.service.SessionTable;
+import org.mechservice.sim.service.WarmUp;
 import org.mechservice.solver.api.Solver;
 
 /**
@@ -42,6 +43,7 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   private final LimitsInForce limits;
   private final SessionTable sessions;
   private final Journal journal;
+  private final WarmUp warmUp;
   private final Runnable shutdown;
   private final long startedAt = System.currentTimeMillis();
   private final AtomicBoolean draining = new AtomicBoolean();
@@ -70,6 +72,7 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
     this.limits = limits;
     this.shutdown = shutdown;
     journal = new Journal(options.name());
+    warmUp = new WarmUp(orb, solver);
     sessions =
         new SessionTable(
             orb,
@@ -80,6 +83,11 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
             solver,
             journal,
             options.userCode());
+  }
+
+  /** Begins to make the host ready for its first client; one that comes meanwhile is served. */
+  public void warmUp() {
+    warmUp.begin();
   }
 
   /** Returns the solver of this process. */
@@ -249,6 +257,7 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   /** Ends all sessions. */
   @Override
   public void close() {
+    warmUp.close();
     sessions.close();
   }
 }

@@ -95,6 +95,11 @@ public final class SimHostProcess implements AutoCloseable {
     return orb.endpoint().toString();
   }
 
+  /** Begins to make the host ready for its first client. */
+  public void warmUp() {
+    host.warmUp();
+  }
+
   /** Waits until the process is closed. */
   public void awaitShutdown() throws InterruptedException {
     closed.await();

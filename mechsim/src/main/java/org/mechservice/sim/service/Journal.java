@@ -9,6 +9,7 @@ import org.mechservice.idl.ServiceEvent;
 import org.mechservice.idl.Severity;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.slf4j.helpers.NOPLogger;
 
 /**
  * What happened on a host or server lately: written to the log, and kept for administrators as
@@ -35,9 +36,18 @@ public final class Journal {
    * @param listener told every event at once; must not block for long
    */
   public Journal(String source, Consumer<ServiceEvent> listener) {
+    this(source, listener, LoggerFactory.getLogger(Journal.class.getPackageName() + "." + source));
+  }
+
+  private Journal(String source, Consumer<ServiceEvent> listener, Logger log) {
     this.source = source;
     this.listener = listener;
-    log = LoggerFactory.getLogger(Journal.class.getPackageName() + "." + source);
+    this.log = log;
+  }
+
+  /** Returns a journal of what is nobody's business: nothing gets from it to a log. */
+  static Journal unwritten() {
+    return new Journal("", event -> {}, NOPLogger.NOP_LOGGER);
   }
 
   /** Returns the events. */

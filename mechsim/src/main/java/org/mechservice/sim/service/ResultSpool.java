@@ -70,15 +70,32 @@ final class ResultSpool implements AutoCloseable {
       throw new IOException("the results were deleted");
     }
     if (tail.remaining() < rowBytes) {
-      account.take(tail.position(), rows * rowBytes);
-      accounted += tail.position();
-      writeTail();
+      emptyTail();
     }
     for (int column = 0; column < columns; column++) {
       tail.putDouble(values[column]);
     }
     rows++;
     notifyAll();
+  }
+
+  private void emptyTail() throws IOException {
+    account.take(tail.position(), rows * rowBytes);
+    accounted += tail.position();
+    writeTail();
+  }
+
+  /**
+   * Lets the rows so far outlive the process, if they shall. Those of a run that puts out few would
+   * otherwise be in memory alone for as long as it takes.
+   *
+   * @throws RunLimitException if that is more than the run, or all runs, may have
+   * @throws IOException if that is not possible
+   */
+  synchronized void handOver() throws IOException {
+    if (place.lasting() && !closed && !ended && tail.position() > 0) {
+      emptyTail();
+    }
   }
 
   private void writeTail() throws IOException {
@@ -94,7 +111,16 @@ final class ResultSpool implements AutoCloseable {
   }
 
   /**
-   * Writes everything to where it outlives the process, if it shall. Who reads meanwhile does not
+   * Writes everything to where it outlives the process, if it shall, without waiting for the disk.
+   *
+   * @throws IOException if that is not possible
+   */
+  void write() throws IOException {
+    written();
+  }
+
+  /**
+   * Writes everything to where it outlives the machine, if it shall. Who reads meanwhile does not
    * wait for the disk.
    *
    * @throws IOException if that is not possible

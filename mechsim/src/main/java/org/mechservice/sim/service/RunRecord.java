@@ -43,10 +43,18 @@ final class RunRecord {
     }
   }
 
-  /** Writes down how a run was said to have ended, with all its rows. */
+  /**
+   * Writes down how a run was said to have ended, with all its rows: first so that it outlives the
+   * process, which takes no time, then so that it outlives the machine, for which nobody waits.
+   */
   synchronized void settle(Supplier<EndedRun> run) throws IOException {
     if (!settled) {
-      ended(run.get());
+      EndedRun end = run.get();
+      if (folder.isPresent()) {
+        rows.write();
+        folder.get().note(end);
+      }
+      ended(end);
       settled = true;
     }
   }

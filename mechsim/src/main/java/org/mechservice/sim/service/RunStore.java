@@ -142,6 +142,11 @@ final class RunStore implements AutoCloseable {
     return new RunRecord(folder, simId, rows);
   }
 
+  /** Returns whether runs outlive the process. */
+  boolean lasts() {
+    return folder.isPresent();
+  }
+
   /** Work on the disk. */
   interface DiskWork {
     void run() throws IOException;

@@ -6,9 +6,11 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
@@ -41,6 +43,10 @@ import org.mechservice.solver.api.Solver;
 public final class SessionTable implements AutoCloseable {
   private static final long TICK_MILLIS = 100;
   private static final long EXPIRY_SECONDS = 10;
+
+  /** So much of a run may be lost if its host is killed, s. */
+  private static final long HAND_OVER_SECONDS = 1;
+
   private static final long CLOSING_MILLIS = 5000;
 
   /** A session with its reference; one that only holds runs taken up again has none. */
@@ -56,6 +62,7 @@ public final class SessionTable implements AutoCloseable {
   private final Map<String, Entry> sessions = new ConcurrentHashMap<>();
   private final Admission admission;
   private final AtomicLong opened = new AtomicLong();
+  private volatile Future<?> handedOver = CompletableFuture.completedFuture(null);
   private final CheckReports checkReports = new CheckReports();
 
   /**
@@ -90,9 +97,23 @@ public final class SessionTable implements AutoCloseable {
     admission = new Admission(limits, this::allSessions);
     var unused =
         clock.scheduleWithFixedDelay(this::tick, TICK_MILLIS, TICK_MILLIS, TimeUnit.MILLISECONDS);
+    if (store.lasts()) {
+      unused =
+          clock.scheduleWithFixedDelay(
+              this::handOverRows, HAND_OVER_SECONDS, HAND_OVER_SECONDS, TimeUnit.SECONDS);
+    }
     unused =
         clock.scheduleWithFixedDelay(
             () -> store.expire(this::isTakenUp), EXPIRY_SECONDS, EXPIRY_SECONDS, TimeUnit.SECONDS);
+  }
+
+  /** The clock does not wait for the disk, and asks no more of one that does not answer. */
+  private void handOverRows() {
+    if (handedOver.isDone()) {
+      handedOver =
+          host.store()
+              .soon("", () -> allRuns().forEach(SimulationRun::handOverRows));
+    }
   }
 
   private boolean isTakenUp(String simId) {

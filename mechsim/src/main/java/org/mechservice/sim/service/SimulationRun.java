@@ -16,6 +16,8 @@ import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.Variable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * One simulation from its creation to its end: runs once, in a thread of the {@link RunQueue}, and
@@ -29,6 +31,8 @@ final class SimulationRun implements Runnable {
     /** Hears that a run whose end was told before could not be written to disk. */
     void notOnDisk(SimulationRun run, String why);
   }
+
+  private static final Logger LOG = LoggerFactory.getLogger(SimulationRun.class);
 
   /**
    * How long who cancels waits for the solver, which looks at its control at every evaluation. An
@@ -221,6 +225,15 @@ final class SimulationRun implements Runnable {
                 conclusion.stoppedAt(limit);
                 control.stop();
               });
+    }
+  }
+
+  /** Lets the rows so far outlive the process; what is wrong with that, the run finds out itself. */
+  void handOverRows() {
+    try {
+      rows.spool().handOver();
+    } catch (IOException e) {
+      LOG.debug("rows of run {} stay in memory", simId(), e);
     }
   }
 

@@ -78,6 +78,19 @@ final class SpoolFolder implements AutoCloseable {
    * before, never half of it.
    */
   void write(EndedRun run) throws IOException {
+    put(run, true);
+    forceFolder();
+  }
+
+  /**
+   * Writes down what is known of a run without waiting for the disk: from then on it outlives the
+   * process, and the machine as soon as it is written again.
+   */
+  void note(EndedRun run) throws IOException {
+    put(run, false);
+  }
+
+  private void put(EndedRun run, boolean forced) throws IOException {
     Path growing = folder.resolve(run.identity().simId() + ".part");
     try (FileChannel channel =
         FileChannel.open(
@@ -89,14 +102,15 @@ final class SpoolFolder implements AutoCloseable {
       while (bytes.hasRemaining()) {
         channel.write(bytes);
       }
-      channel.force(true);
+      if (forced) {
+        channel.force(true);
+      }
     }
     Files.move(
         growing,
         record(run.identity().simId()),
         StandardCopyOption.ATOMIC_MOVE,
         StandardCopyOption.REPLACE_EXISTING);
-    forceFolder();
   }
 
   private Path record(String simId) {

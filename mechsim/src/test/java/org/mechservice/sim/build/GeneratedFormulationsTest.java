@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
@@ -25,30 +24,17 @@ import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.build.emit.MethodSizes;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.dynamics.RecursiveResidualModel;
 import org.mechservice.solver.dynamics.SemiRecursiveModel;
 import org.mechservice.solver.force.UserForceSource;
-import org.mechservice.solver.mechanism.Attachment;
-import org.mechservice.solver.mechanism.Body;
-import org.mechservice.solver.mechanism.Joint;
-import org.mechservice.solver.mechanism.JointStart;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Origin;
-import org.mechservice.solver.mechanism.Root;
-import org.mechservice.solver.mechanism.Spherical;
-import org.mechservice.solver.mechanism.Universal;
-import org.mechservice.solver.spatial.InertiaTensor;
-import org.mechservice.solver.spatial.Rotation;
-import org.mechservice.solver.spatial.Vector3;
 
 /** The formulations DSR and RR of open chains in generated code, against those driven by data. */
 class GeneratedFormulationsTest {
   private static final double TIME = 0.4;
-  private static final int STAR = 700;
 
   private static BuildOptions options(String formulation) {
     String integrator = formulation.equals("RR") ? "ode15sR" : "DE";
@@ -209,38 +195,6 @@ class GeneratedFormulationsTest {
     SimulationSettings settings = new SimulationSettings(Scenes.SETTINGS, "DSR");
     assertThat(CheckReport.of(new MechmlModel(chain, settings, List.of())).text())
         .contains("code of its own: none is generated yet for DSR of more than 30000 operations");
-  }
-
-  /** The method that calls all others takes their angles, two of each Hooke joint. */
-  @Test
-  void aSceneTooLargeForAClassIsLeftToTheData() {
-    GeneratedModel generated =
-        ModelFactory.generate(Scenes.model(hookeJointsAndBalls(STAR)), options("DTR"));
-    assertThat(generated.formulationReason())
-        .contains("no code is generated yet for so large a scene (S-085 a method of the generated");
-    assertThat(generated.classFiles()).isNotEmpty();
-  }
-
-  /** Bodies side by side on the ground, by turns on two crossing axes and on balls. */
-  private static Mechanism hookeJointsAndBalls(int count) {
-    List<Body> bodies = new ArrayList<>();
-    List<Joint> joints = new ArrayList<>();
-    InertiaTensor inertia = new InertiaTensor(1, 2, 3, 0.1, 0.2, 0.3);
-    for (int i = 0; i < count; i++) {
-      bodies.add(new Body("b" + i, 1, new Vector3(1, 2, 3), inertia, Origin.NONE));
-      Attachment ground =
-          new Attachment(Mechanism.ROOT, new Vector3(i, 0, 0), i, Vector3.ZERO, Rotation.IDENTITY);
-      Vector3 x = new Vector3(1, 0, 0);
-      Vector3 y = new Vector3(0, 1, 0);
-      JointStart u = JointStart.atZero(JointType.U);
-      JointStart s = JointStart.atZero(JointType.S);
-      joints.add(
-          i % 2 == 0
-              ? new Universal("j" + i, ground, x, y, u, false, Origin.NONE)
-              : new Spherical("j" + i, ground, s, false, Origin.NONE));
-    }
-    Root root = new Root("ground", Vector3.ZERO, Rotation.IDENTITY);
-    return new Mechanism("star", root, new Vector3(0, 0, -9.81), bodies, joints);
   }
 
   @Test

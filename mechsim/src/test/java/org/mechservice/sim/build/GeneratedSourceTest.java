@@ -156,8 +156,18 @@ class GeneratedSourceTest {
   }
 
   @Test
-  void namesThatDoNotFitAConstantAreRefused() {
-    MechmlModel model = Scenes.model(cart("m".repeat(30000), "b", "c", "d", "e"));
+  void namesThatJustFitAConstantAreKept() {
+    MechmlModel model = Scenes.model(cart("m".repeat(65534), "b", "c", "d", "e"));
+    GeneratedModel generated = ModelFactory.generate(model, LEAN);
+    assertThat(generated.classFiles().values()).allMatch(bytes -> bytes.length > 65534);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"m", "m\u00fc", "\u2211"})
+  void namesThatDoNotFitAConstantAreRefused(String part) {
+    int bytes = part.codePoints().map(c -> c <= 0x7F ? 1 : c <= 0x7FF ? 2 : 3).sum();
+    String name = part.repeat(65535 / bytes);
+    MechmlModel model = Scenes.model(cart(name, "b", "c", "d", "e"));
     assertThatThrownBy(() -> ModelFactory.generate(model, LEAN))
         .isInstanceOf(ModelBuildException.class)
         .hasMessageStartingWith("S-083");

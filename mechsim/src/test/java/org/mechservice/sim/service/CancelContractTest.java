@@ -184,6 +184,21 @@ class CancelContractTest {
     }
   }
 
+  /** As with a process that is killed while the disk is slow: nothing is ever forced there. */
+  @Test
+  void runIsCancelledOnDiskBeforeTheDiskHasConfirmedItsRows() throws Exception {
+    String simId;
+    try (HostedClient there = withFolder(PacedSolver.endless())) {
+      IMechSimRemote run = there.simulation();
+      simId = run.simId();
+      Files.createSymbolicLink(folder.resolve(simId + ".rows"), Path.of("/dev/null"));
+      run.start();
+      Eventually.holds(() -> run.getProgress().rowsReady > 0);
+      run.cancel();
+    }
+    assertThat(stateAfterRestart(simId)).isEqualTo(SimState.SIM_CANCELLED);
+  }
+
   private SimState stateAfterRestart(String simId) throws Exception {
     try (HostedClient after = withFolder(PacedSolver.endless())) {
       return found(after, simId).getProgress().state;

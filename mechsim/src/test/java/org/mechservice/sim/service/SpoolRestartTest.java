@@ -71,6 +71,21 @@ class SpoolRestartTest {
     }
   }
 
+  /** As if its process had been killed then: what is in the file is all that is left. */
+  @Test
+  void fewRowsOfARunThatGoesOnAreOnDiskToo() throws Exception {
+    try (HostedClient there = on(folder, PacedSolver.endless())) {
+      IMechSimRemote run = there.simulation();
+      Path rows = folder.resolve(run.simId() + ".rows");
+      run.start();
+      Eventually.holds(() -> run.getProgress().rowsReady > 0);
+      run.pause();
+      long bytes = run.getProgress().rowsReady * HostedClient.COLUMNS * Double.BYTES;
+      Eventually.holds(() -> Files.exists(rows) && Files.size(rows) == bytes);
+      assertThat(run.getProgress().state).isEqualTo(SimState.SIM_PAUSED);
+    }
+  }
+
   @Test
   void runThatHasMovedHereIsFoundUnderItsEarlierIdsAlsoAfterARestart() throws Exception {
     NameValue moved = new NameValue(OPT_CONTINUES.value, "0a-1,0b-2");

@@ -284,14 +284,18 @@ public final class Simulation implements Solver {
     private boolean proceed(boolean unfinished) throws IOException {
       boolean stands =
           control.holdsAt(timeReached, integrator.stepSize(), integrator.order(), steps);
-      boolean kept = unfinished && checkpoints.keepIfDue(stands, this::transfer);
+      boolean kept = unfinished && keepIfDue(stands);
       if (goOn() || !unfinished) {
         return true;
       }
       if (!kept) {
-        checkpoints.keepIfDue(true, this::transfer);
+        keepIfDue(true);
       }
       return false;
+    }
+
+    private boolean keepIfDue(boolean stands) throws IOException {
+      return checkpoints.keepIfDue(stands, this::transfer);
     }
 
     private int writeRowsOfStep() throws IOException {

@@ -1,5 +1,7 @@
 package org.mechservice.sim.build.emit;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Program;
@@ -19,12 +21,18 @@ final class CodeSize implements StackCode.Machine {
   private static final int SUM = 4;
 
   /** A call of a method with its arrays, and what happens if it ends the program. */
-  private static final int STEP = 24;
+  static final int STEP = 24;
 
   private static final int LOOP = 16;
 
   /** What a local variable takes before it is known which. */
   private static final int LOCAL = 3;
+
+  /** An estimate of what puts out a value that has a place. */
+  static final int OUTPUT = ELEMENT + LOCAL;
+
+  /** An estimate of what checks a value that has a place. */
+  static final int GUARD = 2 * LOCAL + CHECK;
 
   /** Local variables up to this slot take the short form, two bytes an access, others four. */
   private static final int LAST_SHORT_SLOT = 255;
@@ -35,12 +43,10 @@ final class CodeSize implements StackCode.Machine {
   /** Slots of the instance, the parameters and the workspace. */
   private static final int FIRST_SLOT = 7;
 
-  private final LocalSlots locals;
+  private final List<Scalar> accesses = new ArrayList<>();
   private int bytes;
 
-  private CodeSize(LocalSlots locals) {
-    this.locals = locals;
-  }
+  private CodeSize() {}
 
   /** Returns an estimate of each section of a program, were all in one method. */
   static int[] ofSections(Program program, Usage usage) {
@@ -50,8 +56,8 @@ final class CodeSize implements StackCode.Machine {
         bytes[s] += ofValue(usage, node);
       }
       Program.Section section = program.sections().get(s);
-      bytes[s] += section.outputs().size() * (ELEMENT + LOCAL);
-      bytes[s] += section.guards().size() * (2 * LOCAL + CHECK);
+      bytes[s] += section.outputs().size() * OUTPUT;
+      bytes[s] += section.guards().size() * GUARD;
     }
     return bytes;
   }
@@ -63,7 +69,9 @@ final class CodeSize implements StackCode.Machine {
 
   private static int sizeIn(Usage usage, Scalar node) {
     int bytes = 1;
-    for (Scalar operand : node.operands()) {
+    List<Scalar> operands = node.operands();
+    for (int i = 0; i < operands.size(); i++) {
+      Scalar operand = operands.get(i);
       boolean inline = !operand.operands().isEmpty() && !usage.isPlaced(operand);
       bytes += inline ? sizeIn(usage, operand) : LOCAL;
     }
@@ -72,9 +80,14 @@ final class CodeSize implements StackCode.Machine {
 
   /** Returns the size of a planned method, its variables sharing slots as they come and go. */
   static int of(MethodPlan method) {
-    CodeSize size = new CodeSize(new LocalSlots(method, FIRST_SLOT));
+    CodeSize size = new CodeSize();
     StackCode.tell(method, size);
-    return size.bytes;
+    LocalSlots locals = new LocalSlots(size.accesses, FIRST_SLOT);
+    int bytes = size.bytes;
+    for (int i = 0; i < locals.count(); i++) {
+      bytes += locals.next() <= LAST_SHORT_SLOT ? SHORT_LOCAL : WIDE_LOCAL;
+    }
+    return bytes;
   }
 
   /** Returns an estimate of the code of a step. */
@@ -87,18 +100,21 @@ final class CodeSize implements StackCode.Machine {
     return bytes;
   }
 
-  private void local(Scalar value) {
-    bytes += locals.access(value) <= LAST_SHORT_SLOT ? SHORT_LOCAL : WIDE_LOCAL;
+  /** Returns an estimate of the code that computes sines and cosines. */
+  static int of(AngleRun run) {
+    CodeSize size = new CodeSize();
+    StackCode.tellValue(run.angle(), size);
+    return size.bytes + ELEMENT + CALL + (run.isLoop() ? LOOP + 2 * SUM : 0);
   }
 
   @Override
   public void pushLocal(Scalar value) {
-    local(value);
+    accesses.add(value);
   }
 
   @Override
   public void popLocal(Scalar value) {
-    local(value);
+    accesses.add(value);
   }
 
   @Override

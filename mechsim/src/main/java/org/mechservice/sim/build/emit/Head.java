@@ -26,6 +26,11 @@ record Head(
   /** The parameters of the model: a field of its own that every method is given. */
   static final Argument MODEL_PARAMETERS = new Argument("p", true, Program.PARAMETER);
 
+  /** Returns the name of a method of its own that computes angles. */
+  String anglesName(int part) {
+    return name + "Angles" + (part + 1);
+  }
+
   /** Returns whether an input is a parameter of the model. */
   static boolean isModelParameter(int input) {
     return input >= Program.PARAMETER && input < Program.PLACEHOLDER;

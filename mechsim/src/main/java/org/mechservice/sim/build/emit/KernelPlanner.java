@@ -20,22 +20,22 @@ final class KernelPlanner {
   /** Bytes of code below which a call would be no shorter. */
   private static final int SHORTEST_KERNEL = 60;
 
-  /** More than a method takes: what follows is another, even if it has nothing to do. */
-  private static final int FULL = Planner.METHOD_BYTES + 1;
-
   private final Program program;
   private final Usage usage;
   private final Head head;
   private final ConstantTable table;
+  private final int limit;
   private final Expressions common = new Expressions();
   private final List<MethodPlan> methods = new ArrayList<>();
   private final List<Step.Call> calls = new ArrayList<>();
 
-  private KernelPlanner(Program program, Head head, ConstantTable table) {
-    this.program = program;
-    this.usage = new Usage(program);
+  private KernelPlanner(
+      LongSections.Division division, Head head, ConstantTable table, int limit) {
+    this.program = division.program();
+    this.usage = division.usage();
     this.head = head;
     this.table = table;
+    this.limit = limit;
   }
 
   /**
@@ -45,8 +45,12 @@ final class KernelPlanner {
    * @param table gets the constants in which calls differ
    */
   static ProgramPlan plan(Program whole, Head head, ConstantTable table) {
-    Program program = LongSections.divided(whole, Planner.METHOD_BYTES);
-    return new KernelPlanner(program, head, table).plan();
+    int before = table.size();
+    return Planner.within(
+        limit -> {
+          table.cutBack(before);
+          return new KernelPlanner(LongSections.divided(whole, limit), head, table, limit).plan();
+        });
   }
 
   private ProgramPlan plan() {
@@ -83,15 +87,17 @@ final class KernelPlanner {
   private int[] chunks(List<MethodPlan> single, Set<MethodPlan> shared) {
     int[] chunks = new int[single.size()];
     int chunk = -1;
-    int filled = FULL;
+    // more than a method takes: what follows is another, even if it has nothing to do
+    int full = limit + 1;
+    int filled = full;
     for (int section = 0; section < chunks.length; section++) {
       int bytes = CodeSize.of(single.get(section));
       boolean alone = bytes >= SHORTEST_KERNEL && shared.contains(shape(single.get(section)));
-      if (alone || filled + bytes > Planner.METHOD_BYTES) {
+      if (alone || filled + bytes > limit) {
         chunk++;
         filled = 0;
       }
-      filled = alone ? FULL : filled + bytes;
+      filled = alone ? full : filled + bytes;
       chunks[section] = chunk;
     }
     return chunks;

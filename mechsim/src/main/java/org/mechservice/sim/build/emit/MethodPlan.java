@@ -18,6 +18,8 @@ record MethodPlan(
     Map<Scalar, Place> places,
     Map<Scalar, Scalar> originals,
     int parameters) {
+  /** A stretch that does nothing. */
+  static final MethodPlan EMPTY = new MethodPlan(List.of(), Map.of());
 
   /** A stretch of its own. */
   MethodPlan(List<Statement> statements, Map<Scalar, Place> places) {

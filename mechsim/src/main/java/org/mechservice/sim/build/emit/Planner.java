@@ -1,5 +1,6 @@
 package org.mechservice.sim.build.emit;
 
+import java.util.function.IntFunction;
 import org.mechservice.sim.symbolic.Program;
 
 /**
@@ -12,21 +13,32 @@ final class Planner {
   static final int METHOD_BYTES = 6000;
 
   /** Bytes above which sections are distributed anew. */
-  private static final int TOO_LONG = 6600;
+  static final int TOO_LONG = 6600;
 
   /** Bytes below which a method's calls would be all it has. */
   private static final int LEAST_BYTES = METHOD_BYTES / 8;
 
   private Planner() {}
 
-  /** Plans a program; where methods turn out too long, sections are made shorter too. */
+  /** Plans a program. */
   static ProgramPlan plan(Program whole) {
+    return within(
+        limit -> {
+          LongSections.Division division = LongSections.divided(whole, limit);
+          int[] chunks = chunks(division.bytes(), limit);
+          return new MethodPlanner(division.program(), division.usage(), chunks, true).plan();
+        });
+  }
+
+  /**
+   * Plans for shorter and shorter methods until none turns out too long.
+   *
+   * @param planner plans for methods of so many bytes, sections longer than that divided
+   */
+  static ProgramPlan within(IntFunction<ProgramPlan> planner) {
     int limit = METHOD_BYTES;
     while (true) {
-      Program program = LongSections.divided(whole, limit);
-      Usage usage = new Usage(program);
-      int[] bytes = CodeSize.ofSections(program, usage);
-      ProgramPlan plan = new MethodPlanner(program, usage, chunks(bytes, limit), true).plan();
+      ProgramPlan plan = planner.apply(limit);
       int longest = longest(plan);
       if (limit < LEAST_BYTES || longest <= TOO_LONG) {
         return plan;

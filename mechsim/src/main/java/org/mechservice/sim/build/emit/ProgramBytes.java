@@ -1,8 +1,6 @@
 package org.mechservice.sim.build.emit;
 
 import java.util.List;
-import java.util.Map;
-import org.mechservice.sim.symbolic.Scalar;
 import org.objectweb.asm.ClassVisitor;
 import org.objectweb.asm.Label;
 import org.objectweb.asm.MethodVisitor;
@@ -10,13 +8,12 @@ import org.objectweb.asm.Opcodes;
 
 /** Writes a planned program as methods of a class file: what {@link ProgramPrinter} writes. */
 final class ProgramBytes {
-  private static final MethodPlan NONE = new MethodPlan(List.of(), Map.of());
-
   private final ClassVisitor classFile;
   private final String className;
   private final Head head;
   private final ProgramPlan plan;
   private final List<String> fields;
+  private final List<List<AngleRun>> angleParts;
 
   /**
    * @param className internal name of the class
@@ -27,6 +24,7 @@ final class ProgramBytes {
     this.head = head;
     this.plan = plan;
     this.fields = plan.fields();
+    this.angleParts = plan.angleParts();
   }
 
   /** Goes to the beginning, or before the end, of the method of the interface. */
@@ -53,8 +51,8 @@ final class ProgramBytes {
       }
       code.visitVarInsn(Opcodes.ASTORE, parameters.slotOf(field));
     }
-    MethodPlan only = plan.isOneMethod() ? plan.methods().get(0) : NONE;
-    LocalSlots locals = new LocalSlots(only, parameters.end());
+    MethodPlan only = plan.isOneMethod() ? plan.methods().get(0) : MethodPlan.EMPTY;
+    LocalSlots locals = LocalSlots.of(only, parameters.end());
     MethodBytes body = new MethodBytes(code, head, parameters, locals);
     first.write(code, parameters);
     angles(code, body, parameters);
@@ -64,6 +62,7 @@ final class ProgramBytes {
     }
     last.write(code, parameters);
     end(code, body, head.returnsResult());
+    angleParts();
     if (!plan.isOneMethod()) {
       parts();
     }
@@ -79,19 +78,27 @@ final class ProgramBytes {
     code.visitEnd();
   }
 
+  /** The angles, or calls of the methods that take them. */
   private void angles(MethodVisitor code, MethodBytes body, Parameters parameters) {
-    List<Scalar> angles = plan.angles();
-    for (int i = 0; i < angles.size(); ) {
-      int run = plan.runOfInputs(i);
-      if (run >= ProgramPrinter.SHORTEST_LOOP) {
-        loop(code, parameters, i, run);
-        i += run;
+    if (angleParts.isEmpty()) {
+      angles(code, body, parameters, AngleRun.of(plan.angles()));
+    }
+    for (int i = 0; i < angleParts.size(); i++) {
+      pushArrays(code, parameters);
+      invoke(code, head.anglesName(i), false, 0);
+    }
+  }
+
+  private void angles(
+      MethodVisitor code, MethodBytes body, Parameters parameters, List<AngleRun> runs) {
+    for (AngleRun run : runs) {
+      if (run.isLoop()) {
+        loop(code, body, parameters, run);
       } else {
-        StackCode.tellValue(angles.get(i), body);
+        StackCode.tellValue(run.angle(), body);
         code.visitVarInsn(Opcodes.ALOAD, parameters.slotOf(Parameters.WORKSPACE));
-        new NumberCode(code).push(2 * i);
+        new NumberCode(code).push(2 * run.start());
         sinCos(code);
-        i++;
       }
     }
   }
@@ -101,14 +108,22 @@ final class ProgramBytes {
         Opcodes.INVOKESTATIC, "org/mechservice/solver/spatial/SinCos", "sinCos", "(D[DI)V", false);
   }
 
-  private void loop(MethodVisitor code, Parameters parameters, int start, int count) {
-    Head.Argument array = head.argumentOf(plan.angles().get(start).index());
-    CountingLoop loop = CountingLoop.begin(code, parameters.types(), parameters.end(), 0, count);
+  private void loop(MethodVisitor code, MethodBytes body, Parameters parameters, AngleRun run) {
+    int input = run.input().index();
+    Head.Argument array = head.argumentOf(input);
+    CountingLoop loop =
+        CountingLoop.begin(code, parameters.types(), parameters.end(), 0, run.count());
+    if (run.isMultiple()) {
+      StackCode.tellValue(run.factor(), body);
+    }
     code.visitVarInsn(Opcodes.ALOAD, parameters.slotOf(array.name()));
-    loop.pushCounter(1, plan.angles().get(start).index() - array.first());
+    loop.pushCounter(1, input - array.first());
     code.visitInsn(Opcodes.DALOAD);
+    if (run.isMultiple()) {
+      code.visitInsn(Opcodes.DMUL);
+    }
     code.visitVarInsn(Opcodes.ALOAD, parameters.slotOf(Parameters.WORKSPACE));
-    loop.pushCounter(2, 2 * start);
+    loop.pushCounter(2, 2 * run.start());
     sinCos(code);
     loop.end(1);
   }
@@ -214,6 +229,18 @@ final class ProgramBytes {
     code.visitFrame(Opcodes.F_NEW, types.size(), types.toArray(), 0, new Object[0]);
   }
 
+  private void angleParts() {
+    for (int i = 0; i < angleParts.size(); i++) {
+      Parameters parameters = Parameters.ofPart(head, plan.arguments(head), fields, 0);
+      MethodVisitor code = begin(head.anglesName(i), false, 0);
+      MethodBytes body =
+          new MethodBytes(
+              code, head, parameters, LocalSlots.of(MethodPlan.EMPTY, parameters.end()));
+      angles(code, body, parameters, angleParts.get(i));
+      end(code, body, false);
+    }
+  }
+
   private void parts() {
     List<List<Step>> parts = plan.parts();
     for (int i = 0; i < parts.size() && parts.size() > 1; i++) {
@@ -221,7 +248,7 @@ final class ProgramBytes {
       Parameters parameters = Parameters.ofPart(head, plan.arguments(head), fields, 0);
       MethodVisitor code = begin(partName(i), checks, 0);
       steps(code, parameters, parts.get(i));
-      MethodBytes body = new MethodBytes(code, head, parameters, new LocalSlots(NONE, 0));
+      MethodBytes body = new MethodBytes(code, head, parameters, LocalSlots.of(MethodPlan.EMPTY, 0));
       end(code, body, checks);
     }
     for (int i = 0; i < plan.methods().size(); i++) {
@@ -229,7 +256,7 @@ final class ProgramBytes {
       int wholeNumbers = method.parameters();
       Parameters parameters = Parameters.ofPart(head, plan.arguments(head), fields, wholeNumbers);
       MethodVisitor code = begin(methodName(i), method.checks(), wholeNumbers);
-      LocalSlots locals = new LocalSlots(method, parameters.end());
+      LocalSlots locals = LocalSlots.of(method, parameters.end());
       MethodBytes body = new MethodBytes(code, head, parameters, locals);
       StackCode.tell(method, body);
       end(code, body, method.checks());

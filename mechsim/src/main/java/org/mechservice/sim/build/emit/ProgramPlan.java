@@ -2,6 +2,8 @@ package org.mechservice.sim.build.emit;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.IntPredicate;
+import java.util.function.ToIntFunction;
 import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
@@ -31,7 +33,12 @@ record ProgramPlan(
 
   /** Returns whether methods are shared by stretches of the program. */
   boolean isShared() {
-    return methods.stream().anyMatch(method -> method.parameters() > 0);
+    for (MethodPlan method : methods) {
+      if (method.parameters() > 0) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Returns how many calls of methods one run of the program takes. */
@@ -61,25 +68,43 @@ record ProgramPlan(
     return usage.angles();
   }
 
-  /** Returns how many angles from {@code start} on are consecutive inputs; 0: it is none. */
-  int runOfInputs(int start) {
-    int run = 0;
-    for (int i = start; i < angles().size(); i++) {
-      Scalar angle = angles().get(i);
-      if (angle.operation() != Operation.INPUT
-          || angle.index() != angles().get(start).index() + run) {
-        return run;
-      }
-      run++;
+  /**
+   * Returns the angles that are computed in methods of their own: those of each, or nothing where
+   * the method that runs the program has room for all of them.
+   */
+  List<List<AngleRun>> angleParts() {
+    List<AngleRun> runs = AngleRun.of(angles());
+    int bytes = ownBytes();
+    for (AngleRun run : runs) {
+      bytes += CodeSize.of(run);
     }
-    return run;
+    return bytes > Planner.TOO_LONG ? grouped(runs, CodeSize::of) : List.of();
+  }
+
+  /** Returns an estimate of the method that runs the program, but for its angles. */
+  private int ownBytes() {
+    if (isOneMethod()) {
+      return CodeSize.of(methods.get(0));
+    }
+    int bytes = 0;
+    for (Step step : steps) {
+      bytes += CodeSize.of(step);
+    }
+    return bytes <= Planner.METHOD_BYTES ? bytes : parts().size() * CodeSize.STEP;
   }
 
   /** Returns whether parameters of the model are read. */
   boolean readsModelParameters() {
-    for (Scalar node : usage.given()) {
-      if (node.operation() == Operation.INPUT && Head.isModelParameter(node.index())) {
-        return true;
+    return reads(Head::isModelParameter);
+  }
+
+  /** Returns whether an input is read, by a section or as an angle. */
+  private boolean reads(IntPredicate input) {
+    for (List<Scalar> nodes : List.of(usage.given(), angles())) {
+      for (Scalar node : nodes) {
+        if (node.operation() == Operation.INPUT && input.test(node.index())) {
+          return true;
+        }
       }
     }
     return false;
@@ -104,18 +129,27 @@ record ProgramPlan(
 
   /** Returns the steps, in methods of their own if they are too long for one. */
   List<List<Step>> parts() {
-    List<List<Step>> parts = new ArrayList<>();
     int bytes = 0;
     for (Step step : steps) {
-      int more = CodeSize.of(step);
-      if (parts.isEmpty() || bytes + more > Planner.METHOD_BYTES) {
-        parts.add(new ArrayList<>());
+      bytes += CodeSize.of(step);
+    }
+    return bytes <= Planner.METHOD_BYTES ? List.of(steps) : grouped(steps, CodeSize::of);
+  }
+
+  /** Returns what follows one another in as few groups as methods have room for. */
+  private static <T> List<List<T>> grouped(List<T> all, ToIntFunction<T> size) {
+    List<List<T>> groups = new ArrayList<>();
+    int bytes = 0;
+    for (T one : all) {
+      int more = size.applyAsInt(one);
+      if (groups.isEmpty() || bytes + more > Planner.METHOD_BYTES) {
+        groups.add(new ArrayList<>());
         bytes = 0;
       }
       bytes += more;
-      parts.get(parts.size() - 1).add(step);
+      groups.get(groups.size() - 1).add(one);
     }
-    return parts;
+    return groups;
   }
 
   /** Returns whether a call can end the program. */
@@ -125,7 +159,14 @@ record ProgramPlan(
 
   /** Returns whether steps can end the program. */
   boolean checks(List<Step> some) {
-    return some.stream().flatMap(step -> step.calls().stream()).anyMatch(this::checks);
+    for (Step step : some) {
+      for (Step.Call call : step.calls()) {
+        if (checks(call)) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   /** Returns the fields that every method of the program is given: workspace and parameters. */
@@ -147,11 +188,7 @@ record ProgramPlan(
   List<Head.Argument> arguments(Head head) {
     List<Head.Argument> read = new ArrayList<>();
     for (Head.Argument argument : head.arguments()) {
-      boolean used = argument.isArray();
-      for (Scalar node : usage.given()) {
-        used |= node.operation() == Operation.INPUT && node.index() == argument.first();
-      }
-      if (used) {
+      if (argument.isArray() || reads(input -> input == argument.first())) {
         read.add(argument);
       }
     }

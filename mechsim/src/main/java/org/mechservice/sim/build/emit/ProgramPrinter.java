@@ -1,18 +1,15 @@
 package org.mechservice.sim.build.emit;
 
 import java.util.List;
-import java.util.Map;
 import org.mechservice.sim.symbolic.Scalar;
 
 /** Writes a planned program as Java methods. */
 final class ProgramPrinter {
-  /** Fewer angles in a row than this are written one by one. */
-  static final int SHORTEST_LOOP = 3;
-
   private final SourceLines source;
   private final Head head;
   private final ProgramPlan plan;
   private final LocalNames names;
+  private final List<List<AngleRun>> angleParts;
   private final NumberText numbers = new NumberText();
 
   ProgramPrinter(SourceLines source, Head head, ProgramPlan plan) {
@@ -20,6 +17,7 @@ final class ProgramPrinter {
     this.head = head;
     this.plan = plan;
     this.names = new LocalNames(plan);
+    this.angleParts = plan.angleParts();
   }
 
   /** Writes the method of the interface, with what goes to its beginning and before its end. */
@@ -51,6 +49,7 @@ final class ProgramPrinter {
       source.line("return REGULAR;");
     }
     source.close();
+    angleParts();
     if (!plan.isOneMethod()) {
       parts();
     }
@@ -75,28 +74,35 @@ final class ProgramPrinter {
     return new ExpressionPrinter(method, head, names, numbers);
   }
 
+  /** The angles, or calls of the methods that take them. */
   private void angles() {
-    List<Scalar> angles = plan.angles();
-    ExpressionPrinter printer = printer(new MethodPlan(List.of(), Map.of()));
-    for (int i = 0; i < angles.size(); ) {
-      int run = plan.runOfInputs(i);
-      if (run >= SHORTEST_LOOP) {
-        loop(i, run);
-        i += run;
+    if (angleParts.isEmpty()) {
+      angles(AngleRun.of(plan.angles()));
+    }
+    for (int i = 0; i < angleParts.size(); i++) {
+      call(head.anglesName(i) + "(" + names(plan.arguments(head)) + ")", false);
+    }
+  }
+
+  private void angles(List<AngleRun> runs) {
+    ExpressionPrinter printer = printer(MethodPlan.EMPTY);
+    for (AngleRun run : runs) {
+      if (run.isLoop()) {
+        loop(run, printer);
       } else {
-        String angle = printer.value(angles.get(i));
-        source.line("SinCos.sinCos(" + angle + ", w, " + 2 * i + ");");
-        i++;
+        String angle = printer.value(run.angle());
+        source.line("SinCos.sinCos(" + angle + ", w, " + 2 * run.start() + ");");
       }
     }
   }
 
-  private void loop(int start, int count) {
-    int input = plan.angles().get(start).index();
+  private void loop(AngleRun run, ExpressionPrinter printer) {
+    int input = run.input().index();
     Head.Argument array = head.argumentOf(input);
-    String angle = array.name() + "[" + sum("i", input - array.first()) + "]";
-    source.open("for (int i = 0; i < " + count + "; i++)");
-    source.line("SinCos.sinCos(" + angle + ", w, " + sum("2 * i", 2 * start) + ");");
+    String factor = run.isMultiple() ? printer.value(run.factor()) + " * " : "";
+    String angle = factor + array.name() + "[" + sum("i", input - array.first()) + "]";
+    source.open("for (int i = 0; i < " + run.count() + "; i++)");
+    source.line("SinCos.sinCos(" + angle + ", w, " + sum("2 * i", 2 * run.start()) + ");");
     source.close();
   }
 
@@ -171,6 +177,14 @@ final class ProgramPrinter {
     list.append(head.output());
     plan.fields().forEach(field -> list.append(", ").append(field));
     return list.toString();
+  }
+
+  private void angleParts() {
+    for (int i = 0; i < angleParts.size(); i++) {
+      open(head.anglesName(i), false, 0);
+      angles(angleParts.get(i));
+      close(false);
+    }
   }
 
   private void parts() {
