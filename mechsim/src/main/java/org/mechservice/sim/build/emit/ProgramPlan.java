@@ -70,9 +70,7 @@ record ProgramPlan(
   List<List<AngleRun>> angleParts() {
     List<AngleRun> runs = AngleRun.of(angles());
     int bytes = runs.stream().mapToInt(CodeSize::of).sum();
-    return bytes + ownBytes() > Planner.TOO_LONG
-        ? grouped(runs, CodeSize::of)
-        : List.of();
+    return bytes + ownBytes() > Planner.TOO_LONG ? grouped(runs, CodeSize::of) : List.of();
   }
 
   /** Returns an estimate of the method that runs the program, but for its angles. */
