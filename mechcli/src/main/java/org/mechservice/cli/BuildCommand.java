@@ -117,8 +117,13 @@ final class BuildCommand implements Callable<Integer> {
     fact("code", manifest.getOrDefault("Mech-Code", ""));
     fact("integrator", manifest.getOrDefault("Mech-Integrator", ""));
     fact("columns", manifest.getOrDefault("Mech-Columns", ""));
-    for (String omission : manifest.getOrDefault("Mech-Left-Out", "").split("; ", -1)) {
-      fact("left out", omission);
+    facts("left out", manifest.getOrDefault("Mech-Left-Out", ""));
+    facts("from data", manifest.getOrDefault("Mech-From-Data", ""));
+  }
+
+  private void facts(String name, String values) {
+    for (String value : values.split("; ", -1)) {
+      fact(name, value);
     }
   }
 

@@ -46,6 +46,25 @@ class ReportCommandTest {
   }
 
   @Test
+  void pageOfTheBouncingBallMeasuresEveryMethodThoughTheStateJumps() throws IOException {
+    String page = quickPage("benchmarks/bouncing_ball.xml");
+    assertThat(page)
+        .contains("the state jumps 12 times", "by event &quot;bounce&quot;", "RR-JF ode15sR")
+        .doesNotContain("class=\"doubt\"");
+    assertThat(Files.readAllLines(folder.resolve("bouncing_ball.csv")).stream().skip(2))
+        .isNotEmpty()
+        .noneMatch(run -> run.contains(",NaN,NaN,NaN,NaN,NaN,NaN,"));
+  }
+
+  @Test
+  void reportThatIsTakenUpAgainTakesTheReferenceFromItsFile() throws IOException {
+    quickPage("benchmarks/bouncing_ball.xml");
+    Path file = folder.resolve("bouncing_ball-reference.csv");
+    Files.writeString(file, Files.readString(file).replaceFirst("# Reference: .*", "# Kept."));
+    assertThat(quickPage("benchmarks/bouncing_ball.xml")).contains("<li>Kept.");
+  }
+
+  @Test
   void extremeScenesEndAsExpected() {
     assertThat(mech("stability", "-o", folder.toString())).isEqualTo(ExitStatus.DONE);
   }

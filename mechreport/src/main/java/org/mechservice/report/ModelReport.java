@@ -26,6 +26,7 @@ import org.mechservice.report.measure.Point;
 import org.mechservice.report.measure.Progress;
 import org.mechservice.report.measure.PublishedReference;
 import org.mechservice.report.measure.Reference;
+import org.mechservice.report.measure.ReferenceFile;
 import org.mechservice.report.measure.ReferenceMaker;
 import org.mechservice.report.measure.RunGrid;
 import org.mechservice.report.measure.Spectrum;
@@ -92,7 +93,10 @@ public final class ModelReport {
     RunSettings settings = model.description().defaults();
     StateDistance distance = new StateDistance(model.description());
     progress.at("making the reference", 0, Double.NaN);
-    Judge judge = judge(candidates, model, settings, distance);
+    ReferenceFile kept =
+        new ReferenceFile(
+            folder.resolve(baseName(file) + "-reference.csv"), purpose(file), model.description());
+    Judge judge = judge(candidates, model, settings, distance, kept);
     Optional<Spectrum> spectrum = spectrum(judge, model);
     String csv = baseName(file) + ".csv";
     Map<String, TimeShares> shares = new LinkedHashMap<>();
@@ -147,21 +151,30 @@ public final class ModelReport {
       List<Candidate> candidates,
       ExplicitModel model,
       RunSettings settings,
-      StateDistance distance) {
+      StateDistance distance,
+      ReferenceFile file)
+      throws IOException {
     RunGrid uniform = RunGrid.uniform(settings.tStart(), settings.tEnd(), OUTPUT_INTERVALS);
-    if (candidates.get(0).isChangedOnTheWay()) {
-      return Judge.ofChanges(uniform);
-    }
-    ModelProblem problem = new ModelProblem(model);
+    List<ReferenceMaker.Source> sources = sources(candidates);
+    ReferenceMaker maker = new ReferenceMaker(distance, effort.referenceSeconds());
     Optional<PublishedReference> published =
         PublishedReference.of(
-            model.description().name(), problem.start(), settings.tEnd(), distance);
-    return Judge.of(
-        published,
-        sources(candidates),
-        new ReferenceMaker(distance, effort.referenceSeconds()),
-        distance,
-        uniform);
+            model.description().name(), candidates.get(0).problem(), settings.tEnd(), distance);
+    Optional<ReferenceFile.Kept> kept = file.read();
+    RunGrid grid = kept.map(ReferenceFile.Kept::grid).orElse(uniform);
+    Optional<Reference> made = kept.map(ReferenceFile.Kept::reference);
+    if (made.isEmpty()) {
+      ReferenceMaker.Extent extent = maker.extent(sources.get(0), uniform);
+      grid = extent.grid();
+      made =
+          maker
+              .make(sources, Judge.times(published, grid))
+              .map(reference -> reference.saying(extent.why()));
+      if (made.isPresent()) {
+        file.write(made.get(), grid);
+      }
+    }
+    return Judge.of(published, made, distance, grid);
   }
 
   /** One model per formulation and closure: the first two differ in their equations. */
@@ -170,8 +183,7 @@ public final class ModelReport {
     for (Candidate candidate : candidates) {
       Method method = candidate.method();
       String name = new Method(method.formulation(), method.closure(), "").name().strip();
-      sources.putIfAbsent(
-          name, new ReferenceMaker.Source(name, () -> new ModelProblem(candidate.equations())));
+      sources.putIfAbsent(name, new ReferenceMaker.Source(name, candidate::problem));
     }
     return List.copyOf(sources.values());
   }

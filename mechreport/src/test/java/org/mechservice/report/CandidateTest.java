@@ -32,15 +32,4 @@ class CandidateTest {
     assertThat(candidate(model).equations()).isSameAs(model);
     assertThat(candidate(new WatchedModel(model, events(List.of()))).equations()).isSameAs(model);
   }
-
-  @Test
-  void eventsChangeTheStateOnTheWayAndJumpsOfForcesDoNot() {
-    Model model = new PlanarPendulum(0);
-    List<ModelEvents.Kind> one =
-        List.of(
-            new ModelEvents.Kind("stop", ModelEvents.Direction.RISING, ModelEvents.Action.STOP));
-    assertThat(candidate(model).isChangedOnTheWay()).isFalse();
-    assertThat(candidate(new WatchedModel(model, events(List.of()))).isChangedOnTheWay()).isFalse();
-    assertThat(candidate(new WatchedModel(model, events(one))).isChangedOnTheWay()).isTrue();
-  }
 }

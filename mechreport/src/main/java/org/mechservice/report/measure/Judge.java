@@ -19,6 +19,9 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
   /** Beyond this floor nothing can be said about eight digits. */
   private static final double CUT = 1e-9;
 
+  /** A reference for a bound is known to this part of it. */
+  private static final double OF_BOUND = 1e-3;
+
   /** What is made here must agree with what came with the product so well. */
   private static final double AGREES = 1e-6;
 
@@ -55,42 +58,70 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
       ReferenceMaker maker,
       StateDistance distance,
       RunGrid uniform) {
-    Optional<RunGrid> meeting = published.flatMap(reference -> RunGrid.meeting(reference.times()));
-    double[] times = meeting.isPresent() ? published.orElseThrow().times() : uniform.times();
-    Optional<Reference> made = maker.make(sources, times);
+    return of(published, maker.make(sources, times(published, uniform)), distance, uniform);
+  }
+
+  /** Returns the times a reference is to be made for: where one came with the product, its own. */
+  public static double[] times(Optional<PublishedReference> published, RunGrid uniform) {
+    return meeting(published).isPresent() ? published.orElseThrow().times() : uniform.times();
+  }
+
+  private static Optional<RunGrid> meeting(Optional<PublishedReference> published) {
+    return published.flatMap(reference -> RunGrid.meeting(reference.times()));
+  }
+
+  /**
+   * Finds a scene's judge.
+   *
+   * @param published what came with the product
+   * @param made what was made here, at {@link #times}
+   * @param uniform output times if there is no other reason
+   */
+  public static Judge of(
+      Optional<PublishedReference> published,
+      Optional<Reference> made,
+      StateDistance distance,
+      RunGrid uniform) {
+    Optional<RunGrid> meeting = meeting(published);
     if (meeting.isEmpty()) {
       return made.map(reference -> cut(reference, uniform)).orElseGet(() -> none(uniform));
     }
-    return join(published.orElseThrow(), made, distance, meeting.get());
+    PublishedReference given =
+        made.map(reference -> published.orElseThrow().at(reference.times()))
+            .orElseGet(published::orElseThrow);
+    return join(given, made, distance, meeting.get());
+  }
+
+  /**
+   * Takes a reference for runs that are to keep a bound: it need tell no errors far below that.
+   *
+   * @param made empty if no code has made one
+   * @param grid output times that meet it
+   */
+  public static Judge ofBound(Optional<Reference> made, RunGrid grid, double bound) {
+    double known = Math.max(CUT, OF_BOUND * bound);
+    return made.map(reference -> cut(reference, grid, known)).orElseGet(() -> none(grid));
   }
 
   /** Takes what came with the product without making another. */
   public static Judge trusting(PublishedReference published) {
-    Reference reference =
-        new Reference(
-            published.times(),
-            published.states(),
-            published.floor(),
-            published.floor(),
-            Optional.empty(),
-            List.of("Reference: the one that comes with the product. " + published.how() + "."));
     RunGrid grid = RunGrid.meeting(published.times()).orElseThrow();
-    return cut(reference, grid);
+    return cut(given(published), grid);
   }
 
-  /** Judges nothing, where the state is changed on the way. */
-  public static Judge ofChanges(RunGrid grid) {
-    return none(
-        grid,
-        "Events or kinks of prescribed motions change the state on the way, which the codes that"
-            + " make references do not know, so errors are not known.");
+  /** Returns what came with the product as a reference. */
+  public static Reference given(PublishedReference published) {
+    return new Reference(
+        published.times(),
+        published.states(),
+        published.floor(),
+        published.floor(),
+        Optional.empty(),
+        List.of("Reference: the one that comes with the product. " + published.how() + "."));
   }
 
   private static Judge none(RunGrid grid) {
-    return none(grid, "No reference code solved the scene in its time, so errors are not known.");
-  }
-
-  private static Judge none(RunGrid grid, String why) {
+    String why = "No reference code solved the scene in its time, so errors are not known.";
     return new Judge(Optional.empty(), grid, List.of(), why);
   }
 
@@ -118,8 +149,10 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
     if (apart > AGREES) {
       return disagreeing(published, made.orElseThrow(), apart, grid);
     }
+    List<Double> jumps = made.map(Reference::jumps).orElse(List.of());
     return cut(
-        new Reference(published.times(), published.states(), floor, floor, amplification, said),
+        new Reference(
+            published.times(), published.states(), floor, floor, amplification, jumps, said),
         grid);
   }
 
@@ -145,6 +178,7 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
             published.floor(),
             published.floor(),
             made.amplification(),
+            made.jumps(),
             List.of("Reference: the one that comes with the product. " + published.how() + "."));
     Judge kept = cut(outlier ? made : shipped, grid);
     return new Judge(kept.reference(), kept.grid(), kept.said(), doubt);
@@ -152,8 +186,12 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
 
   /** Keeps the times at which the reference can tell errors that matter, but two at least. */
   static Judge cut(Reference reference, RunGrid grid) {
+    return cut(reference, grid, CUT);
+  }
+
+  private static Judge cut(Reference reference, RunGrid grid, double known) {
     int count = reference.times().length;
-    while (count > 2 && unknownAt(reference, count - 1) > CUT) {
+    while (count > 2 && unknownAt(reference, count - 1) > known) {
       count--;
     }
     List<String> said = new ArrayList<>(reference.sources());
@@ -162,14 +200,15 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
           String.format(
               Locale.ROOT,
               "The interval is cut at %.4g s: at the next time the reference is known to %.1e only"
-                  + "%s, and errors of 1e-9 could not be told.",
+                  + "%s, and errors of %.0e could not be told.",
               reference.times()[count - 1],
               unknownAt(reference, count),
-              grownTo(reference, count)));
+              grownTo(reference, count),
+              known));
     }
     Reference kept = reference.upTo(count);
     String doubt = "";
-    if (kept.worstFloor() > USEFUL || disagree(reference)) {
+    if (kept.worstFloor() > Math.max(USEFUL, known) || disagree(reference, known)) {
       doubt =
           String.format(
               Locale.ROOT,
@@ -199,10 +238,10 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
   }
 
   /** Whether codes differ where they should not, by far more than a motion amplifies rounding. */
-  private static boolean disagree(Reference reference) {
+  private static boolean disagree(Reference reference, double known) {
     for (int i = 0; i < reference.floor().length; i++) {
       double explained = EXPLAINED * Math.max(reference.rounding()[i], Math.ulp(1.0));
-      if (reference.floor()[i] > Math.max(CUT, explained)) {
+      if (reference.floor()[i] > Math.max(known, explained)) {
         return true;
       }
     }

@@ -6,6 +6,7 @@ import java.io.UncheckedIOException;
 import java.lang.management.ManagementFactory;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -149,6 +150,9 @@ public final class MethodRunner implements AutoCloseable {
       double seconds,
       long bytes) {
     String cause = cause(report.outcome(), limitSeconds);
+    if (cause.isEmpty() && !rows.complete()) {
+      cause = String.format(Locale.ROOT, "ended too early: its events stopped it at %.6g s", rows.time());
+    }
     return new MeasuredRun(
         candidate.method().name(),
         tolerance,
@@ -185,7 +189,7 @@ public final class MethodRunner implements AutoCloseable {
       return failed.failure().message();
     }
     return outcome instanceof Outcome.Stopped
-        ? NOT_FINISHED + String.format(java.util.Locale.ROOT, "%.3g s", limitSeconds)
+        ? NOT_FINISHED + String.format(Locale.ROOT, "%.3g s", limitSeconds)
         : "";
   }
 
@@ -230,12 +234,13 @@ public final class MethodRunner implements AutoCloseable {
     watch.shutdownNow();
   }
 
-  /** Keeps the rows of a run. */
+  /** Keeps the rows of a run that are on the grid; events may add others. */
   private static final class Rows implements ResultSink {
     private final RunGrid grid;
     private final double end;
     private double[][] states = new double[0][];
     private double[] last = new double[0];
+    private double time = Double.NaN;
 
     Rows(RunGrid grid, double end) {
       this.grid = grid;
@@ -249,9 +254,22 @@ public final class MethodRunner implements AutoCloseable {
 
     @Override
     public void row(double[] values) {
-      int row = Math.min(grid.row(values[0]), states.length - 1);
-      System.arraycopy(values, 1, states[row], 0, states[row].length);
-      last = states[row];
+      time = values[0];
+      int row = Math.min(grid.row(time), states.length - 1);
+      if (time == end || grid.meets(time)) {
+        System.arraycopy(values, 1, states[row], 0, states[row].length);
+        last = states[row];
+      }
+    }
+
+    /** The time of the last row, s. */
+    double time() {
+      return time;
+    }
+
+    /** Whether the run has come to the end of the interval. */
+    boolean complete() {
+      return time == end;
     }
 
     double[] at(double time) {

@@ -9,6 +9,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.mechservice.report.method.ModelPhases;
+import org.mechservice.report.method.ModelProblem;
 
 /**
  * A reference that comes with the product: made in 80 or 128 bits by a program of its own, or in
@@ -23,6 +25,17 @@ import java.util.Optional;
 public record PublishedReference(String how, double[] times, double[][] states, double[] floor) {
   /** A start that differs by more belongs to another scene of the same name. */
   private static final double SAME_START = 1e-9;
+
+  /**
+   * Returns the reference of a model's name, if there is one that begins where the model does and
+   * nothing parts the model's course: those that come with the product are of smooth motions.
+   */
+  public static Optional<PublishedReference> of(
+      String modelName, ModelProblem problem, double end, StateDistance distance) {
+    return problem.course().map(ModelPhases::isParted).orElse(false)
+        ? Optional.empty()
+        : of(modelName, problem.start(), end, distance);
+  }
 
   /** Returns the reference of a model's name, if there is one that begins where the model does. */
   public static Optional<PublishedReference> of(
@@ -61,6 +74,20 @@ public record PublishedReference(String how, double[] times, double[][] states, 
             Arrays.stream(rows).mapToDouble(row -> row[0]).toArray(),
             Arrays.stream(rows).map(PublishedReference::stateOf).toArray(double[][]::new),
             Arrays.stream(rows).mapToDouble(row -> row[1]).toArray()));
+  }
+
+  /**
+   * Returns the same at some of its times.
+   *
+   * @param some of the times
+   */
+  PublishedReference at(double[] some) {
+    int[] rows = Arrays.stream(some).mapToInt(t -> Arrays.binarySearch(times, t)).toArray();
+    return new PublishedReference(
+        how,
+        some,
+        Arrays.stream(rows).mapToObj(row -> states[row]).toArray(double[][]::new),
+        Arrays.stream(rows).mapToDouble(row -> floor[row]).toArray());
   }
 
   private static double[] stateOf(double[] row) {

@@ -1,5 +1,6 @@
 package org.mechservice.report.measure;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -13,6 +14,7 @@ import java.util.Optional;
  *     rounding
  * @param rounding per time, by how much a start changed by one unit in the last place moves it
  * @param amplification per time, by what a small change of the start has grown; empty if not known
+ * @param jumps at which the state jumps, increasing, s; no time is one of them
  * @param sources how it was made and checked, one sentence each
  */
 @SuppressWarnings("ArrayRecordComponent") // states as the solver hands them out; not changed
@@ -22,9 +24,22 @@ public record Reference(
     double[] floor,
     double[] rounding,
     Optional<double[]> amplification,
+    List<Double> jumps,
     List<String> sources) {
   public Reference {
+    jumps = List.copyOf(jumps);
     sources = List.copyOf(sources);
+  }
+
+  /** Of a motion without jumps. */
+  public Reference(
+      double[] times,
+      double[][] states,
+      double[] floor,
+      double[] rounding,
+      Optional<double[]> amplification,
+      List<String> sources) {
+    this(times, states, floor, rounding, amplification, List.of(), sources);
   }
 
   /** Said of one that a single code has made: its floor then knows nothing of the code's error. */
@@ -45,6 +60,16 @@ public record Reference(
     return times[times.length - 1];
   }
 
+  /** Returns the same with a sentence more; without it if that is empty. */
+  public Reference saying(String sentence) {
+    if (sentence.isEmpty()) {
+      return this;
+    }
+    List<String> all = new ArrayList<>(sources);
+    all.add(sentence);
+    return new Reference(times, states, floor, rounding, amplification, jumps, all);
+  }
+
   /** Returns the first times alone. */
   public Reference upTo(int count) {
     return new Reference(
@@ -53,6 +78,7 @@ public record Reference(
         Arrays.copyOf(floor, count),
         Arrays.copyOf(rounding, count),
         amplification.map(all -> Arrays.copyOf(all, count)),
+        jumps.stream().filter(jump -> jump < times[count - 1]).toList(),
         sources);
   }
 }

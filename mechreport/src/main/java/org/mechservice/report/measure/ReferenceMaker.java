@@ -1,12 +1,14 @@
 package org.mechservice.report.measure;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
+import org.mechservice.report.method.ModelPhases;
 import org.mechservice.report.method.ModelProblem;
 import org.mechservice.report.reference.ExtrapolationCode;
 import org.mechservice.report.reference.RadauCode;
@@ -15,7 +17,8 @@ import org.mechservice.report.reference.ReferenceCode;
 /**
  * Makes a reference: two codes on two formulations, their difference being what is known of its
  * error; a run from a start changed by one unit in the last place, what rounding alone does; and
- * one changed by 1e-9, by what the scene amplifies.
+ * one changed by 1e-9, by what the scene amplifies. What happens along a run parts it into phases
+ * that the codes solve one by one.
  */
 public final class ReferenceMaker {
   /** Tolerance of the collocation codes' estimate, of much lower order than the solution. */
@@ -27,6 +30,9 @@ public final class ReferenceMaker {
   private static final double LOOSER = 1e4;
 
   private static final double AMPLIFIED = 1e-9;
+
+  /** To see how far a run goes: no digit of that matters beyond those of an output interval. */
+  private static final double ROUGH_TOLERANCE = 1e-6;
 
   /** A code beyond this number of unknowns would spend its time in dense matrices. */
   private static final int DENSE_LIMIT = 120;
@@ -40,7 +46,17 @@ public final class ReferenceMaker {
   public record Source(String name, Supplier<ModelProblem> fresh) {}
 
   @SuppressWarnings("ArrayRecordComponent") // states as the codes hand them out; not changed
-  private record Solved(String how, Attempt attempt, double[][] states) {}
+  private record Solved(
+      String how, Attempt attempt, double[][] states, Optional<ModelPhases> course) {
+    List<Double> jumps() {
+      return course.map(ModelPhases::jumps).orElse(List.of());
+    }
+
+    Solved at(int[] kept) {
+      double[][] some = Arrays.stream(kept).mapToObj(i -> states[i]).toArray(double[][]::new);
+      return new Solved(how, attempt, some, course);
+    }
+  }
 
   private record Attempt(Source source, ReferenceCode code, double tolerance) {
     String how() {
@@ -88,9 +104,9 @@ public final class ReferenceMaker {
     List<String> said = new ArrayList<>();
     List<Solved> solved = new ArrayList<>();
     for (Attempt attempt : attempts(sources)) {
-      Optional<double[][]> states = solve(attempt, times, 0);
-      if (states.isPresent()) {
-        solved.add(new Solved(attempt.how(), attempt, states.get()));
+      Optional<Solved> found = solve(attempt, times, 0);
+      if (found.isPresent()) {
+        solved.add(found.get());
         if (solved.size() == 2) {
           break;
         }
@@ -98,7 +114,38 @@ public final class ReferenceMaker {
         said.add(attempt.how() + ": not solved, for " + (long) secondsPerCode + " s at most");
       }
     }
-    return solved.isEmpty() ? Optional.empty() : Optional.of(judged(solved, times, said));
+    return solved.isEmpty() ? Optional.empty() : comparable(solved, times, said);
+  }
+
+  /**
+   * How far a run can be judged.
+   *
+   * @param grid output times
+   * @param why it is not the whole of it, in a sentence; empty if it is
+   */
+  public record Extent(RunGrid grid, String why) {}
+
+  /**
+   * Returns how far a run goes: one that something ends before its time has as many output times,
+   * closer to each other, but for the very last, which another method may not reach.
+   */
+  public Extent extent(Source source, RunGrid whole) {
+    ModelProblem problem = source.fresh().get();
+    double[] times = {whole.start(), whole.start() + whole.step() * (whole.rows() - 1)};
+    if (!problem.course().map(ModelPhases::mayEnd).orElse(false)) {
+      return new Extent(whole, "");
+    }
+    ReferenceCode code =
+        problem.dimension() > DENSE_LIMIT ? new ExtrapolationCode(6) : new RadauCode(5);
+    Optional<double[][]> states =
+        code.solve(problem, times, problem.start(), ROUGH_TOLERANCE, deadline());
+    ModelPhases course = problem.course().orElseThrow();
+    if (states.isEmpty() || states.get().length == times.length) {
+      return new Extent(whole, "");
+    }
+    RunGrid shorter = RunGrid.uniform(whole.start(), course.endTime(), whole.rows() - 1);
+    RunGrid judged = new RunGrid(shorter.start(), shorter.step(), shorter.rows() - 1);
+    return new Extent(judged, course.end());
   }
 
   private List<Attempt> attempts(List<Source> sources) {
@@ -117,14 +164,35 @@ public final class ReferenceMaker {
         new Attempt(second, new RadauCode(5), LOOSER * radauTolerance));
   }
 
-  private Optional<double[][]> solve(Attempt attempt, double[] times, double change) {
+  private Optional<Solved> solve(Attempt attempt, double[] times, double change) {
     ModelProblem problem = attempt.source().fresh().get();
     double[] y0 = problem.start();
     if (change > 0) {
       perturb(problem, times[0], y0, change);
     }
-    long deadline = System.nanoTime() + (long) (secondsPerCode * TimeUnit.SECONDS.toNanos(1));
-    return attempt.code().solve(problem, times, y0, attempt.tolerance(), deadline);
+    return attempt
+        .code()
+        .solve(problem, times, y0, attempt.tolerance(), deadline())
+        .map(states -> new Solved(attempt.how(), attempt, states, problem.course()));
+  }
+
+  private long deadline() {
+    return System.nanoTime() + (long) (secondsPerCode * TimeUnit.SECONDS.toNanos(1));
+  }
+
+  /** Keeps the times that all solutions reach and at which a state that jumps can be compared. */
+  private Optional<Reference> comparable(List<Solved> solved, double[] times, List<String> said) {
+    int reached = solved.stream().mapToInt(one -> one.states().length).min().orElse(0);
+    int[] kept =
+        ClearTimes.of(Arrays.copyOf(times, reached), solved.stream().map(Solved::jumps).toList());
+    if (kept.length < 2) {
+      return Optional.empty();
+    }
+    double[] clear = Arrays.stream(kept).mapToDouble(i -> times[i]).toArray();
+    List<String> all = new ArrayList<>(said);
+    List<ModelPhases> courses = solved.stream().flatMap(one -> one.course().stream()).toList();
+    all.addAll(CourseNotes.of(courses, clear[clear.length - 1], kept.length, times.length));
+    return Optional.of(judged(solved.stream().map(one -> one.at(kept)).toList(), clear, all));
   }
 
   /** Changes every component that is free by the same part of 1 + |y|, signs drawn. */
@@ -175,6 +243,7 @@ public final class ReferenceMaker {
         floor,
         rounding.orElseGet(() -> new double[times.length]),
         amplified.map(ReferenceMaker::perUnit),
+        best.jumps(),
         sources);
   }
 
@@ -187,14 +256,15 @@ public final class ReferenceMaker {
   }
 
   private Optional<double[]> grown(Solved solved, double[] times, double change) {
-    return solve(solved.attempt(), times, change).map(moved -> distances(moved, solved.states()));
+    return solve(solved.attempt(), times, change)
+        .map(moved -> distances(moved.states(), solved.states()));
   }
 
-  private double[] distances(double[][] a, double[][] b) {
-    double[] apart = new double[a.length];
-    for (int i = 0; i < a.length; i++) {
-      apart[i] = distance.of(a[i], b[i]);
-    }
+  /** Where one of them has ended before, nothing is known. */
+  private double[] distances(double[][] moved, double[][] states) {
+    double[] apart = new double[states.length];
+    Arrays.setAll(
+        apart, i -> i < moved.length ? distance.of(moved[i], states[i]) : Double.POSITIVE_INFINITY);
     return apart;
   }
 

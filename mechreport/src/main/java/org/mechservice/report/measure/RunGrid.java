@@ -57,6 +57,11 @@ public record RunGrid(double start, double step, int rows) {
     return times;
   }
 
+  /** Returns whether a time is one of the grid's. */
+  public boolean meets(double time) {
+    return Math.abs(time - start - row(time) * step) <= ROUNDING * step;
+  }
+
   /** Returns the row at a time. */
   public int row(double time) {
     return (int) Math.rint((time - start) / step);

@@ -1,11 +1,9 @@
 package org.mechservice.report.method;
 
-import java.util.List;
 import java.util.function.Supplier;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.WatchedModel;
 
@@ -22,15 +20,12 @@ public record Candidate(Method method, Supplier<Model> models, Solver solver) {
     return (ExplicitModel) WatchedModel.bare(ExtendedModel.bare(models.get()));
   }
 
-  /** Returns whether events or kinks of prescribed motions change the state within a run. */
-  public boolean isChangedOnTheWay() {
-    RunSettings settings = equations().description().defaults();
-    return WatchedModel.eventsOf(ExtendedModel.bare(models.get()))
-        .filter(
-            events -> {
-              List<Double> unused = events.begin(settings.tStart(), settings.tEnd());
-              return !events.kinds().isEmpty();
-            })
-        .isPresent();
+  /** Returns a new instance of the equations of motion with what happens along a run. */
+  public ModelProblem problem() {
+    Model made = ExtendedModel.bare(models.get());
+    ExplicitModel equations = (ExplicitModel) WatchedModel.bare(made);
+    return WatchedModel.eventsOf(made)
+        .map(events -> new ModelProblem(equations, events))
+        .orElseGet(() -> new ModelProblem(equations));
   }
 }

@@ -1,9 +1,12 @@
 package org.mechservice.report.method;
 
+import java.util.Optional;
+import org.mechservice.report.reference.Phases;
 import org.mechservice.report.reference.Problem;
 import org.mechservice.solver.api.DependentStates;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.ModelEvents;
 import org.mechservice.solver.api.ProjectedStates;
 
 /**
@@ -14,12 +17,36 @@ public final class ModelProblem implements Problem {
   private final ExplicitModel model;
   private final int dimension;
   private final double[] closed;
+  private final Optional<ModelPhases> phases;
 
+  /** Of equations along whose solution nothing happens. */
   public ModelProblem(ExplicitModel model) {
+    this(model, Optional.empty());
+  }
+
+  /**
+   * @param events what happens along the solution, made for this object
+   */
+  public ModelProblem(ExplicitModel model, ModelEvents events) {
+    this(model, Optional.of(events));
+  }
+
+  private ModelProblem(ExplicitModel model, Optional<ModelEvents> events) {
     this.model = model;
     ModelDescription description = model.description();
     dimension = description.stateCount();
     closed = new double[dimension];
+    phases = events.map(some -> new ModelPhases(some, this));
+  }
+
+  @Override
+  public Phases phases() {
+    return phases.isPresent() ? phases.get() : Phases.NONE;
+  }
+
+  /** Returns what has happened along the last solution; empty if nothing can happen. */
+  public Optional<ModelPhases> course() {
+    return phases;
   }
 
   @Override
@@ -45,12 +72,25 @@ public final class ModelProblem implements Problem {
   }
 
   @Override
+  public boolean matters(int component) {
+    return independent(component);
+  }
+
+  /** {@inheritDoc} As for runs, it is the scene's. */
+  @Override
+  public double longestStep() {
+    double most = model.description().defaults().maxStep();
+    return most > 0 ? most : Double.POSITIVE_INFINITY;
+  }
+
+  @Override
   public boolean derivative(double t, double[] y, double[] yDot) {
     System.arraycopy(y, 0, closed, 0, dimension);
-    if (model instanceof DependentStates loops && !loops.complete(t, closed)) {
+    double moment = moment(t);
+    if (model instanceof DependentStates loops && !loops.complete(moment, closed)) {
       return false;
     }
-    if (model.derivative(t, closed, yDot) != ExplicitModel.REGULAR) {
+    if (model.derivative(moment, closed, yDot) != ExplicitModel.REGULAR) {
       return false;
     }
     for (double slope : yDot) {
@@ -67,7 +107,7 @@ public final class ModelProblem implements Problem {
       return false;
     }
     if (model instanceof DependentStates loops) {
-      loops.accepted(t, y);
+      loops.accepted(moment(t), y);
     }
     return true;
   }
@@ -75,8 +115,13 @@ public final class ModelProblem implements Problem {
   /** Moves a state onto the constraints. */
   public boolean close(double t, double[] y) {
     if (model instanceof DependentStates loops) {
-      return loops.complete(t, y);
+      return loops.complete(moment(t), y);
     }
-    return !(model instanceof ProjectedStates loops) || loops.project(t, y);
+    return !(model instanceof ProjectedStates loops) || loops.project(moment(t), y);
+  }
+
+  /** Where to evaluate instead of at the very place of a jump of the equations. */
+  private double moment(double t) {
+    return phases.isPresent() ? phases.get().within(t) : t;
   }
 }

@@ -40,17 +40,29 @@ final class HowMeasured {
     html.append("\n<li>").append(budget());
     html.append("\n<li>");
     html.append(String.join(" · ", found.versions().stream().map(Html::escape).toList()));
-    html.append("\n<li>Every single run: <a href=\"").append(Html.escape(found.csv()));
-    html.append("\">").append(Html.escape(found.csv())).append("</a>");
+    html.append("\n<li>Every single run: ").append(link(found.csv()));
+    if (judge.reference().flatMap(Reference::amplification).isPresent()) {
+      String kept = found.csv().replaceFirst("\\.csv$", "-reference.csv");
+      html.append("; what the codes of this report made, to every digit: ").append(link(kept));
+    }
     return html.append("</ul></details>").toString();
+  }
+
+  private static String link(String file) {
+    return "<a href=\"" + Html.escape(file) + "\">" + Html.escape(file) + "</a>";
   }
 
   /** The one definition of the error, in a sentence. */
   static String definition(SceneFindings found) {
     return "Error: the largest |x − x<sub>ref</sub>| / (1 + |x<sub>ref</sub>|) of all positions and"
         + " velocities in SI units, over "
-        + found.judge().reference().map(reference -> reference.times().length).orElse(0)
-        + " times; the same for every method.";
+        + found.judge().reference().map(HowMeasured::times).orElse("no times")
+        + "; the same for every method.";
+  }
+
+  private static String times(Reference reference) {
+    String clear = reference.jumps().isEmpty() ? "" : " clear of the jumps of the state";
+    return reference.times().length + " times" + clear;
   }
 
   private String timing() {

@@ -70,15 +70,21 @@ public final class ScenePage {
     add(
         String.format(
             Locale.ROOT,
-            "<p class=\"sub\">%s · %d degree%s of freedom · %s · %s · %d methods%s · %s</p>",
+            "<p class=\"sub\">%s · %d degree%s of freedom · %s · %s%s · %d methods%s · %s</p>",
             Html.escape(found.file()),
             found.freedoms(),
             found.freedoms() == 1 ? "" : "s",
             loops,
             interval(end),
+            jumps(),
             found.methods().size(),
             found.effort().equals(Effort.QUICK) ? " · quick report" : "",
             Html.escape(found.versions().get(0))));
+  }
+
+  private String jumps() {
+    int jumps = found.judge().reference().map(reference -> reference.jumps().size()).orElse(0);
+    return jumps == 0 ? "" : " · the state jumps " + (jumps == 1 ? "once" : jumps + " times");
   }
 
   /** A run of which only the beginning can be judged says so at once. */

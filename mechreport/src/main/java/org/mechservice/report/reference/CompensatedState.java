@@ -1,6 +1,6 @@
 package org.mechservice.report.reference;
 
-import java.util.Optional;
+import java.util.Arrays;
 
 /**
  * A state that is summed up over many steps: what rounding cuts off one sum is added to the next
@@ -41,27 +41,10 @@ final class CompensatedState {
     return true;
   }
 
-  /** Goes from one time to the next. */
-  interface Advance {
-    /** Returns whether the state could be taken from one time to another. */
-    boolean advance(double from, double to);
-  }
-
-  /**
-   * Returns the states at times, the first of which is now.
-   *
-   * @return empty if one of them is not reached
-   */
-  Optional<double[][]> along(double[] times, Advance code) {
-    double[][] states = new double[times.length][];
-    states[0] = y.clone();
-    for (int k = 1; k < times.length; k++) {
-      if (!code.advance(times[k - 1], times[k])) {
-        return Optional.empty();
-      }
-      states[k] = y.clone();
-    }
-    return Optional.of(states);
+  /** Goes on from another state. */
+  void set(double[] other) {
+    System.arraycopy(other, 0, y, 0, y.length);
+    Arrays.fill(rest, 0);
   }
 
   /** Returns the longest step of equal ones that end at a time, none longer than wished. */

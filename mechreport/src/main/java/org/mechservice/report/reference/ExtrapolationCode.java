@@ -8,8 +8,6 @@ import java.util.Optional;
  * 4, 6, …, without smoothing, error from the last two of the diagonal.
  */
 public final class ExtrapolationCode implements ReferenceCode {
-  private static final double SMALLEST_STEP = 1e-13;
-
   private final int columns;
 
   /**
@@ -27,65 +25,49 @@ public final class ExtrapolationCode implements ReferenceCode {
   @Override
   public Optional<double[][]> solve(
       Problem problem, double[] times, double[] y0, double tolerance, long deadline) {
-    return new Solution(problem, y0, tolerance, deadline).at(times);
+    CompensatedState state = new CompensatedState(y0);
+    Solution steps = new Solution(problem, state, tolerance);
+    double firstStep = (times[times.length - 1] - times[0]) / 100;
+    return new Course(problem, state, steps, tolerance, deadline).through(times, firstStep);
   }
 
   /** One problem in progress. */
-  private final class Solution {
+  private final class Solution implements Course.Steps {
     private final int n;
     private final Problem problem;
     private final double tolerance;
-    private final long deadline;
     private final CompensatedState state;
     private final double[] f0;
     private final double[][] row;
     private final double[] before;
-    private double h;
 
-    Solution(Problem problem, double[] y0, double tolerance, long deadline) {
+    Solution(Problem problem, CompensatedState state, double tolerance) {
       this.problem = problem;
       this.tolerance = tolerance;
-      this.deadline = deadline;
-      n = y0.length;
-      state = new CompensatedState(y0);
+      this.state = state;
+      n = state.y.length;
       f0 = new double[n];
       row = new double[columns][n];
       before = new double[n];
     }
 
-    Optional<double[][]> at(double[] times) {
-      h = (times[times.length - 1] - times[0]) / 100;
-      return state.along(times, this::advance);
+    @Override
+    public double[] increment() {
+      return row[0];
     }
 
-    private boolean advance(double from, double to) {
-      double t = from;
-      double smallest = SMALLEST_STEP * Math.max(Math.abs(to), to - from);
-      while (t < to) {
-        double left = to - t;
-        double step = CompensatedState.equalStep(left, h);
-        if (step < smallest || System.nanoTime() > deadline) {
-          return false;
-        }
-        double error = tryStep(t, step);
-        if (error <= tolerance) {
-          t = step >= left * (1 - 1e-12) ? to : t + step;
-          state.add(row[0]);
-          if (!state.settle(problem, t)) {
-            return false;
-          }
-        }
-        double ratio = tolerance / Math.max(error, 1e-300);
-        double factor = 0.8 * Math.pow(ratio, 1.0 / (2 * columns - 1));
-        h = step * Math.max(0.2, Math.min(error <= tolerance ? 3 : 0.7, factor));
-      }
-      return true;
+    @Override
+    public double next(double step, double error, boolean accepted) {
+      double ratio = tolerance / Math.max(error, 1e-300);
+      double factor = 0.8 * Math.pow(ratio, 1.0 / (2 * columns - 1));
+      return step * Math.max(0.2, Math.min(accepted ? 3 : 0.7, factor));
     }
 
     /**
      * Leaves the increment of y in row[0]; returns the weighted error, infinite if f has no value.
      */
-    private double tryStep(double t, double step) {
+    @Override
+    public double attempt(double t, double step) {
       if (!problem.derivative(t, state.y, f0)) {
         return Double.POSITIVE_INFINITY;
       }

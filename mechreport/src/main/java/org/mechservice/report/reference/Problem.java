@@ -23,4 +23,19 @@ public interface Problem {
   default boolean stepEnded(double t, double[] y) {
     return true;
   }
+
+  /** Returns whether y' depends on a component; it does not if that is found from others. */
+  default boolean matters(int component) {
+    return true;
+  }
+
+  /** Returns the longest step that may be taken: the problem may have brief things to see. */
+  default double longestStep() {
+    return Double.POSITIVE_INFINITY;
+  }
+
+  /** Returns what parts the course of the solution; the same object at every call. */
+  default Phases phases() {
+    return Phases.NONE;
+  }
 }

@@ -1,5 +1,6 @@
 package org.mechservice.report.reference;
 
+import java.util.Arrays;
 import java.util.Optional;
 import org.mechservice.solver.linear.DenseLayout;
 import org.mechservice.solver.linear.DenseLu;
@@ -25,8 +26,6 @@ public final class RadauCode implements ReferenceCode {
   /** As long as a correction below this is not reached, an iteration that stalls has failed. */
   private static final double STALLED = 1e-12;
 
-  private static final double SMALLEST_STEP = 1e-13;
-
   private final RadauTableau tableau;
 
   /**
@@ -44,16 +43,18 @@ public final class RadauCode implements ReferenceCode {
   @Override
   public Optional<double[][]> solve(
       Problem problem, double[] times, double[] y0, double tolerance, long deadline) {
-    return new Solution(problem, y0, tolerance, deadline).at(times);
+    CompensatedState state = new CompensatedState(y0);
+    Solution steps = new Solution(problem, state, tolerance);
+    double firstStep = (times[times.length - 1] - times[0]) / 1000;
+    return new Course(problem, state, steps, tolerance, deadline).through(times, firstStep);
   }
 
   /** One problem in progress. */
-  private final class Solution {
+  private final class Solution implements Course.Steps {
     private final int n;
     private final int s = tableau.stages;
     private final Problem problem;
     private final double tolerance;
-    private final long deadline;
     private final CompensatedState state;
     private final double[] start;
     private final double[][] f;
@@ -62,16 +63,14 @@ public final class RadauCode implements ReferenceCode {
     private final double[] big;
     private final DenseLu stageLu;
     private final DenseLu filterLu;
-    private double h;
     private double factoredStep;
     private boolean jacobianIsNew;
 
-    Solution(Problem problem, double[] y0, double tolerance, long deadline) {
+    Solution(Problem problem, CompensatedState state, double tolerance) {
       this.problem = problem;
       this.tolerance = tolerance;
-      this.deadline = deadline;
-      n = y0.length;
-      state = new CompensatedState(y0);
+      this.state = state;
+      n = state.y.length;
       start = new double[n];
       f = new double[s][n];
       z = new double[s][n];
@@ -81,43 +80,28 @@ public final class RadauCode implements ReferenceCode {
       filterLu = new DenseLu(n);
     }
 
-    Optional<double[][]> at(double[] times) {
-      h = (times[times.length - 1] - times[0]) / 1000;
-      return state.along(times, this::advance);
+    @Override
+    public boolean begin(double t) {
+      return formJacobian(t);
     }
 
-    /** Steps of equal size between output times, as far as the error allows. */
-    private boolean advance(double from, double to) {
-      double t = from;
-      double smallest = SMALLEST_STEP * Math.max(Math.abs(to), to - from);
-      if (!formJacobian(t)) {
-        return false;
+    @Override
+    public double[] increment() {
+      return z[s - 1];
+    }
+
+    @Override
+    public boolean renew(double t) {
+      return !jacobianIsNew && formJacobian(t);
+    }
+
+    @Override
+    public double next(double step, double error, boolean accepted) {
+      if (accepted) {
+        jacobianIsNew = false;
+        return step * growth(error);
       }
-      while (t < to) {
-        double left = to - t;
-        double step = CompensatedState.equalStep(left, h);
-        if (step < smallest || System.nanoTime() > deadline) {
-          return false;
-        }
-        boolean last = step >= left * (1 - 1e-12);
-        double error = tryStep(t, step);
-        if (error <= tolerance) {
-          t = last ? to : t + step;
-          state.add(z[s - 1]);
-          if (!state.settle(problem, t)) {
-            return false;
-          }
-          jacobianIsNew = false;
-          h = step * growth(error);
-        } else if (Double.isInfinite(error) && !jacobianIsNew) {
-          if (!formJacobian(t)) {
-            return false;
-          }
-        } else {
-          h = step * (Double.isInfinite(error) ? 0.3 : Math.min(0.8, growth(error)));
-        }
-      }
-      return true;
+      return step * (Double.isInfinite(error) ? 0.3 : Math.min(0.8, growth(error)));
     }
 
     private double growth(double error) {
@@ -127,12 +111,13 @@ public final class RadauCode implements ReferenceCode {
     }
 
     /** Solves for the stages; returns the weighted error, infinite if they cannot be solved for. */
-    private double tryStep(double t, double step) {
+    @Override
+    public double attempt(double t, double step) {
       if (!problem.derivative(t, state.y, start) || !factor(step)) {
         return Double.POSITIVE_INFINITY;
       }
       for (double[] stage : z) {
-        java.util.Arrays.fill(stage, 0);
+        Arrays.fill(stage, 0);
       }
       double last = Double.POSITIVE_INFINITY;
       for (int iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
@@ -212,7 +197,11 @@ public final class RadauCode implements ReferenceCode {
       if (!problem.derivative(t, y, start)) {
         return false;
       }
+      Arrays.fill(jacobian, 0);
       for (int k = 0; k < n; k++) {
+        if (!problem.matters(k)) {
+          continue;
+        }
         double kept = y[k];
         y[k] = kept + 1.5e-8 * (1 + Math.abs(kept));
         double delta = y[k] - kept;

@@ -14,7 +14,8 @@ public interface ReferenceCode {
    * @param y0 state at the start; not modified
    * @param tolerance of the local error relative to 1 + |y|, in the code's own measure
    * @param deadline {@link System#nanoTime()} after which it gives up
-   * @return one state per time; empty if the code fails or does not end in time
+   * @return one state per time, fewer if the {@linkplain Problem#phases problem} ends its solution
+   *     before; empty if the code fails or does not end in time
    */
   Optional<double[][]> solve(
       Problem problem, double[] times, double[] y0, double tolerance, long deadline);

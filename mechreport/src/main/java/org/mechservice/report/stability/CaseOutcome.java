@@ -9,7 +9,7 @@ import java.util.List;
  * @param methods outcome of each method that fits
  * @param refusal why the model itself was refused; empty if it was not
  * @param warnings of the service
- * @param judge how the reference came about, in one sentence; empty if there is none
+ * @param judge how the reference came about, and what is doubtful; empty if there is none
  */
 public record CaseOutcome(
     ExtremeCase wanted,

@@ -79,7 +79,7 @@ final class StabilityPage {
         verdict,
         wanted.judge().name().toLowerCase(Locale.ROOT),
         moves ? format("%.0e", wanted.bound()) : "–",
-        Double.isNaN(worst) ? "–" : format("%.1e", worst),
+        figure(worst),
         outcome.count(MethodOutcome.Verdict.MET),
         outcome.methods().size(),
         outcome.fewestSteps() == 0 ? "–" : Long.toString(outcome.fewestSteps()));
@@ -119,16 +119,20 @@ final class StabilityPage {
     }
     String times = fewest > 0 ? format(" (%.1f×)", (double) run.steps() / (double) fewest) : "";
     return format(
-        "\n<tr><td>%s<td class=\"%s\">%s<td>%.1e<td>%.1e<td>%d%s<td>%d<td>%d",
+        "\n<tr><td>%s<td class=\"%s\">%s<td>%s<td>%s<td>%d%s<td>%d<td>%d",
         name,
         outcome.verdict() == MethodOutcome.Verdict.MET ? "good" : "flag",
         outcome.verdict().name().toLowerCase(Locale.ROOT).replace('_', ' '),
-        outcome.measured(),
-        run.energyDrift(),
+        figure(outcome.measured()),
+        figure(run.energyDrift()),
         run.steps(),
         times,
         run.rejected(),
         run.evaluations());
+  }
+
+  private static String figure(double value) {
+    return Double.isNaN(value) ? "–" : format("%.1e", value);
   }
 
   private static String shortened(String text) {

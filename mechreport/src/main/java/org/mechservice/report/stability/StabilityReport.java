@@ -98,7 +98,7 @@ public final class StabilityReport {
         outcomes.add(MethodOutcome.of(candidate.method(), run, wanted));
       }
     }
-    String said = judge.reference().isPresent() ? judge.said().get(0) : "";
+    String said = (judge.doubt() + " " + String.join(" ", judge.said())).strip();
     return new CaseOutcome(wanted, outcomes, "", warnings, said);
   }
 
@@ -116,24 +116,24 @@ public final class StabilityReport {
     if (wanted.judge() != ExtremeCase.JudgedBy.REFERENCE) {
       return new Judge(Optional.empty(), grid, List.of(), "");
     }
-    if (candidates.get(0).isChangedOnTheWay()) {
-      return Judge.ofChanges(grid);
-    }
     Map<String, ReferenceMaker.Source> sources = new LinkedHashMap<>();
     for (Candidate candidate : candidates) {
       String name = candidate.method().formulation();
-      sources.putIfAbsent(
-          name, new ReferenceMaker.Source(name, () -> new ModelProblem(candidate.equations())));
+      sources.putIfAbsent(name, new ReferenceMaker.Source(name, candidate::problem));
     }
     double end = model.description().defaults().tEnd();
-    double[] start = new ModelProblem(model).start();
     Optional<PublishedReference> published =
-        PublishedReference.of(wanted.name(), start, end, distance);
+        PublishedReference.of(wanted.name(), candidates.get(0).problem(), end, distance);
     if (published.isPresent() && RunGrid.meeting(published.get().times()).isPresent()) {
-      return Judge.trusting(published.get());
+      RunGrid meeting = RunGrid.meeting(published.get().times()).orElseThrow();
+      return Judge.ofBound(Optional.of(Judge.given(published.get())), meeting, wanted.bound());
     }
     ReferenceMaker maker = new ReferenceMaker(distance, 2 * limitSeconds);
-    return Judge.of(Optional.empty(), List.copyOf(sources.values()), maker, distance, grid);
+    List<ReferenceMaker.Source> all = List.copyOf(sources.values());
+    ReferenceMaker.Extent extent = maker.extent(all.get(0), grid);
+    Optional<Reference> made =
+        maker.make(all, extent.grid().times()).map(reference -> reference.saying(extent.why()));
+    return Judge.ofBound(made, extent.grid(), wanted.bound());
   }
 
   /** Stands for a reference where there is none: the start, at start and end. */

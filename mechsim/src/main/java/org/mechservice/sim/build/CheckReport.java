@@ -65,14 +65,14 @@ public record CheckReport(
     findings.addAll(RunForecast.of(mechanism, model.settings().run()));
     try {
       return new CheckReport(
-          model, scene, loops, findings, Optional.of(generation(model, scene)), "");
+          model, scene, loops, findings, Optional.of(generation(model)), "");
     } catch (ModelBuildException e) {
       String why = String.valueOf(e.getMessage());
       return new CheckReport(model, scene, loops, findings, Optional.empty(), why);
     }
   }
 
-  private static Generation generation(MechmlModel model, SceneAnalysis scene) {
+  private static Generation generation(MechmlModel model) {
     FormulationChoice choice =
         FormulationChoice.of(
             model.settings().formulation(),
@@ -83,21 +83,21 @@ public record CheckReport(
     if (!notGenerated.isEmpty()) {
       return data(choice, notGenerated);
     }
+    BuildOptions options = new BuildOptions(choice.formulation(), Set.of(), model.settings().run());
     Links links = Links.of(model.mechanism());
     Program derivative =
         model.mechanism().closures().isEmpty()
             ? TreeClass.derivative(links, choice)
-            : LoopTermsClass.derive(links, choice).equations();
+            : LoopTermsClass.derive(links, options, choice).equations();
     List<String> noFaster =
         GenerationLimits.noFaster(choice.formulation(), derivative.operationCount());
     if (!noFaster.isEmpty()) {
       return data(choice, noFaster);
     }
-    BuildOptions options = new BuildOptions(choice.formulation(), Set.of(), model.settings().run());
     return new Generation(
         choice.callingForcesOf(model.mechanism()),
         derivative.operationCount(),
-        LeftOut.of(model, scene, links, options, derivative));
+        LeftOut.of(model, links, options, derivative));
   }
 
   private static Generation data(FormulationChoice choice, List<String> notGenerated) {

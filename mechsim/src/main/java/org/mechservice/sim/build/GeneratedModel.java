@@ -6,6 +6,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
+import org.mechservice.sim.build.emit.ValuesPlan;
 import org.mechservice.sim.build.emit.WrittenClass;
 import org.mechservice.solver.api.ForceDeclaration;
 import org.mechservice.solver.api.ForceLoads;
@@ -23,41 +24,49 @@ import org.mechservice.solver.compact.CompactModel;
 public final class GeneratedModel {
   private final WrittenClass written;
   private final Optional<CompactClass> columns;
+  private final Optional<ValuesPlan> values;
   private final String modelName;
   private final String formulation;
   private final String formulationReason;
   private final int operations;
   private final List<Omission> leftOut;
+  private final List<Omission> fromData;
 
   /**
    * @param written what the class computes
    * @param columns what extends it by columns that no code is generated for
+   * @param values what its events watch and assign, and its outputs
    * @param modelName the model's name in its file
    * @param formulation formulation its equations are written in
    * @param formulationReason why this formulation
    * @param operations additions, multiplications and divisions of one evaluation of the derivative
    * @param leftOut what the scene does not need
+   * @param fromData what the data beside the code compute
    */
   GeneratedModel(
       WrittenClass written,
       Optional<CompactClass> columns,
+      Optional<ValuesPlan> values,
       String modelName,
       String formulation,
       String formulationReason,
       int operations,
-      List<Omission> leftOut) {
+      List<Omission> leftOut,
+      List<Omission> fromData) {
     this.written = written;
     this.columns = columns;
+    this.values = values;
     this.modelName = modelName;
     this.formulation = formulation;
     this.formulationReason = formulationReason;
     this.operations = operations;
     this.leftOut = List.copyOf(leftOut);
+    this.fromData = List.copyOf(fromData);
   }
 
   /** Returns the fully qualified name of the class to be instantiated. */
   public String className() {
-    return columns.map(GeneratedModel::name).orElseGet(this::sourceName);
+    return columns.isPresent() ? name(columns.get()) : sourceName();
   }
 
   /** Returns the fully qualified name of the class that has the equations. */
@@ -81,7 +90,12 @@ public final class GeneratedModel {
   SortedMap<String, byte[]> classFiles() {
     SortedMap<String, byte[]> files = new TreeMap<>();
     files.put(sourceName(), written.classFile());
-    columns.ifPresent(further -> files.put(name(further), further.classFile()));
+    if (columns.isPresent()) {
+      files.put(name(columns.get()), columns.get().classFile());
+    }
+    if (values.isPresent()) {
+      files.put(name(values.get()), values.get().classFile());
+    }
     return files;
   }
 
@@ -151,6 +165,11 @@ public final class GeneratedModel {
   /** Returns what the scene does not need. */
   public List<Omission> leftOut() {
     return leftOut;
+  }
+
+  /** Returns what is computed from the data beside the code; nothing of a model that is data. */
+  public List<Omission> fromData() {
+    return fromData;
   }
 
   /** Returns the model's name in its file. */

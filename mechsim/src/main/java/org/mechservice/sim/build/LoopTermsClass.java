@@ -6,12 +6,14 @@ import java.util.Optional;
 import org.mechservice.sim.build.dynamics.EnergyEquations;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.build.dynamics.LoopCode;
+import org.mechservice.sim.build.dynamics.PoseEquations;
 import org.mechservice.sim.build.dynamics.PowerEquations;
 import org.mechservice.sim.build.dynamics.ResidualDerivatives;
 import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.TermsClass;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.closure.CountedAngles;
 import org.mechservice.solver.closure.LoopEquations;
 import org.mechservice.solver.kinematics.TreeGeometry;
@@ -24,8 +26,8 @@ import org.mechservice.solver.mechanism.Mechanism;
 final class LoopTermsClass {
   private LoopTermsClass() {}
 
-  /** Derives the programs that a formulation needs. */
-  static TermsClass derive(Links links, FormulationChoice choice) {
+  /** Derives the programs that a formulation and the columns asked for need. */
+  static TermsClass derive(Links links, BuildOptions options, FormulationChoice choice) {
     Mechanism mechanism = links.mechanism();
     int rows = new LoopEquations(new TreeGeometry(mechanism)).count();
     Program loops = LoopCode.loops(links, rows);
@@ -47,13 +49,16 @@ final class LoopTermsClass {
         equations,
         EnergyEquations.derive(links),
         PowerEquations.ofForces(links),
+        options.columns().contains(ColumnGroup.BODIES)
+            ? Optional.of(PoseEquations.derive(links))
+            : Optional.empty(),
         ofResidual,
         notes(choice, loops, equations, ofResidual));
   }
 
-  /** Forces of users change as their classes say, of which no code can be written. */
+  /** How forces of users change is added by their classes. */
   private static Optional<Program> derivatives(Links links, FormulationChoice choice) {
-    return choice.formulation().equals("RR-JF") && !ModelClass.hasUserForces(links.mechanism())
+    return choice.formulation().equals("RR-JF")
         ? Optional.of(ResidualDerivatives.ofLoops(links))
         : Optional.empty();
   }

@@ -13,11 +13,11 @@ import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.ModelPlan;
 import org.mechservice.sim.build.emit.TermsClass;
 import org.mechservice.sim.build.emit.TermsPlan;
+import org.mechservice.sim.build.emit.ValuesPlan;
 import org.mechservice.sim.build.emit.WrittenClass;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.scene.ModelBuildException;
-import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.closure.ClosedMechanism;
@@ -61,8 +61,8 @@ final class ModelAssembly {
   GeneratedModel analysis(AnalysisTask task) {
     Set<ColumnGroup> further = DataColumns.of(model, options, false);
     further.add(ColumnGroup.JOINTS);
-    CompactClass data = data(further, "", Optional.of(task));
-    return assembled(data, Optional.empty(), choice, 0, List.of());
+    CompactClass data = data(further, "", Optional.empty(), Optional.of(task));
+    return ofData(data, choice);
   }
 
   private GeneratedModel compact(List<String> beyond) {
@@ -71,8 +71,13 @@ final class ModelAssembly {
             ? "compact form, as asked for"
             : "compact form, since no code is generated yet for " + String.join(", ", beyond);
     Set<ColumnGroup> further = DataColumns.of(model, options, mechanism.closures().isEmpty());
-    CompactClass data = data(further, "", Optional.empty());
-    return assembled(data, Optional.empty(), choice.because("; " + form), 0, List.of());
+    CompactClass data = data(further, "", Optional.empty(), Optional.empty());
+    return ofData(data, choice.because("; " + form));
+  }
+
+  private GeneratedModel ofData(CompactClass data, FormulationChoice reason) {
+    Optional<CompactClass> none = Optional.empty();
+    return assembled(data, none, Optional.empty(), reason, 0, List.of(), List.of());
   }
 
   private void requireClosedLoops() {
@@ -91,29 +96,38 @@ final class ModelAssembly {
   private GeneratedModel assembled(
       WrittenClass written,
       Optional<CompactClass> beside,
+      Optional<ValuesPlan> values,
       FormulationChoice reason,
       int operations,
-      List<Omission> leftOut) {
+      List<Omission> leftOut,
+      List<Omission> fromData) {
     return new GeneratedModel(
         written,
         beside,
+        values,
         mechanism.name(),
         choice.formulation(),
         reason.reason(),
         operations,
-        leftOut);
+        leftOut,
+        fromData);
   }
 
   /**
    * @param further columns that are computed from the data
    * @param generated simple name of the class the data are beside; empty if they are the model
+   * @param values what its events watch and assign, and its outputs, if they are code
    */
   private CompactClass data(
-      Set<ColumnGroup> further, String generated, Optional<AnalysisTask> task) {
+      Set<ColumnGroup> further,
+      String generated,
+      Optional<ValuesPlan> values,
+      Optional<AnalysisTask> task) {
     return new CompactClass(
         DataColumns.data(model, options, choice, further),
         BuiltColumns.labels(further),
         generated,
+        values.map(ValuesPlan::simpleName).orElse(""),
         task);
   }
 
@@ -135,8 +149,7 @@ final class ModelAssembly {
     if (!tooLong.isEmpty()) {
       return compact(tooLong);
     }
-    SceneAnalysis scene = SceneAnalysis.of(mechanism);
-    List<Omission> leftOut = LeftOut.of(model, scene, links, options, derivative);
+    List<Omission> leftOut = LeftOut.of(model, links, options, derivative);
     ModelPlan written =
         ModelPlan.of(
             TreeClass.derive(links, options, choice, derivative, derivatives, leftOut),
@@ -146,11 +159,19 @@ final class ModelAssembly {
       return compact(tooLarge);
     }
     Set<ColumnGroup> further = DataColumns.of(model, options, !ModelClass.hasUserForces(mechanism));
+    Optional<ValuesPlan> values = ValuesClass.derive(model, links, options);
     Optional<CompactClass> beside =
         further.isEmpty() && !needsData(model.watchedMechanism())
             ? Optional.empty()
-            : Optional.of(data(further, written.simpleName(), Optional.empty()));
-    return assembled(written, beside, choice.callingForcesOf(mechanism), operations, leftOut);
+            : Optional.of(data(further, written.simpleName(), values, Optional.empty()));
+    return assembled(
+        written,
+        beside,
+        values,
+        choice.callingForcesOf(mechanism),
+        operations,
+        leftOut,
+        FromData.of(model, options, further, Optional.empty()));
   }
 
   /** Parameters, user forces and what happens along a run are kept as data beside the code. */
@@ -164,7 +185,7 @@ final class ModelAssembly {
   /** Code for the terms of the equations; their closure, and what is seldom wanted, from data. */
   private GeneratedModel looped() {
     Links links = Links.of(mechanism);
-    TermsClass terms = LoopTermsClass.derive(links, choice);
+    TermsClass terms = LoopTermsClass.derive(links, options, choice);
     int operations = terms.equations().operationCount();
     List<String> noFaster = GenerationLimits.noFaster(choice.formulation(), operations);
     if (!noFaster.isEmpty()) {
@@ -179,19 +200,24 @@ final class ModelAssembly {
   GeneratedModel looped(Links links, TermsClass terms) {
     TermsPlan written = TermsPlan.of(terms, options.form());
     int operations = terms.equations().operationCount();
-    List<String> tooLarge = tooLarge(written, operations);
+    int ofDerivatives = terms.derivatives().map(Program::operationCount).orElse(0);
+    List<String> tooLarge = tooLarge(written, operations + ofDerivatives);
     if (!tooLarge.isEmpty()) {
       return compact(tooLarge);
     }
-    boolean fromData = choice.formulation().equals("RR-JF") && terms.derivatives().isEmpty();
-    String derivatives = fromData ? "; derivatives of the residual from data" : "";
+    boolean leftToData = choice.formulation().equals("RR-JF") && terms.derivatives().isEmpty();
+    Optional<String> why =
+        leftToData ? Optional.of(GenerationLimits.TOO_LONG_DERIVATIVES) : Optional.empty();
     Set<ColumnGroup> further = DataColumns.of(model, options, false);
+    Optional<ValuesPlan> values = ValuesClass.derive(model, links, options);
     return assembled(
         written,
-        Optional.of(data(further, written.simpleName(), Optional.empty())),
-        choice.because(derivatives).callingForcesOf(mechanism),
+        Optional.of(data(further, written.simpleName(), values, Optional.empty())),
+        values,
+        choice.callingForcesOf(mechanism),
         operations,
-        LeftOut.of(model, SceneAnalysis.of(mechanism), links, options, terms.equations()));
+        LeftOut.of(model, links, options, terms.equations()),
+        FromData.of(model, options, further, why));
   }
 
   /** Tries to write a large class: how many bodies fit depends on their joints and forces. */

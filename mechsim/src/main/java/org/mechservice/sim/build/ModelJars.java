@@ -2,6 +2,7 @@ package org.mechservice.sim.build;
 
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.SortedMap;
@@ -85,12 +86,17 @@ final class ModelJars {
     manifest.put("Mech-Columns", BuiltColumns.labels(BuiltColumns.of(model)));
     manifest.put("Mech-Columns-Shown", BuiltColumns.labels(BuiltColumns.shown(model)));
     manifest.put("Mech-Model-SHA-256", mechmlSha256);
-    manifest.put(
-        "Mech-Left-Out",
-        generated.leftOut().stream()
-            .map(omission -> omission.what() + " (" + omission.why() + ")")
-            .collect(Collectors.joining("; ")));
+    manifest.put("Mech-Left-Out", listed(generated.leftOut()));
+    if (!generated.fromData().isEmpty()) {
+      manifest.put("Mech-From-Data", listed(generated.fromData()));
+    }
     return manifest;
+  }
+
+  private static String listed(List<Omission> omissions) {
+    return omissions.stream()
+        .map(omission -> omission.what() + " (" + omission.why() + ")")
+        .collect(Collectors.joining("; "));
   }
 
   private static String descriptionXml(CompiledModel model) {

@@ -1,9 +1,10 @@
 package org.mechservice.sim.build;
 
 /**
- * Something the generated class does not contain because the scene does not need it.
+ * Something the generated class does not contain: the scene does not need it, or data beside the
+ * class compute it.
  *
  * @param what what was left out, such as {@code loop closures}
- * @param why why the scene does not need it
+ * @param why why
  */
 public record Omission(String what, String why) {}

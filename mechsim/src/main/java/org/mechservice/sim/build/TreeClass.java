@@ -57,7 +57,7 @@ final class TreeClass {
         residual,
         derivatives,
         EnergyEquations.derive(links),
-        options.columns().contains(ColumnGroup.BODIES) && !ModelClass.hasUserForces(mechanism)
+        options.columns().contains(ColumnGroup.BODIES)
             ? Optional.of(PoseEquations.derive(links))
             : Optional.empty(),
         PowerEquations.power(links),

@@ -39,11 +39,20 @@ public final class GenerationLimits {
 
   /**
    * Operations of the derivatives of a residual with loops: the most of which code is generated.
-   * They are evaluated some hundred times in a run, and so seldom compiled to the end. Measured,
-   * code against data: 8 to 15 times as fast at 606 operations, 3 to 12 at 2568; 0.8 at 9478, and
-   * far slower before it is compiled.
+   * They are evaluated some hundred times in a run, and so seldom compiled to the end. Measured in
+   * new processes, processor time of code against data until 300, 1000 and 10 000 evaluations are
+   * done, by projection and by penalty. Without forces, where data are fastest: 0.4, 0.5 and 0.2 (0.4,
+   * 0.6, 0.2) at 4192 operations; 0.7, 0.9, 0.5 (0.9, 1.3, 0.4) at 10 044; 1.2, 1.4, 0.5 (1.0, 1.5,
+   * 0.8) at 46 738; 2.3, 2.1, 1.0 (1.7, 2.4, 1.2) at 76 511. With forces of every kind: from 0.2,
+   * 0.3, 0.1 (0.2, 0.2, 0.1) at 2453 to 0.3, 0.5, 0.2 (0.4, 0.6, 0.2) at 20 000.
    */
-  private static final int MOST_OF_LOOP_DERIVATIVES = 5_000;
+  private static final int MOST_OF_LOOP_DERIVATIVES = 50_000;
+
+  /** Why derivatives of a residual with loops are left to the data. */
+  public static final String TOO_LONG_DERIVATIVES =
+      "they take more than "
+          + MOST_OF_LOOP_DERIVATIVES
+          + " operations, which data evaluate as fast";
 
   /** Returns whether derivatives of a residual with loops are faster as code than from data. */
   public static boolean areWorthCode(int operations) {

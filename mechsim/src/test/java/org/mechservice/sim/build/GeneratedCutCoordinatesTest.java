@@ -199,7 +199,7 @@ class GeneratedCutCoordinatesTest {
   /**
    * A wheel on two slides, which a cut joint holds at the origin, and one that turns in the ground.
    */
-  private static Mechanism wheels(List<LoopClosure> relations, List<ForceElement> forces) {
+  static Mechanism wheels(List<LoopClosure> relations, List<ForceElement> forces) {
     List<Joint> joints =
         List.of(
             Scenes.joint("x", "P", between(Mechanism.ROOT, 0), X, 0, 0),

@@ -134,16 +134,14 @@ class GeneratedLoopsPageTest {
     }
   }
 
-  /** Of RR-JF, whether or not a build would take the code. */
+  /** Of RR-JF. */
   private void derivatives() throws IOException, MechmlException {
     line("");
     line("## Derivatives and energies");
     line("");
     line(
         "RR-JF: derivatives of the residual with what the closure makes of them, and kinetic and"
-            + " potential energy, ns; otherwise as above. Where the derivatives take more than 5000"
-            + " operations a build leaves them to the data: they are evaluated too seldom for long"
-            + " code to be compiled.");
+            + " potential energy, ns; otherwise as above.");
     line("");
     line("| model | closure | derivatives, data | code | energies, data | code | operations |");
     line("|---|---|---|---|---|---|---|");

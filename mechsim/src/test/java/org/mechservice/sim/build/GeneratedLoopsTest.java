@@ -1,12 +1,14 @@
 package org.mechservice.sim.build;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.Objects;
 import java.util.Random;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Tag;
@@ -17,6 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.emit.MethodSizes;
 import org.mechservice.solver.api.BodyPoses;
+import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.DependentStates;
 import org.mechservice.solver.api.Energies;
@@ -89,6 +92,26 @@ class GeneratedLoopsTest {
   }
 
   @ParameterizedTest
+  @MethodSource("scenes")
+  void posesAskedForAreCodeThatAgreesWithTheData(Mechanism mechanism) {
+    BuildOptions options = LoopAgreement.options("DSR", "projection", false);
+    BuildOptions withPoses =
+        new BuildOptions(
+            "DSR", "projection", false, Set.of(ColumnGroup.BODIES), options.settings());
+    assertThat(ModelFactory.generate(Scenes.model(mechanism), withPoses).source())
+        .contains("LoopTerms.OfPoses");
+    BodyPoses code = LoopAgreement.model(Scenes.model(mechanism), withPoses, BodyPoses.class);
+    BodyPoses data = LoopAgreement.data(mechanism, "DSR", "projection", BodyPoses.class);
+    double[] y = RandomTrees.state(3, mechanism);
+    double[] expected = new double[BodyPoses.NUMBERS_PER_BODY * mechanism.bodies().size()];
+    double[] actual = new double[expected.length];
+    data.poses(0.4, y, expected);
+    code.poses(0.4, y, actual);
+    // Other operations in another order: rounding times depth.
+    assertThat(actual).containsExactly(expected, within(1e-12));
+  }
+
+  @ParameterizedTest
   @ValueSource(ints = {1, 3, 5})
   void theClassFileHasTheBitsOfTheCompiledSource(int seed) {
     Mechanism mechanism = LoopAgreement.scene(seed);
@@ -103,17 +126,20 @@ class GeneratedLoopsTest {
 
   @Test
   void derivativesOfTheResidualAreCode() {
-    GeneratedModel generated = generated(LoopAgreement.scene(1), "RR-JF", "projection");
+    Mechanism loops = RandomLoops.on(RandomTrees.tree(1, 12), 1, 2);
+    GeneratedModel generated = generated(loops, "RR-JF", "projection");
     assertThat(generated.source()).contains("implements LoopTerms.OfDerivatives");
-    assertThat(generated.formulationReason()).doesNotContain("from data");
+    assertThat(generated.fromData()).isEmpty();
   }
 
   @Test
   void derivativesTooLongToBeFasterAreLeftToTheDataWithTheirReason() {
-    Mechanism loops = RandomLoops.on(RandomTrees.tree(1, 12), 1, 2);
+    Mechanism loops = RandomLoops.on(RandomTrees.tree(30, 30), 30, 2);
     GeneratedModel generated = generated(loops, "RR-JF", "penalty");
     assertThat(generated.source()).contains("implements LoopTerms.OfResidual");
-    assertThat(generated.formulationReason()).contains("derivatives of the residual from data");
+    assertThat(generated.fromData())
+        .extracting(Omission::what)
+        .containsExactly("derivatives of the residual");
   }
 
   /**

@@ -118,6 +118,17 @@ class GeneratedLoopsWithUserForcesTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"projection", "penalty"})
+  void derivativesOfTheResidualAreCode(String closure) {
+    MechmlModel file =
+        Scenes.model(GeneratedUserForcesTest.pulled(RandomLoops.on(RandomTrees.tree(1, 2), 1, 1)));
+    GeneratedModel generated =
+        ModelFactory.generate(file, LoopAgreement.options("RR-JF", closure, false));
+    assertThat(generated.source()).contains("implements LoopTerms.OfDerivatives");
+    assertThat(generated.fromData()).isEmpty();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"projection", "penalty"})
   void aForceThatIsNotFiniteEndsTheEvaluationWithItsName(String closure) {
     Mechanism mechanism = GeneratedUserForcesTest.pulled(LoopAgreement.scene(1));
     ResidualModel model = LoopAgreement.code(mechanism, "RR", closure, ResidualModel.class);

@@ -97,7 +97,8 @@ record LoopAgreement(
     return RandomLoops.on(forced, seed, 1 + seed % 2);
   }
 
-  private static boolean closes(Mechanism mechanism) {
+  /** Returns whether the loops can be closed at the start. */
+  static boolean closes(Mechanism mechanism) {
     return new ClosedMechanism(mechanism, "DSR", Scenes.SETTINGS).isAssembled();
   }
 
@@ -131,7 +132,7 @@ record LoopAgreement(
         FormulationChoice.of(
             options.formulation(), options.closure(), options.settings(), file.mechanism());
     Links links = Links.of(file.mechanism());
-    TermsClass terms = LoopTermsClass.derive(links, choice);
+    TermsClass terms = LoopTermsClass.derive(links, options, choice);
     return new ModelAssembly(file, options, choice).looped(links, terms);
   }
 

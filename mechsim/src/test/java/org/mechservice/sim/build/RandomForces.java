@@ -38,6 +38,11 @@ final class RandomForces {
 
   /** Returns the tree with some forces of each kind. */
   static Mechanism on(Mechanism tree, long seed) {
+    return of(ForceElement.class, tree, seed);
+  }
+
+  /** Returns the tree with some forces of a kind. */
+  static Mechanism of(Class<? extends ForceElement> kind, Mechanism tree, long seed) {
     RandomForces forces = new RandomForces(seed, tree);
     for (int round = 0; round < 2; round++) {
       forces.addOneOfEach();
@@ -51,7 +56,7 @@ final class RandomForces {
         tree.motions(),
         tree.startRoles(),
         List.of(),
-        forces.forces,
+        forces.forces.stream().filter(kind::isInstance).toList(),
         List.of());
   }
 

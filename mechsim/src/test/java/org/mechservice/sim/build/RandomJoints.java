@@ -35,7 +35,11 @@ final class RandomJoints {
 
   /** Returns a joint of a random type with coordinates and velocities around 1. */
   Joint any(String name, Attachment attachment, Vector3 axis) {
-    JointType type = TYPES.get(random.nextInt(TYPES.size()));
+    return of(TYPES.get(random.nextInt(TYPES.size())), name, attachment, axis);
+  }
+
+  /** Returns a joint of a type with coordinates and velocities around 1. */
+  Joint of(JointType type, String name, Attachment attachment, Vector3 axis) {
     Joint joint =
         forward(name, type, type.hasEulerParameters() ? parallel(attachment) : attachment, axis);
     // Reversed twice it leads outwards again, but the file's sense leads inwards.
@@ -118,7 +122,7 @@ final class RandomJoints {
    * a sin(b t + c), exp(−a t²), or (b t + c) cos(b t + c): motions without kinks, as no code is
    * generated for others.
    */
-  private Expression ofTime() {
+  Expression ofTime() {
     Expression t = new Expression.Time();
     Expression a = Expression.of(number());
     Expression linear = new Expression.Sum(new Expression.Product(Expression.of(number()), t), a);

@@ -53,6 +53,19 @@ final class RandomLoops {
     for (int i = 0; i < count; i++) {
       loops.closures.add(loops.closure("c" + i));
     }
+    return loops.closed(seed);
+  }
+
+  /** Returns the tree with a closure of a kind between its last body and the root. */
+  static Mechanism closedBy(Kind kind, Mechanism tree, long seed) {
+    RandomLoops loops = new RandomLoops(seed, tree);
+    BodyPoint onRoot = new BodyPoint(BodyPoint.ROOT, loops.vector().times(0.5));
+    int last = tree.bodies().size() - 1;
+    loops.closures.add(loops.closure("c", kind, onRoot, last));
+    return loops.closed(seed);
+  }
+
+  private Mechanism closed(long seed) {
     return new Mechanism(
         "loops" + seed,
         tree.root(),
@@ -61,32 +74,49 @@ final class RandomLoops {
         tree.joints(),
         tree.motions(),
         tree.startRoles(),
-        loops.closures,
+        closures,
         tree.forces(),
         tree.parameters());
+  }
+
+  /** What closes a loop. */
+  enum Kind {
+    CUT,
+    ROD,
+    PLANE,
+    LINE,
+    RELATION
   }
 
   private LoopClosure closure(String name) {
     int second = random.nextInt(tree.bodies().size());
     int first = random.nextInt(-1, second);
     BodyPoint onFirst = new BodyPoint(first, vector().times(0.5));
+    // three in seven are cut joints
+    Kind kind = Kind.values()[Math.max(0, random.nextInt(7) - 2)];
+    return closure(name, kind, onFirst, second);
+  }
+
+  /** Returns a closure of a kind between a point and another body. */
+  private LoopClosure closure(String name, Kind kind, BodyPoint onFirst, int second) {
+    int first = onFirst.body();
     Vector3 place = place(first).plus(axes(first).apply(onFirst.position()));
-    return switch (random.nextInt(7)) {
-      case 0, 1, 2 -> cut(name, onFirst, second, place);
-      case 3 -> {
+    return switch (kind) {
+      case CUT -> cut(name, onFirst, second, place);
+      case ROD -> {
         BodyPoint onSecond = new BodyPoint(second, vector().times(0.5));
         Vector3 other = place(second).plus(axes(second).apply(onSecond.position()));
         double mass = random.nextBoolean() ? 0 : 0.5 + random.nextDouble();
         yield new DistanceClosure(
             name, onFirst, onSecond, other.minus(place).norm(), mass, Origin.NONE);
       }
-      case 4 ->
+      case PLANE ->
           new PointOnPlaneClosure(
               name, at(second, place), onFirst, vector().normalized(), Origin.NONE);
-      case 5 ->
+      case LINE ->
           new PointOnLineClosure(
               name, at(second, place), onFirst, vector().normalized(), Origin.NONE);
-      default -> relation(name);
+      case RELATION -> relation(name);
     };
   }
 

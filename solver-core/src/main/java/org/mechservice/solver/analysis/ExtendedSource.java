@@ -34,6 +34,11 @@ public abstract class ExtendedSource extends CompactSource {
     CompactModel data = prepared(asBuilt);
     Model built = super.made(data);
     ExplicitModel model = (ExplicitModel) WatchedModel.bare(built);
-    return new ExtendedModel(built, new FurtherColumns(model, data, groups, userForces()));
+    return new ExtendedModel(built, columns(model, data));
+  }
+
+  /** Outputs are computed beside the model, perhaps by another thread: their code is its own. */
+  private FurtherColumns columns(ExplicitModel model, CompactModel data) {
+    return new FurtherColumns(model, data, groups, userForces(), values(data));
   }
 }

@@ -13,6 +13,7 @@ import org.mechservice.solver.api.MomentumBalance;
 import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.dynamics.WrittenValues;
 import org.mechservice.solver.force.UserForceSource;
 
 /**
@@ -29,6 +30,7 @@ public final class FurtherColumns implements ResultColumns {
   private final Map<ColumnGroup, ColumnValues> groups = new EnumMap<>(ColumnGroup.class);
   private final boolean needsBalance;
   private final Optional<MomentumBalance> momentum;
+  private final Optional<WrittenOutputs> written;
   private final double[] yDot;
 
   /**
@@ -38,11 +40,19 @@ public final class FurtherColumns implements ResultColumns {
    * @param data its mechanism and outputs
    * @param asked groups among constraints, reactions, forces, outputs and momentum
    * @param userForces makes the forces that users have written
+   * @param code evaluates the outputs, if it was written for them
    */
   public FurtherColumns(
-      ExplicitModel model, CompactModel data, Set<ColumnGroup> asked, UserForceSource userForces) {
+      ExplicitModel model,
+      CompactModel data,
+      Set<ColumnGroup> asked,
+      UserForceSource userForces,
+      Optional<WrittenValues> code) {
     this.model = model;
     equations = new EquationsOfMotion(data.mechanism(), userForces);
+    written =
+        code.filter(values -> asked.contains(ColumnGroup.OUTPUTS))
+            .map(values -> new WrittenOutputs(values, data.outputs().size()));
     for (ColumnGroup group : asked) {
       groups.put(group, values(group, data));
     }
@@ -77,7 +87,9 @@ public final class FurtherColumns implements ResultColumns {
   @Override
   public void values(ColumnGroup group, double t, double[] y, double[] values, int at) {
     ColumnValues own = groups.get(group);
-    if (own == null) {
+    if (group == ColumnGroup.OUTPUTS && written.isPresent()) {
+      written.get().write(t, y, values, at);
+    } else if (own == null) {
       // A model without such columns has none to write.
       if (model instanceof ResultColumns columns) {
         columns.values(group, t, y, values, at);

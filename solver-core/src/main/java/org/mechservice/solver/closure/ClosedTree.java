@@ -204,6 +204,12 @@ class ClosedTree {
     energy[1] = world.potentialEnergy() + rods.potentialEnergy(motion) + forces.potentialEnergy();
   }
 
+  /** Writes where the bodies are in a state, and how they move ({@code BodyPoses}). */
+  void poses(double t, double[] y, double[] poses) {
+    motion.sweep(t, y);
+    world.poses(poses);
+  }
+
   /** Writes at a state the power of what has no potential energy, and the sum of its sizes, W. */
   void power(double t, double[] y, double[] power) {
     motion.sweep(t, y);

@@ -2,18 +2,26 @@ package org.mechservice.solver.closure;
 
 import java.util.Arrays;
 import java.util.Optional;
+import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.dynamics.ResidualJacobian;
 import org.mechservice.solver.force.UserForceSource;
 
 /**
  * The equations of a mechanism with loops, evaluated by code that was written for it. The data
- * serve what is asked for seldom: poses, reactions, and the reason where a force has no direction.
+ * serve what is asked for seldom: reactions, poses unless the model was built to put them out, and
+ * the reason where a force has no direction.
  *
  * <p>Code is given the angles of cut joints, from which it counts whole turns, behind the state.
  */
 final class CodedTree extends ClosedTree {
+  /** Where Euler parameters stand among the numbers of a body. */
+  private static final int FIRST_EULER_PARAMETER = 3;
+
+  private static final int EULER_PARAMETERS = 4;
+
   private final LoopTerms terms;
+  private final Optional<LoopTerms.OfPoses> ofPoses;
   private final UserForceSource userForces;
   private final int m;
   private final double[] values;
@@ -53,6 +61,7 @@ final class CodedTree extends ClosedTree {
   CodedTree(ClosedMechanism closed, UserForceSource userForces, LoopTerms terms) {
     super(closed.tree(), userForces);
     this.terms = terms;
+    ofPoses = terms.poses();
     this.userForces = userForces;
     m = loops.count();
     values = new double[LoopTerms.count(m, nv)];
@@ -199,6 +208,22 @@ final class CodedTree extends ClosedTree {
   void power(double t, double[] y, double[] power) {
     Arrays.fill(power, 0);
     terms.power(t, beside(y), power);
+  }
+
+  @Override
+  void poses(double t, double[] y, double[] poses) {
+    if (ofPoses.isEmpty()) {
+      super.poses(t, y, poses);
+      return;
+    }
+    ofPoses.get().poses(t, y, poses);
+    for (int e = FIRST_EULER_PARAMETER; e < poses.length; e += BodyPoses.NUMBERS_PER_BODY) {
+      if (poses[e] < 0) {
+        for (int i = e; i < e + EULER_PARAMETERS; i++) {
+          poses[i] = 0 - poses[i];
+        }
+      }
+    }
   }
 
   /** {@inheritDoc} The data do it where the code has no derivatives, or a force no value. */

@@ -74,9 +74,14 @@ public final class CountedAngles {
     return positions.stream()
         .flatMap(
             position -> position instanceof ClosureCoordinate cut ? Stream.of(cut) : Stream.empty())
-        .filter(cut -> joint(mechanism, cut).type().positionUnit(cut.component()).equals("rad"))
+        .filter(cut -> isAngle(mechanism, cut))
         .distinct()
         .toList();
+  }
+
+  /** Returns whether a position of a cut joint is an angle, whose whole turns are counted. */
+  public static boolean isAngle(Mechanism mechanism, ClosureCoordinate position) {
+    return joint(mechanism, position).type().positionUnit(position.component()).equals("rad");
   }
 
   /** Returns the velocity that belongs to a position of a cut joint, which has one of its own. */

@@ -185,7 +185,6 @@ abstract class LoopModel
 
   @Override
   public final void poses(double t, double[] y, double[] poses) {
-    work.motion.sweep(t, y);
-    work.world.poses(poses);
+    work.poses(t, y, poses);
   }
 }

@@ -1,5 +1,7 @@
 package org.mechservice.solver.closure;
 
+import java.util.Optional;
+import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.ExplicitModel;
 
 /**
@@ -95,6 +97,24 @@ public interface LoopTerms {
    *     force
    */
   void power(double t, double[] y, double[] power);
+
+  /** Returns where the bodies are, if code was written for that. */
+  default Optional<OfPoses> poses() {
+    return this instanceof OfPoses own ? Optional.of(own) : Optional.empty();
+  }
+
+  /** Where the bodies are besides. */
+  interface OfPoses extends LoopTerms {
+    /**
+     * Writes the numbers of {@link BodyPoses}, bodies in file order, except that e0 may be
+     * negative.
+     *
+     * @param t time, s
+     * @param y state [q; v]; not modified
+     * @param poses overwritten
+     */
+    void poses(double t, double[] y, double[] poses);
+  }
 
   /** Terms of the recursive residual besides. */
   interface OfResidual extends LoopTerms {

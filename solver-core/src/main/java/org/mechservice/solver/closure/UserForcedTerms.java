@@ -1,5 +1,9 @@
 package org.mechservice.solver.closure;
 
+import java.util.Arrays;
+import java.util.Optional;
+import org.mechservice.solver.api.Defects;
+import org.mechservice.solver.dynamics.UserForceSlopes;
 import org.mechservice.solver.dynamics.UserLoads;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -24,15 +28,23 @@ public class UserForcedTerms implements LoopTerms {
    * @param generated of the same mechanism, constructed with {@code inputs}
    * @param inputs what {@link UserLoads#inputs} returned
    * @param userForces makes the forces
-   * @return terms of the residual besides, if the code has them
+   * @return terms of the residual and its derivatives besides, if the code has them
    * @throws IllegalArgumentException if a user force cannot be made, or asks for what is not there
    */
   public static LoopTerms of(
       LoopTerms generated, double[] inputs, Mechanism mechanism, UserForceSource userForces) {
     UserLoads loads = new UserLoads(mechanism, userForces, inputs);
+    if (generated instanceof OfDerivatives derivatives) {
+      return new WithDerivatives(derivatives, loads);
+    }
     return generated instanceof OfResidual residual
         ? new WithResidual(residual, loads)
         : new UserForcedTerms(generated, loads);
+  }
+
+  @Override
+  public final Optional<OfPoses> poses() {
+    return generated.poses();
   }
 
   @Override
@@ -62,7 +74,7 @@ public class UserForcedTerms implements LoopTerms {
   }
 
   /** The same with the terms of the recursive residual. */
-  private static final class WithResidual extends UserForcedTerms implements LoopTerms.OfResidual {
+  private static class WithResidual extends UserForcedTerms implements LoopTerms.OfResidual {
     private final LoopTerms.OfResidual generated;
 
     WithResidual(LoopTerms.OfResidual generated, UserLoads loads) {
@@ -71,14 +83,43 @@ public class UserForcedTerms implements LoopTerms {
     }
 
     @Override
-    public void offset(double t, double[] y, double[] terms) {
+    public final void offset(double t, double[] y, double[] terms) {
       generated.offset(t, y, terms);
     }
 
     @Override
-    public int residual(double t, double[] y, double[] a, double[] residual) {
+    public final int residual(double t, double[] y, double[] a, double[] residual) {
       int loaded = loads.evaluate(t, y);
       return loaded == REGULAR ? generated.residual(t, y, a, residual) : loaded;
+    }
+  }
+
+  /** The same with its derivatives. */
+  private static final class WithDerivatives extends WithResidual
+      implements LoopTerms.OfDerivatives {
+    private final LoopTerms.OfDerivatives generated;
+    private final UserForceSlopes slopes;
+
+    WithDerivatives(LoopTerms.OfDerivatives generated, UserLoads loads) {
+      super(generated, loads);
+      this.generated = generated;
+      slopes = new UserForceSlopes(loads);
+    }
+
+    /** {@inheritDoc} Code leaves as they were what only the classes' forces give. */
+    @Override
+    public int derivatives(
+        double t, double[] y, double[] a, double[] lambda, double[] derivatives) {
+      int loaded = loads.evaluate(t, y);
+      if (loaded != REGULAR) {
+        return loaded;
+      }
+      Arrays.fill(derivatives, 0);
+      int result = generated.derivatives(t, y, a, lambda, derivatives);
+      if (result != REGULAR) {
+        return result;
+      }
+      return slopes.addTo(t, derivatives) ? REGULAR : Defects.DEFECT;
     }
   }
 }

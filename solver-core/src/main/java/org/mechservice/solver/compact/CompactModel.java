@@ -3,12 +3,14 @@ package org.mechservice.solver.compact;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.WatchedModel;
 import org.mechservice.solver.closure.LoopTerms;
 import org.mechservice.solver.dynamics.StateEvents;
+import org.mechservice.solver.dynamics.WrittenValues;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
@@ -115,7 +117,7 @@ public record CompactModel(
    * @throws IllegalArgumentException if the formulation or the closure does not suit the mechanism
    */
   public Model model(UserForceSource userForces) {
-    return watched(DataDriven.model(this, userForces));
+    return watched(DataDriven.model(this, userForces), Optional.empty());
   }
 
   /**
@@ -123,14 +125,19 @@ public record CompactModel(
    *
    * @param userForces makes the forces that users have written
    * @param code for this model alone
+   * @param values as for {@link #watched}
    */
-  public Model model(UserForceSource userForces, LoopTerms code) {
-    return watched(DataDriven.coded(this, userForces, code));
+  public Model model(UserForceSource userForces, LoopTerms code, Optional<WrittenValues> values) {
+    return watched(DataDriven.coded(this, userForces, code), values);
   }
 
-  /** Returns a model of the mechanism with the mechanism's events. */
-  public Model watched(Model model) {
-    return somethingHappens() ? new WatchedModel(model, new StateEvents(mechanism)) : model;
+  /**
+   * Returns a model of the mechanism with the mechanism's events.
+   *
+   * @param values code for their expressions, if it was written, for this model alone
+   */
+  public Model watched(Model model, Optional<WrittenValues> values) {
+    return somethingHappens() ? new WatchedModel(model, new StateEvents(mechanism, values)) : model;
   }
 
   /** Returns the values of the parameters, SI units, in order. */

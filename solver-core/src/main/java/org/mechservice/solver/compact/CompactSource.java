@@ -1,9 +1,11 @@
 package org.mechservice.solver.compact;
 
 import java.util.List;
+import java.util.Optional;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.TunableParameter;
+import org.mechservice.solver.dynamics.WrittenValues;
 import org.mechservice.solver.force.UserForceSource;
 
 /** What the class of a model in compact form is, but for its data. */
@@ -24,6 +26,11 @@ public abstract class CompactSource implements ModelSource {
   /** Returns the model of some data; a class beside generated code returns that. */
   protected Object bare(CompactModel data, UserForceSource userForces) {
     return data.model(userForces);
+  }
+
+  /** Returns code for the expressions of events and outputs, if some was generated. */
+  protected Optional<WrittenValues> values(CompactModel data) {
+    return Optional.empty();
   }
 
   /** Returns the model of some data, complete. */

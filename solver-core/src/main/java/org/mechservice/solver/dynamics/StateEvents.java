@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.ModelEvents;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.force.ExpressionInputs;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Event;
@@ -22,38 +21,61 @@ public final class StateEvents implements ModelEvents {
   private final Mechanism mechanism;
   private final List<Kind> kinds;
   private final TreeMotion motion;
-  private final ExpressionInputs triggers;
-  private final List<Assignment> assignments = new ArrayList<>();
-  private final ExpressionInputs values;
+  private final List<Assignment> assignments;
+  private final WrittenValues expressions;
+  private final double[] assigned;
   private final int ownCount;
   private Optional<DrivenJumps> driven = Optional.empty();
 
   /**
    * Prepares the events of a mechanism.
    *
+   * @param code evaluates their expressions, if it was written for them
    * @throws IllegalArgumentException if an expression refers to what the mechanism does not have
    */
-  public StateEvents(Mechanism mechanism) {
+  public StateEvents(Mechanism mechanism, Optional<WrittenValues> code) {
     this.mechanism = mechanism;
     List<Event> events = mechanism.events();
     kinds = events.stream().map(e -> new Kind(e.name(), e.direction(), e.action())).toList();
     motion = new TreeMotion(new TreeGeometry(mechanism));
-    triggers = new ExpressionInputs(motion, events.stream().map(Event::trigger).toList());
+    assignments = assignments(mechanism);
+    assigned = new double[assignments.size()];
+    ownCount = events.size();
+    expressions =
+        code.orElseGet(
+            () ->
+                new EventExpressions(
+                    motion, events.stream().map(Event::trigger).toList(), assigned(mechanism)));
+  }
+
+  /** Prepares the events of a mechanism, their expressions evaluated in its motion. */
+  public StateEvents(Mechanism mechanism) {
+    this(mechanism, Optional.empty());
+  }
+
+  /** Returns what the events of a mechanism assign, in one order for all. */
+  public static List<Expression> assigned(Mechanism mechanism) {
+    return assignments(mechanism).stream().map(Assignment::value).toList();
+  }
+
+  private static List<Assignment> assignments(Mechanism mechanism) {
+    List<Assignment> all = new ArrayList<>();
+    List<Event> events = mechanism.events();
     for (int i = 0; i < events.size(); i++) {
       for (StateChange change : events.get(i).changes()) {
         int q = mechanism.positionOffset(change.joint());
         int v = mechanism.positionCount() + mechanism.velocityOffset(change.joint());
-        assign(i, q, change.positions());
-        assign(i, v, change.velocities());
+        assign(i, q, change.positions(), all);
+        assign(i, v, change.velocities(), all);
       }
     }
-    ownCount = events.size();
-    values = new ExpressionInputs(motion, assignments.stream().map(Assignment::value).toList());
+    return all;
   }
 
-  private void assign(int event, int at, List<Expression> expressions) {
+  private static void assign(
+      int event, int at, List<Expression> expressions, List<Assignment> all) {
     for (int k = 0; k < expressions.size(); k++) {
-      assignments.add(new Assignment(event, at + k, expressions.get(k)));
+      all.add(new Assignment(event, at + k, expressions.get(k)));
     }
   }
 
@@ -69,12 +91,7 @@ public final class StateEvents implements ModelEvents {
 
   @Override
   public void values(double t, double[] y, double[] g) {
-    motion.sweep(t, y);
-    triggers.evaluate(t);
-    triggers.accepted();
-    for (int i = 0; i < ownCount; i++) {
-      g[i] = triggers.value(i);
-    }
+    expressions.triggers(t, y, g);
     if (driven.isPresent()) {
       driven.get().values(t, g, ownCount);
     }
@@ -85,12 +102,10 @@ public final class StateEvents implements ModelEvents {
     if (driven.isPresent()) {
       driven.get().change(occurred, ownCount, t, y);
     }
-    motion.sweep(t, y);
-    values.evaluate(t);
-    values.accepted();
+    expressions.assignments(t, y, assigned);
     for (int i = 0; i < assignments.size(); i++) {
       if (occurred[assignments.get(i).event()]) {
-        y[assignments.get(i).component()] = values.value(i);
+        y[assignments.get(i).component()] = assigned[i];
       }
     }
     normalize(y);

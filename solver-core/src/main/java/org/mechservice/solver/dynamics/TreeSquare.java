@@ -104,6 +104,24 @@ public final class TreeSquare implements TreeElements {
   }
 
   /**
+   * Adds the elements to a matrix, row by row in the order of the state.
+   *
+   * @param dense n² numbers from {@code at}; added to
+   */
+  void addTo(double[] dense, int at) {
+    int n = pattern.size;
+    for (int row = 0; row < n; row++) {
+      int i = pattern.velocityAt[row];
+      dense[at + n * i + i] += diagonal[row];
+      for (int e = pattern.rowStart[row]; e < pattern.rowStart[row + 1]; e++) {
+        int j = pattern.velocityAt[pattern.column[e]];
+        dense[at + n * i + j] += lower[e];
+        dense[at + n * j + i] += upper[e];
+      }
+    }
+  }
+
+  /**
    * Takes the elements from a matrix, row by row in the order of the state.
    *
    * @param dense n² numbers from {@code at}; not modified

@@ -18,7 +18,7 @@ import org.mechservice.solver.mechanism.Mechanism;
 /**
  * Generated code with forces that users have written as classes. Before each evaluation of the code
  * the forces are called, and their loads handed to it as inputs behind the model's parameters.
- * Poses of bodies come from the motion that the forces read.
+ * Poses of bodies that the code does not write come from the motion that the forces read.
  */
 public class UserForcedModel
     implements ExplicitModel, Energies, PowerInput, BodyPoses, Defects, DirectedForces {
@@ -114,6 +114,10 @@ public class UserForcedModel
 
   @Override
   public final void poses(double t, double[] y, double[] poses) {
-    loads.poses(t, y, poses);
+    if (generated instanceof BodyPoses own) {
+      own.poses(t, y, poses);
+    } else {
+      loads.poses(t, y, poses);
+    }
   }
 }

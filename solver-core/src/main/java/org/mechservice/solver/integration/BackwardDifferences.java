@@ -136,19 +136,37 @@ final class BackwardDifferences implements Manifold.History {
   void predict(int k, BackwardFormulas formulas) {
     Arrays.fill(predicted, 0);
     Arrays.fill(psi, 0);
-    for (int m = 1; m <= k; m++) {
-      double share = formulas.gamma(m) / formulas.leading(k);
-      double[] difference = tried[m];
-      for (int l = 0; l < predicted.length; l++) {
-        predicted[l] += difference[l];
-        psi[l] += share * difference[l];
-      }
+    int m = 1;
+    for (; m < k; m += 2) {
+      predictByTwo(m, formulas.share(m, k), formulas.share(m + 1, k));
+    }
+    if (m == k) {
+      predictBy(m, formulas.share(m, k));
     }
     for (int l = 0; l < predicted.length; l++) {
-      predicted[l] += state[l];
+      double start = predicted[l] + state[l];
+      predicted[l] = start;
+      corrected[l] = start;
+      correction[l] = 0;
     }
-    Arrays.fill(correction, 0);
-    System.arraycopy(predicted, 0, corrected, 0, predicted.length);
+  }
+
+  private void predictBy(int m, double share) {
+    double[] difference = tried[m];
+    for (int l = 0; l < predicted.length; l++) {
+      predicted[l] += difference[l];
+      psi[l] += share * difference[l];
+    }
+  }
+
+  /** Two terms in one pass: in small systems the passes cost more than the sums. */
+  private void predictByTwo(int m, double share, double shareAbove) {
+    double[] difference = tried[m];
+    double[] above = tried[m + 1];
+    for (int l = 0; l < predicted.length; l++) {
+      predicted[l] = predicted[l] + difference[l] + above[l];
+      psi[l] = psi[l] + share * difference[l] + shareAbove * above[l];
+    }
   }
 
   /**
@@ -195,18 +213,13 @@ final class BackwardDifferences implements Manifold.History {
 
   /** Accepts the corrected state and forms its differences up to order k + 2. */
   void accept(int k) {
-    double[] next = tried[k + 1];
-    double[] afterNext = tried[k + 2];
-    for (int l = 0; l < correction.length; l++) {
-      afterNext[l] = correction[l] - next[l];
-      next[l] = correction[l];
+    takeUpCorrection(tried[k + 2], tried[k + 1], tried[k]);
+    int m = k - 1;
+    for (; m > 1; m -= 2) {
+      raiseTwo(tried[m - 1], tried[m], tried[m + 1]);
     }
-    for (int m = k; m >= 1; m--) {
-      double[] difference = tried[m];
-      double[] above = tried[m + 1];
-      for (int l = 0; l < difference.length; l++) {
-        difference[l] += above[l];
-      }
+    if (m == 1) {
+      raise(tried[1], tried[2]);
     }
     if (tried != accepted) {
       spare = accepted;
@@ -215,6 +228,29 @@ final class BackwardDifferences implements Manifold.History {
     double[] freed = state;
     state = corrected;
     corrected = freed;
+  }
+
+  /** Forms the differences of orders k + 2, k + 1 and k in one pass. */
+  private void takeUpCorrection(double[] afterNext, double[] next, double[] difference) {
+    for (int l = 0; l < correction.length; l++) {
+      afterNext[l] = correction[l] - next[l];
+      next[l] = correction[l];
+      difference[l] += correction[l];
+    }
+  }
+
+  private static void raise(double[] difference, double[] above) {
+    for (int l = 0; l < difference.length; l++) {
+      difference[l] += above[l];
+    }
+  }
+
+  private static void raiseTwo(double[] below, double[] difference, double[] above) {
+    for (int l = 0; l < difference.length; l++) {
+      double raised = difference[l] + above[l];
+      difference[l] = raised;
+      below[l] += raised;
+    }
   }
 
   /** Carries the state between two steps over. */

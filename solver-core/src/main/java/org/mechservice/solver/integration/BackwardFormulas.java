@@ -30,17 +30,23 @@ public final class BackwardFormulas {
   private final double[] leading = new double[HIGHEST_ORDER + 1];
   private final double[] errorConstant = new double[HIGHEST_ORDER + 1];
 
+  /** Of m in row k. */
+  private final double[][] share = new double[HIGHEST_ORDER + 1][HIGHEST_ORDER + 1];
+
   private BackwardFormulas(double... kappa) {
     for (int k = 1; k <= HIGHEST_ORDER; k++) {
       gamma[k] = gamma[k - 1] + 1.0 / k;
       leading[k] = (1 - kappa[k - 1]) * gamma[k];
       errorConstant[k] = kappa[k - 1] * gamma[k] + 1.0 / (k + 1);
+      for (int m = 1; m <= k; m++) {
+        share[k][m] = gamma[m] / leading[k];
+      }
     }
   }
 
-  /** Returns γ_m. */
-  double gamma(int m) {
-    return gamma[m];
+  /** Returns γ_m / ((1 − κ_k) γ_k), the share of ∇^m in ψ. */
+  double share(int m, int k) {
+    return share[k][m];
   }
 
   /** Returns (1 − κ_k) γ_k, the factor of the unknown. */

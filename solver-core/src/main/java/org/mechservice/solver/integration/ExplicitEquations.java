@@ -29,6 +29,9 @@ final class ExplicitEquations extends StepEquations {
   /** f at the iterate, length n. */
   private final double[] derivative;
 
+  /** Sizes of the terms of the equations, length n. */
+  private final double[] terms;
+
   private int notFiniteComponent;
 
   /**
@@ -48,6 +51,7 @@ final class ExplicitEquations extends StepEquations {
             manifold());
     matrix = new IterationMatrix(solver, manifold());
     derivative = new double[smallSizes.length];
+    terms = new double[smallSizes.length];
   }
 
   @Override
@@ -177,6 +181,40 @@ final class ExplicitEquations extends StepEquations {
     return RightHandSide.firstNotFinite(derivative);
   }
 
+  @Override
+  boolean solved(
+      double hGamma,
+      BackwardDifferences differences,
+      double[] before,
+      double[] left,
+      ErrorNorm norm,
+      double small) {
+    boolean termsKnown = false;
+    for (int l = 0; l < left.length; l++) {
+      double size = Math.abs(left[l]);
+      if (size > BETTER * Math.abs(before[l]) && size * norm.weight(l) > small) {
+        if (!termsKnown) {
+          sizeTerms(hGamma, differences);
+          termsKnown = true;
+        }
+        if (size > ROUNDOFF_OF_TERMS * terms[l]) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  private void sizeTerms(double hGamma, BackwardDifferences differences) {
+    double[] y = differences.corrected();
+    Arrays.fill(terms, 0);
+    jacobian.addMagnitudes(y, terms);
+    for (int l = 0; l < terms.length; l++) {
+      terms[l] = Math.abs(hGamma) * (Math.abs(derivative[l]) + terms[l]);
+      terms[l] += Math.abs(y[l]) + Math.abs(differences.psi[l]);
+    }
+  }
+
   /** {@inheritDoc} In h f they vanish with the step. */
   @Override
   double roundOff(double hGamma, ErrorNorm norm) {
@@ -220,6 +258,7 @@ final class ExplicitEquations extends StepEquations {
 
   @Override
   IterationRules rules(Mode mode) {
+    differencing.watchForJumps(mode != Mode.FAITHFUL);
     return switch (mode) {
       case FAITHFUL -> IterationRules.PUBLISHED;
       case TUNED -> IterationRules.SPARING;

@@ -13,7 +13,8 @@ import org.mechservice.solver.linear.MatrixLayout;
  * Jacobian to the next: where the largest change of f is so small a part of f that round-off eats
  * it, the share grows, at once and with a second difference if nothing else is left of it; where
  * the change is large, the share shrinks for the sake of curvature. Salane, SAND86-1319, 1986. A
- * value that is not finite makes the column be differenced to the other side.
+ * value that is not finite makes the column be differenced to the other side, and one that is
+ * suddenly much steeper than before is looked at again unless told to believe it.
  */
 final class JacobianDifferences {
   private static final double ROUNDOFF = Math.ulp(1.0);
@@ -43,6 +44,8 @@ final class JacobianDifferences {
 
   /** Whether the change in a column was lost in round-off, length n. */
   private final boolean[] lost;
+
+  private final SteepColumns steep;
 
   /** Where to move and how large the terms are that f is the sum of, length n. */
   private double[] direction = {};
@@ -101,6 +104,7 @@ final class JacobianDifferences {
     nextShare = share.clone();
     increment = new double[n];
     lost = new boolean[n];
+    steep = new SteepColumns(layout, groups);
     base = new double[n];
     moved = new double[n];
     movedValue = new double[n];
@@ -121,6 +125,7 @@ final class JacobianDifferences {
   void abandon() {
     baseKnown = false;
     group = 0;
+    steep.abandon();
   }
 
   /** Returns f at the point at which the Jacobian was formed; not to be modified. */
@@ -136,6 +141,25 @@ final class JacobianDifferences {
   void knowMagnitude(double[] magnitude) {
     this.magnitude = magnitude;
     adapting = true;
+  }
+
+  /** Says whether steep columns are looked at again, lest jumps be taken for slopes. */
+  void watchForJumps(boolean watching) {
+    steep.watch(watching);
+  }
+
+  /**
+   * Tells a multiple of a matrix that is part of the next Jacobian and does not jump.
+   *
+   * @param slopes by layout; kept, not modified
+   */
+  void expect(double factor, double[] slopes) {
+    steep.expect(factor, slopes);
+  }
+
+  /** Returns where to write the size of the terms of f that do not depend on x. */
+  double[] otherTerms() {
+    return steep.terms();
   }
 
   /** Says which way time runs, 1 or -1, and with it where slopes lead. */
@@ -158,9 +182,16 @@ final class JacobianDifferences {
     if (attempt != Attempt.STOPPED) {
       baseKnown = false;
       group = 0;
-      System.arraycopy(nextShare, 0, share, 0, share.length);
+      adoptShares();
     }
     return attempt;
+  }
+
+  /** Of a jump, no increment makes a small change. */
+  private void adoptShares() {
+    for (int j = 0; j < share.length; j++) {
+      share[j] = steep.jumped(j) ? share[j] : nextShare[j];
+    }
   }
 
   private Attempt continueEvaluation(DifferencedFunction function, double[] x, double[] jacobian) {
@@ -181,7 +212,7 @@ final class JacobianDifferences {
         return attempt;
       }
     }
-    return Attempt.PASSED;
+    return steep.look(function, moved, base, increment, jacobian);
   }
 
   /** Returns whether the group has a column to be differenced. */
@@ -300,6 +331,7 @@ final class JacobianDifferences {
         continue;
       }
       double slope = steepest(j, jacobian);
+      double first = increment[j];
       move(j, x, 1, larger);
       if (!function.evaluate(moved, movedValue)) {
         return Attempt.STOPPED;
@@ -307,6 +339,8 @@ final class JacobianDifferences {
       moved[j] = x[j];
       if (finite(movedValue) && larger * steepestMoved(j) >= slope) {
         judge(j, larger, writeColumn(j, jacobian));
+      } else {
+        increment[j] = first;
       }
     }
     return Attempt.PASSED;
@@ -343,6 +377,7 @@ final class JacobianDifferences {
     state.numbers(share);
     state.numbers(nextShare);
     state.numbers(base);
+    steep.transfer(state);
     baseKnown = state.flag(baseKnown);
   }
 }

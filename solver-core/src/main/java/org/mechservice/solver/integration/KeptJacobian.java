@@ -96,6 +96,15 @@ final class KeptJacobian {
 
   /** Adds the absolute values of the terms of that product. */
   void addMagnitudes(double[] x, double[] sum) {
+    addMagnitudes(values, x, sum);
+  }
+
+  /** Adds the same of the matrix just formed. */
+  void addMagnitudesOfForming(double[] x, double[] sum) {
+    addMagnitudes(forming, x, sum);
+  }
+
+  private void addMagnitudes(double[] values, double[] x, double[] sum) {
     for (int j = 0; j < x.length; j++) {
       for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
         sum[i] += Math.abs(values[layout.index(i, j)] * x[j]);

@@ -1,5 +1,7 @@
 package org.mechservice.solver.integration;
 
+import java.util.Arrays;
+
 /**
  * Simplified Newton iteration for the correction d of a step: the equations say what is left of
  * them at y* + d and, with the factors of their matrix, which change δ would mend it; d ← d + δ.
@@ -11,6 +13,13 @@ package org.mechservice.solver.integration;
  * or one too slow for four iterations, ends it. A rate is trusted only as long as the factors it
  * was measured with: kept longer it would let steps pass that have not converged. Shampine and
  * Reichelt 1997, §2.
+ *
+ * <p>All this believes in the matrix. Where its derivatives are much steeper than the equations are
+ * now, behind a jump or outside of the narrow zone of a steep friction law, every δ is tiny, though
+ * next to nothing of the equations is solved. So a first δ is taken for granted only if it is of
+ * the size that the rate was measured for, or if the equations, if nothing were stiff, would be
+ * solved as well, or up to their rounding errors; else the rate is measured, and each equation has
+ * to be solved better than before. Programs published do not look.
  */
 final class NewtonIteration {
   private static final int ITERATIONS = 4;
@@ -28,6 +37,11 @@ final class NewtonIteration {
 
   private static final double NEGLIGIBLE_CHANGES = 100;
 
+  /** Sizes of a first change over that for which the rate was measured that it is good for. */
+  private static final double FAMILIAR_LARGER = 100;
+
+  private static final double FAMILIAR_SMALLER = 1e-3;
+
   /** Share of the rate that is remembered from iteration to iteration. */
   private static final double MEMORY = 0.9;
 
@@ -36,7 +50,15 @@ final class NewtonIteration {
 
   private final double[] change;
 
+  /** What was left of the equations before the last change and the one before, length n. */
+  private double[] left;
+
+  private double[] leftBefore;
+
   private final IterationRules rules;
+
+  /** Size of the change after which the rate was measured last. */
+  private double measuredSize;
 
   private double rate;
   private boolean rateKnown;
@@ -55,6 +77,8 @@ final class NewtonIteration {
 
   NewtonIteration(int dimension, IterationRules rules) {
     change = new double[dimension];
+    left = new double[dimension];
+    leftBefore = new double[dimension];
     this.rules = rules;
   }
 
@@ -96,6 +120,7 @@ final class NewtonIteration {
     begun = true;
     iteration = 0;
     seen = 0;
+    Arrays.fill(left, 0);
     negligible = ROUNDOFF * norm.of(differences.predicted);
   }
 
@@ -114,6 +139,7 @@ final class NewtonIteration {
         return Attempt.STOPPED;
       }
       iteration++;
+      keepWhatIsLeft();
       equations.factors().solve(hGamma, change);
       differences.correct(change);
       double size = norm.of(change);
@@ -123,7 +149,7 @@ final class NewtonIteration {
       if (!complete(equations, t, differences)) {
         return end(Attempt.NOT_COMPLETED);
       }
-      if (converged(size)) {
+      if (converged(size, equations, hGamma, differences, norm)) {
         return end(Attempt.PASSED);
       }
       if (hopeless(size)) {
@@ -150,22 +176,48 @@ final class NewtonIteration {
     return attempt;
   }
 
-  private boolean converged(double size) {
-    if (size <= negligible) {
-      if (rules.heedsRoundOff() && iteration > 1) {
-        learnRate(size);
-      }
+  private boolean converged(
+      double size,
+      StepEquations equations,
+      double hGamma,
+      BackwardDifferences differences,
+      ErrorNorm norm) {
+    boolean small = size <= negligible;
+    if (small && !rules.heedsRoundOff()) {
       return true;
     }
-    if (iteration == 1) {
-      return convergedByOldRate(size);
-    }
+    boolean passes = iteration == 1 ? firstPasses(size, small) : laterPasses(size, small);
+    return passes
+        && ((iteration == 1 && familiar(size))
+            || !rules.heedsRoundOff()
+            || equations.solved(hGamma, differences, leftBefore, left, norm, ACCURACY));
+  }
+
+  private boolean firstPasses(double size, boolean small) {
+    return small || convergedByOldRate(size);
+  }
+
+  private boolean laterPasses(double size, boolean small) {
     seen = size / lastSize;
     if (diverges(size)) {
-      return rules.heedsRoundOff() && Math.max(size, lastSize) <= standstill();
+      return rules.heedsRoundOff() && (small || Math.max(size, lastSize) <= standstill());
     }
     learnRate(size);
-    return errorLeft(size) <= ACCURACY;
+    return small || errorLeft(size) <= ACCURACY;
+  }
+
+  /** Returns whether a first change is of a size that the rate was measured for. */
+  private boolean familiar(double size) {
+    return rateKnown
+        && size <= FAMILIAR_LARGER * measuredSize
+        && size >= FAMILIAR_SMALLER * measuredSize;
+  }
+
+  private void keepWhatIsLeft() {
+    double[] freed = leftBefore;
+    leftBefore = left;
+    left = freed;
+    System.arraycopy(change, 0, left, 0, left.length);
   }
 
   private double standstill() {
@@ -184,6 +236,7 @@ final class NewtonIteration {
   private void learnRate(double size) {
     rate = Math.max(rateKnown ? MEMORY * rate : 0, size / lastSize);
     rateKnown = true;
+    measuredSize = lastSize;
     stepsByOldRate = 0;
   }
 
@@ -224,6 +277,7 @@ final class NewtonIteration {
   void transfer(StateTransfer state) {
     rate = state.number(rate);
     rateKnown = state.flag(rateKnown);
+    measuredSize = state.number(measuredSize);
     stepsByOldRate = state.integer(stepsByOldRate);
   }
 }

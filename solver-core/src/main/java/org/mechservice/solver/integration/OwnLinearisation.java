@@ -33,6 +33,10 @@ final class OwnLinearisation implements ResidualLinearisation {
     return system.linearise(formedTime, y, yDot) ? Attempt.PASSED : Attempt.NOT_FINITE;
   }
 
+  /** The system's derivatives are its own affair. */
+  @Override
+  public void watchForJumps(boolean watching) {}
+
   @Override
   public boolean formsMatrix() {
     return false;

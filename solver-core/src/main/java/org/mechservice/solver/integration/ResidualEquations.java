@@ -18,6 +18,11 @@ final class ResidualEquations extends StepEquations {
   private static final double FIRST_STEP_PART = 0.1;
   private static final double FIRST_STEP_SHARE = 1e-3;
 
+  /** Part of a step in which nothing is stiff. */
+  private static final double SHORT = 0x1p-40;
+
+  private static final double GOLDEN_RATIO = 0.6180339887498949;
+
   private final Residual residual;
   private final ResidualLinearisation linearisation;
   private final ConsistentStart start;
@@ -40,6 +45,15 @@ final class ResidualEquations extends StepEquations {
   private final double[] ahead;
 
   private final double[] valueAtStart;
+
+  /** What is left of the equations that are not solved better than before, length n. */
+  private final double[] unsolved;
+
+  /** F where y is moved, length n. */
+  private final double[] moved;
+
+  /** Where F was evaluated last for the iteration. */
+  private double evaluatedTime;
 
   /** Whether F at the start is known from a call that was stopped. */
   private boolean valueKnown;
@@ -74,6 +88,8 @@ final class ResidualEquations extends StepEquations {
     value = new double[n];
     ahead = new double[n];
     valueAtStart = new double[n];
+    unsolved = new double[n];
+    moved = new double[n];
   }
 
   Residual residual() {
@@ -167,6 +183,7 @@ final class ResidualEquations extends StepEquations {
 
   @Override
   boolean evaluate(double t, double hGamma, BackwardDifferences differences, double[] r) {
+    evaluatedTime = t;
     double[] psi = differences.psi;
     double[] correction = differences.correction;
     for (int l = 0; l < iterateSlope.length; l++) {
@@ -266,6 +283,59 @@ final class ResidualEquations extends StepEquations {
     return true;
   }
 
+  /**
+   * {@inheritDoc} Algebraic components are in no test: of systems that have any nothing is said.
+   */
+  @Override
+  boolean solved(
+      double hGamma,
+      BackwardDifferences differences,
+      double[] before,
+      double[] left,
+      ErrorNorm norm,
+      double small) {
+    boolean better = true;
+    for (int l = 0; l < left.length; l++) {
+      boolean row = Math.abs(left[l]) <= BETTER * Math.abs(before[l]);
+      unsolved[l] = row ? 0 : left[l];
+      better &= row || left[l] == 0;
+    }
+    return better
+        || manifold().anyAlgebraic()
+        || slight(hGamma, norm, small)
+        || isRoundOff(differences.corrected());
+  }
+
+  /**
+   * Returns whether what is left would be solved by a small change of y if nothing were stiff, as
+   * nothing is in a step that is short enough; true where that cannot be said. The factors stay.
+   */
+  private boolean slight(double hGamma, ErrorNorm norm, double small) {
+    boolean regular = linearisation.factor(SHORT * hGamma);
+    if (regular) {
+      System.arraycopy(unsolved, 0, ahead, 0, ahead.length);
+      linearisation.solve(SHORT * hGamma, ahead);
+    }
+    linearisation.factor(hGamma);
+    return !regular || norm.of(ahead) <= SHORT * small;
+  }
+
+  /** What rounding makes of F shows where y is moved by some rounding errors. */
+  private boolean isRoundOff(double[] y) {
+    for (int l = 0; l < y.length; l++) {
+      // Parts of either sign, no two alike, so that differences of components move, too.
+      ahead[l] = y[l] + ROUNDOFF_OF_TERMS * (1 - 2 * ((l + 1) * GOLDEN_RATIO % 1)) * y[l];
+    }
+    residual.evaluateAlways(evaluatedTime, ahead, iterateSlope, moved);
+    for (int l = 0; l < y.length; l++) {
+      boolean explained = Math.abs(unsolved[l]) <= Math.abs(moved[l] + unsolved[l]);
+      if (unsolved[l] != 0 && !explained) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   @Override
   double roundOff(double hGamma, ErrorNorm norm) {
     if (!factors().factorAnew(hGamma)) {
@@ -303,6 +373,7 @@ final class ResidualEquations extends StepEquations {
   @Override
   IterationRules rules(Mode mode) {
     asPublished = mode == Mode.FAITHFUL;
+    linearisation.watchForJumps(!asPublished);
     return asPublished ? IterationRules.PUBLISHED : IterationRules.LEARNING;
   }
 

@@ -10,6 +10,9 @@ interface ResidualLinearisation {
   /** Forms the derivatives. */
   Attempt form(double t, double[] y, double[] yDot);
 
+  /** Says whether derivatives by differences look again at what may be a jump. */
+  void watchForJumps(boolean watching);
+
   /** Returns whether {@link #formMatrix} is cheaper than to form both derivatives. */
   boolean formsMatrix();
 

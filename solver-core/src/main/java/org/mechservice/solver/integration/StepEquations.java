@@ -10,6 +10,15 @@ import org.mechservice.solver.integration.IntegratorSettings.Mode;
  * step.
  */
 abstract class StepEquations {
+  /**
+   * What rounding may leave of equations, relative to the size of their terms: these are computed
+   * in many operations, and on closed loops from states found by an iteration of their own.
+   */
+  static final double ROUNDOFF_OF_TERMS = 1e4 * Math.ulp(1.0);
+
+  /** Part of an equation that may be left when it is solved better than before. */
+  static final double BETTER = 0.9;
+
   private final Manifold manifold;
   private final MatrixDrift drift;
   private final StepFactors factors;
@@ -107,6 +116,24 @@ abstract class StepEquations {
 
   /** Returns the component that made the last evaluation not finite; −1 if none did. */
   abstract int notFiniteInEvaluation();
+
+  /**
+   * Returns whether each of the equations is solved better than before, or as well as can be: what
+   * is left of it is made of rounding errors, or would be solved by a small change of the state if
+   * f did not depend on that.
+   *
+   * @param before what was left of the equations before, as {@link #evaluate} gives it; 0 if
+   *     nothing is known
+   * @param left what is left of them
+   * @param small norm of a change that is small
+   */
+  abstract boolean solved(
+      double hGamma,
+      BackwardDifferences differences,
+      double[] before,
+      double[] left,
+      ErrorNorm norm,
+      double small);
 
   /**
    * Returns how far, in units of the tolerance, the rounding errors of the equations move the

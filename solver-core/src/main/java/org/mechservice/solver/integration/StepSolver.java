@@ -139,10 +139,12 @@ final class StepSolver {
     if (attempt != Attempt.PASSED) {
       return attempt;
     }
-    if (!manifold.project(t, differences.corrected())) {
-      return Attempt.NOT_COMPLETED;
+    if (manifold.changesStates()) {
+      if (!manifold.project(t, differences.corrected())) {
+        return Attempt.NOT_COMPLETED;
+      }
+      differences.takeOverCorrected();
     }
-    differences.takeOverCorrected();
     notFiniteComponent = RightHandSide.firstNotFinite(differences.corrected());
     return finite();
   }

@@ -1,5 +1,6 @@
 package org.mechservice.solver.integration;
 
+import java.util.Arrays;
 import org.mechservice.solver.linear.EquilibratedSolver;
 import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.linear.MatrixLayout;
@@ -81,6 +82,12 @@ final class StoredLinearisation implements ResidualLinearisation {
   }
 
   @Override
+  public void watchForJumps(boolean watching) {
+    inState.watchForJumps(watching);
+    inStep.watchForJumps(watching);
+  }
+
+  @Override
   public boolean formsMatrix() {
     return !(system instanceof ResidualJacobianSystem);
   }
@@ -88,6 +95,9 @@ final class StoredLinearisation implements ResidualLinearisation {
   @Override
   public Attempt formMatrix(double t, double[] y, double[] yDot, double hGamma) {
     alongStep.at(t, y, yDot, hGamma);
+    inStep.expect(1 / hGamma, fyDot.values());
+    Arrays.fill(inStep.otherTerms(), 0);
+    fyDot.addMagnitudes(yDot, inStep.otherTerms());
     Attempt attempt = inStep.evaluate(alongStep, y, yDot, fy.forming());
     notFiniteComponent = inStep.notFiniteComponent();
     if (attempt == Attempt.PASSED) {
@@ -147,6 +157,8 @@ final class StoredLinearisation implements ResidualLinearisation {
         return attempt;
       }
       inState.knowValue(inDerivative.value());
+      Arrays.fill(inState.otherTerms(), 0);
+      fyDot.addMagnitudesOfForming(yDot, inState.otherTerms());
       derivativeDone = true;
     }
     stateMoved.at(t, yDot);

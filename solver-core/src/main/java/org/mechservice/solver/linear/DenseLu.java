@@ -102,22 +102,39 @@ public final class DenseLu extends LuFactors {
     for (int k = 0; k < n; k++) {
       swap(b, k);
     }
-    for (int i = 1; i < n; i++) {
-      double sum = b[i];
-      int ofI = i * n;
-      for (int j = 0; j < i; j++) {
-        sum -= lu[ofI + j] * b[j];
-      }
-      b[i] = sum;
+    int i = 0;
+    for (; i < n - 1; i += 2) {
+      eliminatePair(b, i);
     }
-    for (int i = n - 1; i >= 0; i--) {
-      double sum = b[i];
-      int ofI = i * n;
-      for (int j = i + 1; j < n; j++) {
-        sum -= lu[ofI + j] * b[j];
-      }
-      b[i] = sum * inversePivot[i];
+    if (i < n) {
+      b[i] = lessProduct(b[i], i * n, 0, i, b);
     }
+    for (i = n - 1; i >= 0; i--) {
+      b[i] = lessProduct(b[i], i * n, i + 1, n, b) * inversePivot[i];
+    }
+  }
+
+  /** Rows i and i + 1 of L at once: neither waits for the sums of the other. */
+  private void eliminatePair(double[] b, int i) {
+    int row = i * n;
+    int below = row + n;
+    double first = b[i];
+    double second = b[i + 1];
+    for (int j = 0; j < i; j++) {
+      double known = b[j];
+      first -= lu[row + j] * known;
+      second -= lu[below + j] * known;
+    }
+    b[i] = first;
+    b[i + 1] = second - lu[below + i] * first;
+  }
+
+  private double lessProduct(double start, int row, int from, int end, double[] b) {
+    double sum = start;
+    for (int j = from; j < end; j++) {
+      sum -= lu[row + j] * b[j];
+    }
+    return sum;
   }
 
   @Override

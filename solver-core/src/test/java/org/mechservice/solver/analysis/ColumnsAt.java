@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ExplicitModel;
@@ -32,7 +33,8 @@ final class ColumnsAt {
     Model made = data.model(UserForceSource.NONE);
     model = (ExplicitModel) made;
     this.groups = List.of(groups);
-    columns = new FurtherColumns(model, data, Set.of(groups), UserForceSource.NONE);
+    columns =
+        new FurtherColumns(model, data, Set.of(groups), UserForceSource.NONE, Optional.empty());
   }
 
   ColumnsAt(Mechanism mechanism, ColumnGroup... groups) {

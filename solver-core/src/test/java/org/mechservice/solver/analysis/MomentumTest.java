@@ -115,7 +115,8 @@ class MomentumTest {
     CompactModel data = new CompactModel(mechanism, formulation, closure, settings, List.of());
     Model made = data.model(UserForceSource.NONE);
     ExplicitModel bare = (ExplicitModel) WatchedModel.bare(made);
-    return new ExtendedModel(made, new FurtherColumns(bare, data, ASKED, UserForceSource.NONE));
+    return new ExtendedModel(
+        made, new FurtherColumns(bare, data, ASKED, UserForceSource.NONE, Optional.empty()));
   }
 
   private static Model fourBar(String formulation, String closure, double tolerance) {

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.mechservice.solver.api.ColumnGroup;
@@ -52,7 +53,9 @@ class PrescribedModelTest {
       Set<ColumnGroup> further = EnumSet.range(ColumnGroup.CONSTRAINTS, ColumnGroup.OUTPUTS);
       further.retainAll(ColumnGroup.of(groups));
       Model extended =
-          new ExtendedModel(model, new FurtherColumns(model, data, further, UserForceSource.NONE));
+          new ExtendedModel(
+              model,
+              new FurtherColumns(model, data, further, UserForceSource.NONE, Optional.empty()));
       RunRequest request = new RunRequest(settings, ColumnGroup.of(groups));
       report = new RuntimeSolver().run(extended, request, this, new RunControl());
     }

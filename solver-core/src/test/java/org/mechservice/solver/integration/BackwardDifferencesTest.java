@@ -74,14 +74,15 @@ class BackwardDifferencesTest {
 
   @Test
   void formulasDifferentiatePolynomialsOfTheirOrderExactly() {
-    // Without correction they say Σ γ_m ∇^m y_n = h y'(t_{n+1}); here y = t^k, t_n = 0, h = 1.
+    // Without correction they say ψ = h y'(t_{n+1}) / ((1 − κ_k) γ_k); here y = t^k, t_n = 0, h =
+    // 1.
     for (int k = 1; k <= 5; k++) {
       double[] differences = differencesOfPower(k);
-      double slope = 0;
+      double psi = 0;
       for (int m = 1; m <= k; m++) {
-        slope += BackwardFormulas.NDF.gamma(m) * differences[m];
+        psi += BackwardFormulas.NDF.share(m, k) * differences[m];
       }
-      assertThat(slope).isCloseTo(k, within(1e-11));
+      assertThat(psi * BackwardFormulas.NDF.leading(k)).isCloseTo(k, within(1e-11));
     }
   }
 

@@ -231,9 +231,7 @@ final class AutoStudy implements Study {
       return Judge.trusting(published.get());
     }
     List<ReferenceMaker.Source> sources =
-        List.of(
-            new ReferenceMaker.Source(
-                "DTR", () -> new ModelProblem(candidates.get(0).equations())));
+        List.of(new ReferenceMaker.Source("DTR", () -> candidates.get(0).problem()));
     return Judge.of(
         Optional.empty(),
         sources,

@@ -130,7 +130,7 @@ final class AppliedForces {
 
   /** Returns expressions of time, parameters and the state as scalars. */
   List<Scalar> scalars(List<Expression> expressions) {
-    program.section("Parts of the formulas of forces.", "parts");
+    program.section("Formulas.", "formulas");
     return expressions.stream().map(formulas::scalar).toList();
   }
 

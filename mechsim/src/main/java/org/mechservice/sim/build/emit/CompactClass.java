@@ -12,6 +12,7 @@ import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.compact.CompactSource;
 import org.mechservice.solver.dynamics.UserForcedModel;
 import org.mechservice.solver.dynamics.UserLoads;
+import org.mechservice.solver.dynamics.WrittenValues;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.objectweb.asm.ClassWriter;
@@ -29,14 +30,22 @@ import org.objectweb.asm.Type;
  *     empty for none
  * @param generated simple name of the generated class that is extended by columns; empty if the
  *     model itself is data
+ * @param values simple name of the generated class of what events watch and assign and of outputs;
+ *     empty without one
  * @param task what is computed if the model is not integrated in time
  */
 public record CompactClass(
-    CompactModel model, String columns, String generated, Optional<AnalysisTask> task)
+    CompactModel model,
+    String columns,
+    String generated,
+    String values,
+    Optional<AnalysisTask> task)
     implements WrittenClass {
   private static final String TEXT = "java/lang/String";
   private static final String TEXTS = "[Ljava/lang/String;";
   private static final String NOTHING_TO_VOID = "()V";
+  private static final String VALUES =
+      "(" + Type.getDescriptor(CompactModel.class) + ")" + Type.getDescriptor(Optional.class);
   private static final String BARE =
       "("
           + Type.getDescriptor(CompactModel.class)
@@ -81,6 +90,10 @@ public record CompactClass(
         source.line("import " + UserLoads.class.getName() + ";");
       }
     }
+    if (!values.isEmpty()) {
+      source.line("import " + Optional.class.getName() + ";");
+      source.line("import " + WrittenValues.class.getName() + ";");
+    }
     source.blank();
     source.documentation(
         List.of(
@@ -107,7 +120,14 @@ public record CompactClass(
                 + "(p), p, data.mechanism(), userForces)";
       }
       String made = hasLoops() ? "data.model(userForces, " : "data.watched(";
-      source.line("return " + made + code + ");");
+      source.line("return " + made + code + ", values(data));");
+      source.close().blank();
+    }
+    if (!values.isEmpty()) {
+      source.line("@Override");
+      source.open("protected Optional<WrittenValues> values(CompactModel data)");
+      String given = hasParameters() ? "data.parameterValues()" : "";
+      source.line("return Optional.of(new " + values + "(" + given + "));");
       source.close().blank();
     }
     source.line("@Override").open("protected String[] texts()");
@@ -148,6 +168,9 @@ public record CompactClass(
     constructor(file);
     if (!generated.isEmpty()) {
       bare(file);
+    }
+    if (!values.isEmpty()) {
+      values(file);
     }
     texts(file);
     file.visitEnd();
@@ -197,17 +220,32 @@ public record CompactClass(
     if (hasUserForces()) {
       forced(code, data);
     } else {
-      unforced(code, data);
+      made(code, generated);
     }
     String given =
         hasLoops()
             ? Type.getDescriptor(UserForceSource.class) + Type.getDescriptor(LoopTerms.class)
             : model;
+    code.visitVarInsn(Opcodes.ALOAD, 0);
+    code.visitVarInsn(Opcodes.ALOAD, 1);
+    code.visitMethodInsn(Opcodes.INVOKEVIRTUAL, internal(simpleName()), "values", VALUES, false);
     code.visitMethodInsn(
         Opcodes.INVOKEVIRTUAL,
         data,
         hasLoops() ? "model" : "watched",
-        "(" + given + ")" + model,
+        "(" + given + Type.getDescriptor(Optional.class) + ")" + model,
+        false);
+    ClassMethods.end(code, Opcodes.ARETURN);
+  }
+
+  private void values(ClassWriter file) {
+    MethodVisitor code = ClassMethods.begin(file, Opcodes.ACC_PROTECTED, "values", VALUES);
+    made(code, values);
+    code.visitMethodInsn(
+        Opcodes.INVOKESTATIC,
+        Type.getInternalName(Optional.class),
+        "of",
+        "(Ljava/lang/Object;)" + Type.getDescriptor(Optional.class),
         false);
     ClassMethods.end(code, Opcodes.ARETURN);
   }
@@ -238,17 +276,22 @@ public record CompactClass(
         false);
   }
 
-  /** Pushes what was generated, above what is there. */
-  private void unforced(MethodVisitor code, String data) {
-    code.visitTypeInsn(Opcodes.NEW, internal(generated));
+  /** Pushes an instance of a generated class, above what is there. */
+  private void made(MethodVisitor code, String simpleName) {
+    code.visitTypeInsn(Opcodes.NEW, internal(simpleName));
     code.visitInsn(Opcodes.DUP);
     if (hasParameters()) {
       code.visitVarInsn(Opcodes.ALOAD, 1);
-      code.visitMethodInsn(Opcodes.INVOKEVIRTUAL, data, "parameterValues", "()[D", false);
+      code.visitMethodInsn(
+          Opcodes.INVOKEVIRTUAL,
+          Type.getInternalName(CompactModel.class),
+          "parameterValues",
+          "()[D",
+          false);
     }
     code.visitMethodInsn(
         Opcodes.INVOKESPECIAL,
-        internal(generated),
+        internal(simpleName),
         "<init>",
         hasParameters() ? "([D)V" : NOTHING_TO_VOID,
         false);

@@ -16,6 +16,7 @@ import org.mechservice.sim.symbolic.Program;
  * @param equations program of the method of that name
  * @param energy program of the method of that name
  * @param power program of the method of that name
+ * @param poses program of the method of that name, if the poses of the bodies are asked for
  * @param ofResidual programs of the recursive residual, if the formulation has one
  * @param notes further paragraphs of the class comment, for people
  */
@@ -28,6 +29,7 @@ public record TermsClass(
     Program equations,
     Program energy,
     Program power,
+    Optional<Program> poses,
     Optional<OfResidual> ofResidual,
     List<String> notes) {
   /** Returns the program of the derivatives of the residual, if the class has it. */
@@ -46,6 +48,7 @@ public record TermsClass(
         equations,
         energy,
         power,
+        poses,
         ofResidual.map(
             programs -> new OfResidual(programs.offset(), programs.residual(), Optional.empty())),
         notes);

@@ -1,7 +1,7 @@
 package org.mechservice.sim.build.emit;
 
 /** A model's class, ready to be written as Java source or as a class file. Immutable. */
-public sealed interface WrittenClass permits ModelPlan, TermsPlan, CompactClass {
+public sealed interface WrittenClass permits ModelPlan, TermsPlan, ValuesPlan, CompactClass {
   /** Returns the class's simple name. */
   String simpleName();
 

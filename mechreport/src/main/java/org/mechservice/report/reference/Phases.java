@@ -1,0 +1,77 @@
+package org.mechservice.report.reference;
+
+/**
+ * What parts the course of a problem: places at which its equations jump, known before, and zeros
+ * of functions along its solution, at which the state jumps or the solution ends.
+ */
+public interface Phases {
+  /** Of a problem whose course is smooth throughout. */
+  Phases NONE =
+      new Phases() {
+        @Override
+        public int count() {
+          return 0;
+        }
+
+        @Override
+        public boolean values(double t, double[] y, double[] g) {
+          return true;
+        }
+
+        @Override
+        public boolean counts(int function, boolean rising) {
+          return false;
+        }
+
+        @Override
+        public double longestStep() {
+          return Double.POSITIVE_INFINITY;
+        }
+
+        @Override
+        public double nextBreak(double t) {
+          return Double.POSITIVE_INFINITY;
+        }
+
+        @Override
+        public boolean change(boolean[] passed, double t, double[] y) {
+          return true;
+        }
+
+        @Override
+        public void goOn(double t) {}
+      };
+
+  /** Returns the number of functions. */
+  int count();
+
+  /**
+   * Evaluates the functions.
+   *
+   * @param y state as a code has it; not modified
+   * @param g length {@link #count()}; overwritten
+   * @return false if one has no value there
+   */
+  boolean values(double t, double[] y, double[] g);
+
+  /** Returns whether a function's passage through zero, upwards or downwards, ends a phase. */
+  boolean counts(int function, boolean rising);
+
+  /** Returns how far apart two places at most may be at which zeros are looked for. */
+  double longestStep();
+
+  /** Returns the first known place behind {@code t} at which the equations jump, or infinity. */
+  double nextBreak(double t);
+
+  /**
+   * Ends a phase.
+   *
+   * @param passed which functions have passed zero; not modified
+   * @param y state before at entry, after at return
+   * @return false if the solution ends here
+   */
+  boolean change(boolean[] passed, double t, double[] y);
+
+  /** Notes that a new phase begins at {@code t}. */
+  void goOn(double t);
+}

@@ -1,0 +1,19 @@
+package org.mechservice.solver.analysis;
+
+import org.mechservice.solver.dynamics.WrittenValues;
+
+/** What a model's author asked for by expression, evaluated by code written for it. */
+final class WrittenOutputs {
+  private final WrittenValues code;
+  private final double[] outputs;
+
+  WrittenOutputs(WrittenValues code, int count) {
+    this.code = code;
+    outputs = new double[count];
+  }
+
+  void write(double t, double[] y, double[] values, int at) {
+    code.outputs(t, y, outputs);
+    System.arraycopy(outputs, 0, values, at, outputs.length);
+  }
+}

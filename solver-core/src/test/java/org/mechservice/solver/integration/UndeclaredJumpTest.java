@@ -1,0 +1,154 @@
+package org.mechservice.solver.integration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.mechservice.solver.integration.IntegratorSettings.Mode;
+
+/**
+ * A jump that no method is told of is crossed as accurately as asked for, or the run is refused; no
+ * run slides along it to a wrong end.
+ */
+class UndeclaredJumpTest {
+  /**
+   * Tolerances by which a run may err: steps may err by one each, and from a start to an end there
+   * are some hundred or thousand.
+   */
+  private static final double STEPS = 1000;
+
+  /** What happens to friction while the velocity is within the width of its law, in widths. */
+  private static final double WIDTHS = 100;
+
+  private static final int STARTS = 120;
+
+  /** Enough for a run that is not stuck. */
+  private static final long MAX_STEPS = 5000;
+
+  /** Every method with every kind of derivatives. */
+  enum Method {
+    ODE113 {
+      @Override
+      Integrator start(DryFriction friction, double[] y0, double tEnd, IntegratorSettings how) {
+        return begun(new Ode113(how), friction.differenced(), y0, tEnd);
+      }
+    },
+    DE {
+      @Override
+      Integrator start(DryFriction friction, double[] y0, double tEnd, IntegratorSettings how) {
+        return begun(new De(how), friction.differenced(), y0, tEnd);
+      }
+    },
+    SWITCHING {
+      @Override
+      Integrator start(DryFriction friction, double[] y0, double tEnd, IntegratorSettings how) {
+        return begun(new Switching(how), friction.differenced(), y0, tEnd);
+      }
+    },
+    ODE15S_BY_DIFFERENCES {
+      @Override
+      Integrator start(DryFriction friction, double[] y0, double tEnd, IntegratorSettings how) {
+        return begun(new Ode15s(how), friction.differenced(), y0, tEnd);
+      }
+    },
+    ODE15S_BY_DERIVATIVES {
+      @Override
+      Integrator start(DryFriction friction, double[] y0, double tEnd, IntegratorSettings how) {
+        return begun(new Ode15s(how), friction, y0, tEnd);
+      }
+    },
+    ODE15SR_BY_DIFFERENCES {
+      @Override
+      Integrator start(DryFriction friction, double[] y0, double tEnd, IntegratorSettings how) {
+        return begun(new Ode15sR(how), friction.residual(), y0, tEnd);
+      }
+    },
+    ODE15SR_BY_DERIVATIVES {
+      @Override
+      Integrator start(DryFriction friction, double[] y0, double tEnd, IntegratorSettings how) {
+        return begun(new Ode15sR(how), friction.residualWithJacobians(), y0, tEnd);
+      }
+    };
+
+    abstract Integrator start(
+        DryFriction friction, double[] y0, double tEnd, IntegratorSettings how);
+
+    private static Integrator begun(
+        Integrator integrator, OdeSystem system, double[] y0, double tEnd) {
+      integrator.start(system, 0, y0, tEnd);
+      return integrator;
+    }
+
+    private static Integrator begun(
+        Ode15sR integrator, ResidualSystem system, double[] y0, double tEnd) {
+      integrator.start(system, 0, y0, new double[] {0, -y0[0]}, tEnd);
+      return integrator;
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void frictionAsAJumpIsRightOrRefused(Method method) {
+    integrate(method, new DryFriction(0));
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void frictionTooSteepForAnyStepIsRightOrRefused(Method method) {
+    integrate(method, new DryFriction(1e-8));
+  }
+
+  /** The block comes to rest, where f jumps whatever way it moves. */
+  @ParameterizedTest
+  @EnumSource
+  void restOnAJumpEndsTheRunBeforeItCreeps(Method method) {
+    IntegratorSettings how = new IntegratorSettings(1e-7, 1e-8);
+    Integrator integrator = method.start(new DryFriction(0), new double[] {3.3, 0}, 20, how);
+    StepResult result = StepResult.ADVANCED;
+    while (result == StepResult.ADVANCED) {
+      result = integrator.step();
+    }
+    assertThat(result).isEqualTo(StepResult.FAILED);
+    assertThat(integrator.failure().time()).isCloseTo(2 * Math.PI, within(0.01));
+    // A thousand tries that come to nothing are enough; each is narrowed down in some tens.
+    assertThat(integrator.statistics().evaluations()).isLessThan(50_000);
+  }
+
+  private static void integrate(Method method, DryFriction friction) {
+    Random random = new Random(7);
+    Mode[] modes = {Mode.STANDARD, Mode.TUNED, Mode.ACCURATE};
+    for (int i = 0; i < STARTS; i++) {
+      double tolerance = StrictMath.pow(10, -3 - 9 * random.nextDouble());
+      double absolute = tolerance * StrictMath.pow(10, random.nextInt(4) - 2);
+      double start = 0.2 + 9.8 * random.nextDouble();
+      double tEnd = 5 + 25 * random.nextDouble();
+      IntegratorSettings how =
+          new IntegratorSettings(
+              tolerance,
+              List.of(absolute),
+              Double.POSITIVE_INFINITY,
+              0,
+              0,
+              MAX_STEPS,
+              () -> false,
+              modes[i % modes.length]);
+      Integrator integrator = method.start(friction, new double[] {start, 0}, tEnd, how);
+      StepResult result = StepResult.ADVANCED;
+      while (result == StepResult.ADVANCED) {
+        result = integrator.step();
+      }
+      double t = Math.min(tEnd, integrator.time());
+      double allowed = STEPS * Math.max(absolute, tolerance * start) + WIDTHS * friction.width();
+      assertThat(distance(Run.state(integrator, t, 2), DryFriction.exact(start, t)))
+          .as("from %s to %s by %s: %s", start, tEnd, how, result)
+          .isLessThan(allowed);
+    }
+  }
+
+  private static double distance(double[] y, double[] exact) {
+    return Math.max(Math.abs(y[0] - exact[0]), Math.abs(y[1] - exact[1]));
+  }
+}
