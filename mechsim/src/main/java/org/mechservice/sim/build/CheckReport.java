@@ -64,8 +64,7 @@ public record CheckReport(
     findings.addAll(loops.findings());
     findings.addAll(RunForecast.of(mechanism, model.settings().run()));
     try {
-      return new CheckReport(
-          model, scene, loops, findings, Optional.of(generation(model)), "");
+      return new CheckReport(model, scene, loops, findings, Optional.of(generation(model)), "");
     } catch (ModelBuildException e) {
       String why = String.valueOf(e.getMessage());
       return new CheckReport(model, scene, loops, findings, Optional.empty(), why);

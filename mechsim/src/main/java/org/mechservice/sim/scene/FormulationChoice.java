@@ -72,8 +72,7 @@ public record FormulationChoice(String formulation, String closure, String reaso
     }
     return names.isEmpty()
         ? this
-        : because(
-            "; every evaluation calls the classes of forces " + String.join(", ", names));
+        : because("; every evaluation calls the classes of forces " + String.join(", ", names));
   }
 
   private static FormulationChoice open(

@@ -97,9 +97,7 @@ public final class Expressions {
   Scalar unary(Operation operation, Scalar operand) {
     int place = place(operation, operand.id(), -1);
     Scalar node = known[place];
-    return node != null
-        ? node
-        : add(place, operation, List.of(operand), operand.id(), -1, 0, 0);
+    return node != null ? node : add(place, operation, List.of(operand), operand.id(), -1, 0, 0);
   }
 
   /** Returns the node of an operation that needs no simplification, operands in this order. */
@@ -165,8 +163,7 @@ public final class Expressions {
       double value,
       int index) {
     Scalar node =
-        new Scalar(
-            this, nodes.size(), operation, operands, identity, secondIdentity, value, index);
+        new Scalar(this, nodes.size(), operation, operands, identity, secondIdentity, value, index);
     nodes.add(node);
     known[place] = node;
     if (2 * nodes.size() > known.length) {

@@ -107,6 +107,21 @@ class ModelJarsTest {
   }
 
   @Test
+  void theManifestSaysWhatDataComputeAndWhy() {
+    MechmlModel file = Scenes.model(Scenes.pendulum());
+    BuildOptions options =
+        new BuildOptions("DTR", Set.of(ColumnGroup.REACTIONS), Scenes.SETTINGS);
+    CompiledModel model =
+        ModelFactory.compile(file, options, ModelFactory.generate(file, options));
+    assertThat(ModelFactory.modelJar(model, SHA, Packing.QUICK).manifest())
+        .containsEntry(
+            "Mech-From-Data",
+            "reactions (one sweep over the mechanism gives them once for each row of results)");
+    assertThat(ModelFactory.modelJar(pendulum("DE"), SHA, Packing.QUICK).manifest())
+        .doesNotContainKey("Mech-From-Data");
+  }
+
+  @Test
   void theDescriptionListsVariablesWithUnitsAndStart() throws IOException {
     byte[] xml =
         entries(ModelFactory.modelJar(pendulum("DE"), SHA, Packing.SMALLEST))

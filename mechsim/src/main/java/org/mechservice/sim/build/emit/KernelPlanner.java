@@ -29,8 +29,7 @@ final class KernelPlanner {
   private final List<MethodPlan> methods = new ArrayList<>();
   private final List<Step.Call> calls = new ArrayList<>();
 
-  private KernelPlanner(
-      LongSections.Division division, Head head, ConstantTable table, int limit) {
+  private KernelPlanner(LongSections.Division division, Head head, ConstantTable table, int limit) {
     this.program = division.program();
     this.usage = division.usage();
     this.head = head;

@@ -8,8 +8,8 @@ import org.mechservice.sim.symbolic.Scalar;
 /**
  * Divides sections that are too long for a method; what they compute stays in its order.
  *
- * <p>A value that is put out, written out there while its section was whole, gets a place of its own
- * once it stands in another part: parts are divided again until none is too long.
+ * <p>A value that is put out, written out there while its section was whole, gets a place of its
+ * own once it stands in another part: parts are divided again until none is too long.
  */
 final class LongSections {
   /** Values that one part puts out at most. */

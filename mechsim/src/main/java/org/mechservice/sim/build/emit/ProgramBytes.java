@@ -248,7 +248,8 @@ final class ProgramBytes {
       Parameters parameters = Parameters.ofPart(head, plan.arguments(head), fields, 0);
       MethodVisitor code = begin(partName(i), checks, 0);
       steps(code, parameters, parts.get(i));
-      MethodBytes body = new MethodBytes(code, head, parameters, LocalSlots.of(MethodPlan.EMPTY, 0));
+      MethodBytes body =
+          new MethodBytes(code, head, parameters, LocalSlots.of(MethodPlan.EMPTY, 0));
       end(code, body, checks);
     }
     for (int i = 0; i < plan.methods().size(); i++) {
