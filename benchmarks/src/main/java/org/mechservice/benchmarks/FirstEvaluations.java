@@ -32,6 +32,7 @@ public final class FirstEvaluations {
   private static final List<String> SCENES = List.of("pend5", "pend5s", "driver41", "spatial200");
   private static final int[] COUNTS = {1, 100, 1_000, 3_000, 5_000, 10_000};
   private static final int RUNS = 5;
+  private static final int COLD_RUNS = 15;
   private static final int WARM = 40;
   private static final double WARM_MILLIS = 6_000;
 
@@ -43,14 +44,15 @@ public final class FirstEvaluations {
   }
 
   /**
-   * Measures and writes a page.
+   * Measures and writes a page; to be started in the folder of {@code mech}, from a JAR.
    *
    * @param args the page's file; in the processes that are started: what to do, and with what
    */
   public static void main(String[] args) throws IOException, ReflectiveOperationException {
     switch (args[0]) {
       case "evaluate" -> evaluate(args[1]);
-      case "generate" -> generate(args[1]);
+      case "generate" -> System.out.println(bytes(Scenes.named(args[1])));
+      case "generateWarm" -> generateWarm(args[1]);
       default -> {
         Path folder = Files.createTempDirectory("first-evaluations");
         FirstEvaluations all = new FirstEvaluations(folder);
@@ -81,13 +83,12 @@ public final class FirstEvaluations {
     System.out.println(times);
   }
 
-  /** In a new process: generates and compiles, cold and warm, by class bytes and by source. */
-  private static void generate(String scene) {
+  /** In a new process: generates and compiles again and again, by class bytes and by source. */
+  private static void generateWarm(String scene) {
     MechmlModel model = Scenes.named(scene);
-    double cold = bytes(model);
-    double warm = least(() -> bytes(model));
+    double bytes = least(() -> bytes(model));
     double source = least(() -> source(model));
-    System.out.println(cold + " " + warm + " " + source);
+    System.out.println(bytes + " " + source);
   }
 
   private static double least(DoubleSupplier time) {
@@ -160,7 +161,15 @@ public final class FirstEvaluations {
         ModelFactory.compile(model, options, ModelFactory.generate(model, options));
     Path classes = Files.createTempDirectory(folder, scene);
     compiled.classFiles().forEach((name, bytes) -> write(classes, name, bytes));
-    double[] times = medians(classes, "evaluate", compiled.generated().className());
+    String path =
+        classes + System.getProperty("path.separator") + System.getProperty("java.class.path");
+    double[] times =
+        medians(
+            RUNS,
+            List.of(),
+            List.of("-cp", path),
+            "evaluate",
+            compiled.generated().className());
     line("| %s | %s | %s |", scene, form, numbers(times));
     return times;
   }
@@ -180,16 +189,55 @@ public final class FirstEvaluations {
     line("## Generation with compilation (DTR)");
     line("");
     line(
-        "Cold: the first thing a process does. Warm: the least of %d, or of as many as %.0f s hold.",
-        WARM, WARM_MILLIS / 1000);
+        "Cold: the first thing a process does; the median of %d processes on one processor, on two,"
+            + " and on two as `mech` starts them, with its flags and an archive of loaded classes."
+            + " Warm: the least of %d, or"
+            + " of as many as %.0f s hold.",
+        COLD_RUNS, WARM, WARM_MILLIS / 1000);
     line("");
-    line("| model | class bytes, cold | class bytes, warm | through source, warm |");
-    line("|---|---:|---:|---:|");
+    line(
+        "| model | cold, one processor | cold, two | cold, as `mech` starts | class bytes, warm |"
+            + " through source, warm |");
+    line("|---|---:|---:|---:|---:|---:|");
+    List<String> asMechStarts = asMechStarts();
     List<String> scenes = new ArrayList<>(SCENES);
     scenes.add("driver");
     for (String scene : scenes) {
-      line("| %s | %s |", scene, numbers(medians(folder, "generate", scene)));
+      String[] generate = {"generate", scene};
+      double[] warm = started(List.of("taskset", "-c", "0"), List.of(), "generateWarm", scene);
+      line(
+          "| %s | %s | %s | %s | %s |",
+          scene,
+          numbers(medians(COLD_RUNS, List.of("taskset", "-c", "0"), List.of(), generate)),
+          numbers(medians(COLD_RUNS, List.of("taskset", "-c", "0,1"), List.of(), generate)),
+          numbers(medians(COLD_RUNS, List.of("taskset", "-c", "0,1"), asMechStarts, generate)),
+          numbers(warm));
     }
+  }
+
+  /** Makes an archive of what generation loads and returns the flags to start with it. */
+  private List<String> asMechStarts() throws IOException {
+    String script = Files.readString(Path.of("mech"));
+    int flags = script.indexOf("swift='") + "swift='".length();
+    List<String> swift =
+        List.of(script.substring(flags, script.indexOf('\'', flags)).strip().split("\\s+", -1));
+    Path classes = folder.resolve("classes");
+    Path archive = folder.resolve("archive.jsa");
+    List<String> train = new ArrayList<>(swift);
+    train.add("-XX:DumpLoadedClassList=" + classes);
+    started(List.of(), train, "generate", "driver");
+    List<String> dump = List.of(
+        "-Xshare:dump",
+        "-Xlog:disable",
+        "-XX:SharedClassListFile=" + classes,
+        "-XX:SharedArchiveFile=" + archive);
+    run(List.of(), dump);
+    if (!Files.exists(archive)) {
+      throw new IOException("no archive of classes: start this from benchmarks.jar");
+    }
+    List<String> all = new ArrayList<>(swift);
+    all.add("-XX:SharedArchiveFile=" + archive);
+    return all;
   }
 
   private static String numbers(double[] times) {
@@ -198,36 +246,42 @@ public final class FirstEvaluations {
         .collect(Collectors.joining(" | "));
   }
 
-  private static double[] medians(Path classes, String what, String subject) throws IOException {
+  private static double[] medians(
+      int count, List<String> launcher, List<String> flags, String... what) throws IOException {
     List<double[]> runs = new ArrayList<>();
-    for (int run = 0; run < RUNS; run++) {
-      runs.add(started(classes, what, subject));
+    for (int run = 0; run < count; run++) {
+      runs.add(started(launcher, flags, what));
     }
     double[] medians = new double[runs.get(0).length];
     for (int i = 0; i < medians.length; i++) {
       int column = i;
-      medians[i] = runs.stream().mapToDouble(run -> run[column]).sorted().toArray()[RUNS / 2];
+      medians[i] = runs.stream().mapToDouble(run -> run[column]).sorted().toArray()[count / 2];
     }
     return medians;
   }
 
-  private static double[] started(Path classes, String what, String subject) throws IOException {
-    Process process =
-        new ProcessBuilder(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-cp",
-                classes
-                    + System.getProperty("path.separator")
-                    + System.getProperty("java.class.path"),
-                FirstEvaluations.class.getName(),
-                what,
-                subject)
-            .redirectError(ProcessBuilder.Redirect.INHERIT)
-            .start();
-    String told = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+  /** Starts this class in a process of its own and returns the numbers it tells. */
+  private static double[] started(List<String> launcher, List<String> flags, String... what)
+      throws IOException {
+    List<String> all = new ArrayList<>(flags);
+    all.add(FirstEvaluations.class.getName());
+    all.addAll(List.of(what));
+    String told = run(launcher, all);
     if (told.isBlank()) {
-      throw new IOException(what + " " + subject + " told nothing");
+      throw new IOException(String.join(" ", what) + " told nothing");
     }
     return Arrays.stream(told.strip().split(" ", -1)).mapToDouble(Double::parseDouble).toArray();
+  }
+
+  private static String run(List<String> launcher, List<String> arguments) throws IOException {
+    List<String> command = new ArrayList<>(launcher);
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    if (!arguments.contains("-cp")) {
+      command.addAll(List.of("-cp", System.getProperty("java.class.path")));
+    }
+    command.addAll(arguments);
+    Process process =
+        new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start();
+    return new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
   }
 }

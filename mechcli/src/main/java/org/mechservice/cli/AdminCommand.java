@@ -49,6 +49,7 @@ import picocli.CommandLine.Spec;
     },
     synopsisSubcommandLabel = "[COMMAND]",
     mixinStandardHelpOptions = true,
+    scope = ScopeType.INHERIT,
     versionProvider = Mech.Version.class)
 final class AdminCommand implements Callable<Integer> {
   private static final int LOG_LINES_KEPT = 1000;

@@ -74,6 +74,13 @@ class CommandLineTest {
     }
   }
 
+  @ValueSource(strings = {"limits", "status", "drain", "web"})
+  @ParameterizedTest
+  void commandsOfAdminExplainThemselves(String name) {
+    assertThat(mech("admin", name, "--help")).isEqualTo(ExitStatus.DONE);
+    assertThat(out.toString()).startsWith("Usage: mech admin " + name + " ");
+  }
+
   @ValueSource(strings = {"simulate", "check", "admin status", "simhost"})
   @ParameterizedTest
   void unreachableServerIsNamedWithExitStatus3(String command, @TempDir Path folder)

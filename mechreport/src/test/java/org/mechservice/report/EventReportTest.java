@@ -65,11 +65,11 @@ class EventReportTest {
     Reference made = judge.reference().orElseThrow();
     Reference exact = EventScenes.exact(made, form);
     try (MethodRunner measured = new MethodRunner(made, distance, judge.grid());
-        MethodRunner true_ = new MethodRunner(exact, distance, judge.grid())) {
+        MethodRunner knowing = new MethodRunner(exact, distance, judge.grid())) {
       for (Candidate candidate : EventScenes.candidates(mechanism, end)) {
         for (double tolerance : new double[] {1e-3, 1e-6, 1e-9}) {
           MeasuredRun run = measured.run(candidate, tolerance, 0, 20);
-          MeasuredRun known = true_.run(candidate, tolerance, 0, 20);
+          MeasuredRun known = knowing.run(candidate, tolerance, 0, 20);
           assertThat(run.completed()).as(run.cause()).isTrue();
           // An ulp for the closed form itself, grown as the scene makes errors grow.
           assertThat(run.errors().largest())
@@ -149,6 +149,14 @@ class EventReportTest {
   }
 
   @Test
+  void referenceThatEndsBeforeItsLastTimeSaysWhy() {
+    Mechanism stopped = EventScenes.ball(EventScenes.passing(5, Action.STOP));
+    Judge judge = judge(stopped, RunGrid.uniform(0, 2, 20), 2);
+    assertThat(judge.reference().orElseThrow().end()).isEqualTo(1.0);
+    assertThat(judge.said()).anyMatch(said -> said.startsWith("The run ends at 1.00964 s"));
+  }
+
+  @Test
   void runIsJudgedUpToWhereItsEventsAccumulate() {
     ReferenceMaker maker = new ReferenceMaker(distance(BALL), 20);
     ReferenceMaker.Extent extent =
@@ -165,9 +173,32 @@ class EventReportTest {
     try (MethodRunner runner =
         new MethodRunner(judge.reference().orElseThrow(), distance(early), judge.grid())) {
       MeasuredRun run = runner.run(EventScenes.candidate(early, "DTR", "ode113", 2), 1e-6, 0, 20);
-      assertThat(run.cause()).isEqualTo("its events ended it at 1.00964 s already");
+      assertThat(run.cause()).isEqualTo("ended too early: its events stopped it at 1.00964 s");
       assertThat(run.errors().largest()).isNaN();
     }
+  }
+
+  @Test
+  void whatTwoFormulationsMakeOfAnEventMustAgreeOrTheIntervalEndsBefore() {
+    Mechanism lively = EventScenes.ball(EventScenes.bounce(EventScenes.RESTITUTION + 1e-6, 0));
+    List<ReferenceMaker.Source> sources =
+        List.of(
+            EventScenes.sources(BALL, BALL_END).get(0),
+            EventScenes.sources(lively, BALL_END).get(1));
+    RunGrid grid = RunGrid.uniform(0, BALL_END, INTERVALS);
+    StateDistance distance = distance(BALL);
+
+    Judge judge =
+        Judge.of(
+            Optional.empty(),
+            new ReferenceMaker(distance, 20).make(sources, grid.times()),
+            distance,
+            grid);
+
+    // The first bounce, after which they differ by 1e-6, is at 1.43 s.
+    assertThat(judge.reference().orElseThrow().end()).isBetween(1.0, 1.43);
+    assertThat(judge.said()).anyMatch(said -> said.startsWith("The interval is cut at 1."));
+    assertThat(judge.doubt()).startsWith("The reference is doubtful: its codes differ");
   }
 
   @Test

@@ -59,19 +59,17 @@ final class CourseNotes {
     for (int i = 0; i < a.size(); i++) {
       apart = Math.max(apart, Math.abs(a.get(i) - b.get(i)));
     }
+    if (apart == 0) {
+      return "The codes place the jumps at the same instants.";
+    }
     return format("The codes place the jumps within %.1e s of each other.", apart);
   }
 
   private static String compared(int clear, int all) {
-    String times =
-        clear == all
-            ? format("all %d output times lie", all)
-            : format("%d of %d output times do", clear, all);
-    return "At a jump the state has two values, and a method late by one rounding error would be charged"
-        + " the whole jump. So errors are taken only a quarter of an output interval away from every"
-        + " jump, or a quarter of the time between two jumps where that is shorter: "
-        + times
-        + (clear == all ? " there. " : ". ")
+    return "At a jump the state has two values, and a method late by one rounding error would be"
+        + " charged the whole jump. So errors are taken only a quarter of an output interval away"
+        + " from every jump, or a quarter of the time between two jumps where that is shorter: "
+        + format("%d of %d output times lie there. ", clear, all)
         + "A method that misses the instant by more is charged the jump.";
   }
 

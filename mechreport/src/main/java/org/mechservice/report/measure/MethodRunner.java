@@ -151,7 +151,9 @@ public final class MethodRunner implements AutoCloseable {
       long bytes) {
     String cause = cause(report.outcome(), limitSeconds);
     if (cause.isEmpty() && !rows.complete()) {
-      cause = String.format(Locale.ROOT, "its events ended it at %.6g s already", rows.time());
+      cause =
+          String.format(
+              Locale.ROOT, "ended too early: its events stopped it at %.6g s", rows.time());
     }
     return new MeasuredRun(
         candidate.method().name(),

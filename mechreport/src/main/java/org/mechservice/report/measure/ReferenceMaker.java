@@ -192,6 +192,7 @@ public final class ReferenceMaker {
     List<String> all = new ArrayList<>(said);
     List<ModelPhases> courses = solved.stream().flatMap(one -> one.course().stream()).toList();
     all.addAll(CourseNotes.of(courses, clear[clear.length - 1], kept.length, times.length));
+    courses.stream().map(ModelPhases::end).filter(end -> !end.isEmpty()).limit(1).forEach(all::add);
     return Optional.of(judged(solved.stream().map(one -> one.at(kept)).toList(), clear, all));
   }
 

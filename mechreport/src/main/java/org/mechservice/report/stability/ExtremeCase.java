@@ -12,7 +12,7 @@ import java.util.List;
  * @param file its name
  * @param hard what is hard about it
  * @param expectation what must happen
- * @param part for {@link Expectation#REFUSAL}, what the message must name
+ * @param part for {@link Expectation#REFUSAL}, what the message must name; empty for others
  * @param tolerance relative tolerance of the runs
  * @param judge what a motion is judged by
  * @param bound of that
@@ -59,13 +59,14 @@ public record ExtremeCase(
       throw new IllegalStateException("cases.csv: " + line);
     }
     String expected = fields[2];
-    String part = expected.replaceFirst("^(refused|ends at) ", "");
     Expectation expectation =
         switch (expected) {
           case "motion" -> Expectation.MOTION;
           case "motion or refusal" -> Expectation.MOTION_OR_REFUSAL;
           default -> Expectation.REFUSAL;
         };
+    String part =
+        expectation == Expectation.REFUSAL ? expected.replaceFirst("^(refused|ends at) ", "") : "";
     return new ExtremeCase(
         fields[0],
         fields[1].replace("\"", ""),

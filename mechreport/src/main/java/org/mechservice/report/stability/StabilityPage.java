@@ -23,7 +23,8 @@ final class StabilityPage {
         format(
             "</section><p class=\"note\">Runs were stopped after %.3g s. Error: the largest |x −"
                 + " x<sub>ref</sub>| / (1 + |x<sub>ref</sub>|) in SI units; energy: the largest"
-                + " change, work deducted, as a part of its scale. %s</p>",
+                + " change, work deducted, as a part of its scale. A case is judged as far as its"
+                + " reference is known to a thousandth of the bound. %s</p>",
             limitSeconds, String.join(" · ", Machine.facts())));
     return PageFrame.of("Stiff, singular, huge, tiny", html.toString());
   }

@@ -64,15 +64,14 @@ public record CheckReport(
     findings.addAll(loops.findings());
     findings.addAll(RunForecast.of(mechanism, model.settings().run()));
     try {
-      return new CheckReport(
-          model, scene, loops, findings, Optional.of(generation(model, scene)), "");
+      return new CheckReport(model, scene, loops, findings, Optional.of(generation(model)), "");
     } catch (ModelBuildException e) {
       String why = String.valueOf(e.getMessage());
       return new CheckReport(model, scene, loops, findings, Optional.empty(), why);
     }
   }
 
-  private static Generation generation(MechmlModel model, SceneAnalysis scene) {
+  private static Generation generation(MechmlModel model) {
     FormulationChoice choice =
         FormulationChoice.of(
             model.settings().formulation(),
@@ -97,7 +96,7 @@ public record CheckReport(
     return new Generation(
         choice.callingForcesOf(model.mechanism()),
         derivative.operationCount(),
-        LeftOut.of(model, scene, links, options, derivative));
+        LeftOut.of(model, links, options, derivative));
   }
 
   private static Generation data(FormulationChoice choice, List<String> notGenerated) {

@@ -66,7 +66,7 @@ public final class GeneratedModel {
 
   /** Returns the fully qualified name of the class to be instantiated. */
   public String className() {
-    return columns.map(GeneratedModel::name).orElseGet(this::sourceName);
+    return columns.isPresent() ? name(columns.get()) : sourceName();
   }
 
   /** Returns the fully qualified name of the class that has the equations. */
@@ -90,8 +90,12 @@ public final class GeneratedModel {
   SortedMap<String, byte[]> classFiles() {
     SortedMap<String, byte[]> files = new TreeMap<>();
     files.put(sourceName(), written.classFile());
-    columns.ifPresent(further -> files.put(name(further), further.classFile()));
-    values.ifPresent(further -> files.put(name(further), further.classFile()));
+    if (columns.isPresent()) {
+      files.put(name(columns.get()), columns.get().classFile());
+    }
+    if (values.isPresent()) {
+      files.put(name(values.get()), values.get().classFile());
+    }
     return files;
   }
 

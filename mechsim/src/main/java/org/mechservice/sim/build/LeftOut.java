@@ -5,14 +5,14 @@ import java.util.List;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.dynamics.Link;
 import org.mechservice.sim.build.dynamics.Links;
-import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.kinematics.LinkKind;
+import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.JointClosure;
-import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /** Says what a generated class does not contain, and why its scene does not need it. */
@@ -28,23 +28,18 @@ final class LeftOut {
    * Lists the omissions of a model.
    *
    * @param model what it was generated from
-   * @param scene its analysis
-   * @param links the same in computing frames
+   * @param links its mechanism in computing frames
    * @param options what it was built for
    * @param derivative its equations
    */
   static List<Omission> of(
-      MechmlModel model,
-      SceneAnalysis scene,
-      Links links,
-      BuildOptions options,
-      Program derivative) {
+      MechmlModel model, Links links, BuildOptions options, Program derivative) {
     LeftOut leftOut = new LeftOut();
-    leftOut.language(scene.mechanism(), links);
+    leftOut.language(links.mechanism(), links);
     leftOut.author(model);
-    leftOut.scene(scene);
+    leftOut.scene(links.mechanism());
     leftOut.frames(links);
-    if (scene.mechanism().closures().isEmpty()) {
+    if (links.mechanism().closures().isEmpty()) {
       leftOut.equations(derivative);
     }
     leftOut.outputs(options);
@@ -89,19 +84,29 @@ final class LeftOut {
   }
 
   private static boolean moves(Links links, LinkKind kind) {
-    return links.links().stream().anyMatch(link -> link.kind() == kind);
+    for (Link link : links.links()) {
+      if (link.kind() == kind) {
+        return true;
+      }
+    }
+    return false;
   }
 
-  private void scene(SceneAnalysis scene) {
-    Mechanism mechanism = scene.mechanism();
-    if (mechanism.gravity().equals(Vector3.ZERO)) {
+  private void scene(Mechanism mechanism) {
+    Vector3 g = mechanism.gravity();
+    if (g.x() == 0 && g.y() == 0 && g.z() == 0) {
       add("gravity", "it is zero");
     }
-    if (mechanism.root().orientation().equals(Rotation.IDENTITY)) {
+    if (mechanism.root().orientation().isIdentity()) {
       add("orientation of the root", "its axes are the world's");
     }
-    if (!scene.massless().isEmpty()) {
-      List<String> names = scene.massless();
+    List<String> names = new ArrayList<>();
+    for (Body body : mechanism.bodies()) {
+      if (body.isMassless()) {
+        names.add(body.name());
+      }
+    }
+    if (!names.isEmpty()) {
       boolean few = names.size() <= MOST_NAMES;
       add(
           "inertia of " + (few ? "bodies " + String.join(", ", names) : names.size() + " bodies"),
@@ -110,12 +115,17 @@ final class LeftOut {
   }
 
   private void frames(Links links) {
-    int welded = (int) mechanismJoints(links, JointType.W);
+    int welded = 0;
+    for (Joint joint : links.mechanism().joints()) {
+      welded += joint.type() == JointType.W ? 1 : 0;
+    }
     if (welded > 0) {
       add(welded + " welded bodies", "each is one with what it is welded to");
     }
-    long turned = links.links().stream().filter(Link::hasConstantTurn).count();
-    long spared = links.links().size() - turned;
+    int spared = 0;
+    for (Link link : links.links()) {
+      spared += link.hasConstantTurn() ? 0 : 1;
+    }
     if (spared > 0) {
       add(
           "constant rotations at " + spared + " of " + links.links().size() + " joints",
@@ -123,13 +133,11 @@ final class LeftOut {
     }
   }
 
-  private static long mechanismJoints(Links links, JointType type) {
-    return links.mechanism().joints().stream().filter(joint -> joint.type() == type).count();
-  }
-
   private void equations(Program derivative) {
-    boolean guarded =
-        derivative.sections().stream().anyMatch(section -> !section.guards().isEmpty());
+    boolean guarded = false;
+    for (Program.Section section : derivative.sections()) {
+      guarded |= !section.guards().isEmpty();
+    }
     if (!guarded) {
       add("test for singular joints", "every body has inertia along its own joint");
     }

@@ -18,7 +18,6 @@ import org.mechservice.sim.build.emit.WrittenClass;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.scene.ModelBuildException;
-import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.closure.ClosedMechanism;
@@ -150,8 +149,7 @@ final class ModelAssembly {
     if (!tooLong.isEmpty()) {
       return compact(tooLong);
     }
-    SceneAnalysis scene = SceneAnalysis.of(mechanism);
-    List<Omission> leftOut = LeftOut.of(model, scene, links, options, derivative);
+    List<Omission> leftOut = LeftOut.of(model, links, options, derivative);
     ModelPlan written =
         ModelPlan.of(
             TreeClass.derive(links, options, choice, derivative, derivatives, leftOut),
@@ -218,7 +216,7 @@ final class ModelAssembly {
         values.plan(),
         choice.callingForcesOf(mechanism),
         operations,
-        LeftOut.of(model, SceneAnalysis.of(mechanism), links, options, terms.equations()),
+        LeftOut.of(model, links, options, terms.equations()),
         FromData.of(model, further, values.fromData(), why));
   }
 

@@ -1,7 +1,5 @@
 package org.mechservice.sim.build;
 
-import java.util.List;
-import java.util.stream.Stream;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.mechanism.Body;
@@ -21,20 +19,37 @@ final class ModelNames {
    *     are too long for one constant
    */
   static void requireUsable(Mechanism mechanism) {
-    List<String> joints = mechanism.joints().stream().map(Joint::name).toList();
-    List<String> bodies = mechanism.bodies().stream().map(Body::name).toList();
-    List<String> forces = mechanism.forces().stream().map(ForceElement::name).toList();
-    Stream.of(List.of(mechanism.name()), joints, bodies, forces)
-        .flatMap(List::stream)
-        .forEach(ModelNames::requirePrintable);
-    requireShort("joints", joints);
-    requireShort("bodies", bodies);
-    requireShort("forces", ForceColumns.of(mechanism).stream().map(Variable::name).toList());
-    requireShort("model", List.of(mechanism.name()));
+    int bytes = 0;
+    for (Joint joint : mechanism.joints()) {
+      bytes += printable(joint.name());
+    }
+    requireShort("joints", bytes);
+    bytes = 0;
+    for (Body body : mechanism.bodies()) {
+      bytes += printable(body.name());
+    }
+    requireShort("bodies", bytes);
+    for (ForceElement force : mechanism.forces()) {
+      printable(force.name());
+    }
+    bytes = 0;
+    for (Variable column : ForceColumns.of(mechanism)) {
+      bytes += bytes(column.name()) + 1;
+    }
+    requireShort("forces", bytes);
+    requireShort("model", printable(mechanism.name()));
   }
 
-  private static void requirePrintable(String name) {
-    if (name.chars().anyMatch(Character::isISOControl)) {
+  /** Returns how many bytes a name takes in a list. */
+  private static int printable(String name) {
+    for (int i = 0; i < name.length(); i++) {
+      requirePrintable(name, name.charAt(i));
+    }
+    return bytes(name) + 1;
+  }
+
+  private static void requirePrintable(String name, char c) {
+    if (Character.isISOControl(c)) {
       throw new ModelBuildException(
           "S-083",
           "the name \""
@@ -43,8 +58,7 @@ final class ModelNames {
     }
   }
 
-  private static void requireShort(String whose, List<String> names) {
-    int length = names.stream().mapToInt(name -> bytes(name) + 1).sum();
+  private static void requireShort(String whose, int length) {
     if (length > LONGEST_CONSTANT) {
       throw new ModelBuildException(
           "S-083",
@@ -60,6 +74,11 @@ final class ModelNames {
 
   /** Returns how many bytes a class file takes for a name: one to three a character. */
   private static int bytes(String name) {
-    return name.chars().map(c -> c <= 0x7F ? 1 : c <= 0x7FF ? 2 : 3).sum();
+    int bytes = 0;
+    for (int i = 0; i < name.length(); i++) {
+      char c = name.charAt(i);
+      bytes += c <= 0x7F ? 1 : c <= 0x7FF ? 2 : 3;
+    }
+    return bytes;
   }
 }

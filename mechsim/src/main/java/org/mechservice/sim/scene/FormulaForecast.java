@@ -17,6 +17,7 @@ import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.force.FormulaText;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.PrescribedMotion;
@@ -59,7 +60,7 @@ final class FormulaForecast {
     if (formula instanceof Call call) {
       Expression argument = call.arguments().get(0);
       switch (call.function()) {
-        case SIN, COS, FLOOR -> fast(call.function(), argument, part, origin);
+        case SIN, COS, FLOOR -> fast(call, argument, part, origin);
         case SIGNUM, STEP -> chatter(call.function(), argument, part, origin);
         default -> {}
       }
@@ -67,27 +68,43 @@ final class FormulaForecast {
     BriefPush.operands(formula).forEach(operand -> look(operand, part, origin));
   }
 
-  private void fast(Function function, Expression argument, String part, Origin origin) {
-    OptionalDouble rate = rate(argument);
-    double length = settings.tEnd() - settings.tStart();
-    if (rate.isPresent() && Math.abs(rate.getAsDouble()) * length >= MANY) {
-      String what = function == Function.FLOOR ? "jumps %.3g times a second" : "turns %.3g rad/s";
-      add(
-          "N-019",
-          part,
-          origin,
-          String.format(
-              Locale.ROOT,
-              "a formula in %s "
-                  + what
-                  + "; a run of %.3g s needs some %.0e steps to follow it,"
-                  + " whatever the integrator; leave out what is too fast to matter, or end the run"
-                  + " earlier",
-              part,
-              Math.abs(rate.getAsDouble()),
-              length,
-              Math.abs(rate.getAsDouble()) * length));
+  private void fast(Call call, Expression argument, String part, Origin origin) {
+    double rate = Math.abs(rate(argument).orElse(0));
+    double steps = rate * (settings.tEnd() - settings.tStart());
+    boolean jumps = call.function() == Function.FLOOR;
+    boolean skipped = !jumps && rate * settings.maxStep() > Math.PI && rate > 0;
+    boolean given = Double.isFinite(settings.maxStep());
+    if (steps >= MANY || (given && skipped)) {
+      String where = new FormulaText(mechanism).of(call) + " in " + part;
+      add("N-019", part, origin, where + (jumps ? jumping(rate, steps) : turning(rate, steps)));
     }
+  }
+
+  private String jumping(double rate, double steps) {
+    return String.format(
+        Locale.ROOT,
+        " jumps %.2e times a second; a run of %.3g s needs some %.0e steps to follow it, whatever"
+            + " the integrator; leave out what is too fast to matter, or end the run earlier",
+        rate,
+        settings.tEnd() - settings.tStart(),
+        steps);
+  }
+
+  private String turning(double rate, double steps) {
+    return String.format(
+        Locale.ROOT,
+        " turns %.2e rad/s, once in %.3g s; a run of %.3g s needs some %.0e steps to follow it,"
+            + " whatever the integrator, and steps as long as that%s see no more than single"
+            + " values of it, which need not be zero on the average; leave out what is too fast to"
+            + " matter, bound the steps by maxStep=\"%.1g\", or end the run earlier",
+        rate,
+        2 * Math.PI / rate,
+        settings.tEnd() - settings.tStart(),
+        steps,
+        Double.isFinite(settings.maxStep())
+            ? String.format(Locale.ROOT, " (maxStep allows %.3g s)", settings.maxStep())
+            : "",
+        1 / rate);
   }
 
   /** Returns the derivative at the start of an expression of time and parameters alone. */

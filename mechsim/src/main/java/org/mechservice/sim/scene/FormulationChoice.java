@@ -1,5 +1,6 @@
 package org.mechservice.sim.scene;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -10,6 +11,7 @@ import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /**
@@ -62,14 +64,15 @@ public record FormulationChoice(String formulation, String closure, String reaso
 
   /** Returns the same, saying which forces are classes of users: code calls, not contains, them. */
   public FormulationChoice callingForcesOf(Mechanism mechanism) {
-    String names =
-        mechanism.forces().stream()
-            .filter(UserForceElement.class::isInstance)
-            .map(force -> "\"" + force.name() + "\"")
-            .collect(Collectors.joining(", "));
+    List<String> names = new ArrayList<>();
+    for (ForceElement force : mechanism.forces()) {
+      if (force instanceof UserForceElement) {
+        names.add("\"" + force.name() + "\"");
+      }
+    }
     return names.isEmpty()
         ? this
-        : because("; every evaluation calls the classes of forces " + names);
+        : because("; every evaluation calls the classes of forces " + String.join(", ", names));
   }
 
   private static FormulationChoice open(

@@ -21,8 +21,8 @@ public final class GenerationLimits {
   private static final int MOST_ELEMENTS = 2500;
 
   /**
-   * Operations of a Jacobian: the most of which code is generated. Some 7 to 15 bytes each make
-   * methods of 6000, and what calls them all is a method, too, which ends at 8000.
+   * Operations of a Jacobian: the most of which code is generated. Some 7 to 15 bytes each make a
+   * class of up to 3 MB; longer ones have not been measured.
    */
   private static final int MOST_OPERATIONS = 200_000;
 

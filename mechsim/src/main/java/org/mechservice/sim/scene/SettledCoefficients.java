@@ -16,10 +16,17 @@ final class SettledCoefficients {
 
   /** Returns the names of the forces that have a parameter in such a coefficient. */
   static List<String> withParameters(Mechanism mechanism) {
-    return mechanism.forces().stream()
-        .filter(force -> of(force).stream().anyMatch(SettledCoefficients::hasParameter))
-        .map(ForceElement::name)
-        .toList();
+    List<String> names = new ArrayList<>();
+    for (ForceElement force : mechanism.forces()) {
+      boolean any = false;
+      for (Expression coefficient : of(force)) {
+        any |= hasParameter(coefficient);
+      }
+      if (any) {
+        names.add(force.name());
+      }
+    }
+    return names;
   }
 
   private static List<Expression> of(ForceElement force) {

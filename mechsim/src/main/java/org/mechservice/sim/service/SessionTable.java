@@ -110,9 +110,7 @@ public final class SessionTable implements AutoCloseable {
   /** The clock does not wait for the disk, and asks no more of one that does not answer. */
   private void handOverRows() {
     if (handedOver.isDone()) {
-      handedOver =
-          host.store()
-              .soon("", () -> allRuns().forEach(SimulationRun::handOverRows));
+      handedOver = host.store().soon("", () -> allRuns().forEach(SimulationRun::handOverRows));
     }
   }
 

@@ -228,7 +228,9 @@ final class SimulationRun implements Runnable {
     }
   }
 
-  /** Lets the rows so far outlive the process; what is wrong with that, the run finds out itself. */
+  /**
+   * Lets the rows so far outlive the process; what is wrong with that, the run finds out itself.
+   */
   void handOverRows() {
     try {
       rows.spool().handOver();

@@ -97,14 +97,16 @@ public final class Expressions {
   Scalar unary(Operation operation, Scalar operand) {
     int place = place(operation, operand.id(), -1);
     Scalar node = known[place];
-    return node != null ? node : add(place, operation, List.of(operand), 0, 0);
+    return node != null ? node : add(place, operation, List.of(operand), operand.id(), -1, 0, 0);
   }
 
   /** Returns the node of an operation that needs no simplification, operands in this order. */
   Scalar binary(Operation operation, Scalar first, Scalar second) {
     int place = place(operation, first.id(), second.id());
     Scalar node = known[place];
-    return node != null ? node : add(place, operation, List.of(first, second), 0, 0);
+    return node != null
+        ? node
+        : add(place, operation, List.of(first, second), first.id(), second.id(), 0, 0);
   }
 
   /** Returns the node of a function that needs no simplification. */
@@ -123,7 +125,7 @@ public final class Expressions {
   private Scalar leaf(Operation operation, long identity, double value, int index) {
     int place = place(operation, identity, -1);
     Scalar node = known[place];
-    return node != null ? node : add(place, operation, List.of(), value, index);
+    return node != null ? node : add(place, operation, List.of(), identity, -1, value, index);
   }
 
   /** Returns whether an expression has arisen already. */
@@ -136,9 +138,9 @@ public final class Expressions {
     int mask = known.length - 1;
     int place = hash(operation, first, second) & mask;
     for (Scalar node = known[place]; node != null; node = known[place]) {
-      if (node.operation() == operation
-          && identity(node, 0) == first
-          && identity(node, 1) == second) {
+      if (node.identity == first
+          && node.secondIdentity == second
+          && node.operation() == operation) {
         return place;
       }
       place = (place + 1) & mask;
@@ -146,26 +148,22 @@ public final class Expressions {
     return place;
   }
 
-  /** Returns what tells a node from others that do the same: its operands or what it is. */
-  private static long identity(Scalar node, int operand) {
-    if (operand < node.operands().size()) {
-      return node.operands().get(operand).id();
-    }
-    if (operand > 0) {
-      return -1;
-    }
-    return node.isConstant() ? Double.doubleToRawLongBits(node.value()) : node.index();
-  }
-
   private static int hash(Operation operation, long first, long second) {
-    long mixed = (first * 31 + second) * 31 + operation.name().hashCode();
-    mixed *= 0x9E3779B97F4A7C15L;
-    return (int) (mixed >>> 32);
+    long mixed = (first * 0xC2B2AE3D27D4EB4FL + second) * 0x9E3779B97F4A7C15L;
+    mixed = (mixed ^ mixed >>> 29) * 0x9E3779B97F4A7C15L;
+    return (int) (mixed >>> 32) + operation.hash();
   }
 
   private Scalar add(
-      int place, Operation operation, List<Scalar> operands, double value, int index) {
-    Scalar node = new Scalar(this, nodes.size(), operation, operands, value, index);
+      int place,
+      Operation operation,
+      List<Scalar> operands,
+      long identity,
+      long secondIdentity,
+      double value,
+      int index) {
+    Scalar node =
+        new Scalar(this, nodes.size(), operation, operands, identity, secondIdentity, value, index);
     nodes.add(node);
     known[place] = node;
     if (2 * nodes.size() > known.length) {
@@ -180,7 +178,7 @@ public final class Expressions {
       if (node.operation() == Operation.FUNCTION) {
         continue;
       }
-      known[place(node.operation(), identity(node, 0), identity(node, 1))] = node;
+      known[place(node.operation(), node.identity, node.secondIdentity)] = node;
     }
   }
 }

@@ -20,9 +20,16 @@ public enum Operation {
   FUNCTION(10);
 
   private final int flops;
+  private final int hash;
 
   Operation(int flops) {
     this.flops = flops;
+    this.hash = name().hashCode();
+  }
+
+  /** Returns a number that is the same in every run. */
+  int hash() {
+    return hash;
   }
 
   /** Returns how many floating-point operations it counts as. */

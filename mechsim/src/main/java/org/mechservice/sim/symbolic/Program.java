@@ -1,10 +1,12 @@
 package org.mechservice.sim.symbolic;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A straight-line program: inputs to outputs without branches, told in sections, with the names its
@@ -56,6 +58,9 @@ public final class Program {
   private final Expressions expressions;
   private final List<Section> sections;
   private final Map<Scalar, String> names;
+
+  /** Kept until the program changes. */
+  private int @Nullable [] uses;
 
   public Program() {
     this(new Expressions(), new ArrayList<>(), new HashMap<>());
@@ -125,12 +130,13 @@ public final class Program {
   }
 
   private Section current() {
+    uses = null;
     return sections.get(sections.size() - 1);
   }
 
-  /** Returns the sections in order. */
+  /** Returns the sections in order, a view. */
   public List<Section> sections() {
-    return List.copyOf(sections);
+    return Collections.unmodifiableList(sections);
   }
 
   /** Returns the name of a value, if it has one. */
@@ -138,22 +144,39 @@ public final class Program {
     return Optional.ofNullable(names.get(value));
   }
 
-  /** Returns how often each node is used, by node number; 0: the program does not contain it. */
+  /**
+   * Returns how often each node is used, by node number; 0: the program does not contain it. Not to
+   * be modified.
+   */
   public int[] uses() {
-    int[] uses = new int[expressions.size()];
+    int[] known = uses;
+    if (known == null || known.length < expressions.size()) {
+      known = countedUses();
+      uses = known;
+    }
+    return known;
+  }
+
+  private int[] countedUses() {
+    int[] counts = new int[expressions.size()];
     for (Section section : sections) {
-      section.outputs().forEach(output -> uses[output.value().id()]++);
+      for (Output output : section.outputs()) {
+        counts[output.value().id()]++;
+      }
       for (Guard guard : section.guards()) {
-        uses[guard.pivot().id()]++;
-        uses[guard.bound().id()]++;
+        counts[guard.pivot().id()]++;
+        counts[guard.bound().id()]++;
       }
     }
-    for (int id = uses.length - 1; id >= 0; id--) {
-      if (uses[id] > 0) {
-        expressions.node(id).operands().forEach(operand -> uses[operand.id()]++);
+    for (int id = counts.length - 1; id >= 0; id--) {
+      if (counts[id] > 0) {
+        List<Scalar> operands = expressions.node(id).operands();
+        for (int i = 0; i < operands.size(); i++) {
+          counts[operands.get(i).id()]++;
+        }
       }
     }
-    return uses;
+    return counts;
   }
 
   /** Returns the additions, multiplications, divisions and square roots of one run. */

@@ -14,6 +14,11 @@ public final class Scalar {
   private final int id;
   private final Operation operation;
   private final List<Scalar> operands;
+
+  /** Numbers of the operands, −1 without; of a leaf, what it is. They tell nodes apart. */
+  final long identity;
+
+  final long secondIdentity;
   private final double value;
   private final int index;
   private final @Nullable MathFunction function;
@@ -24,12 +29,16 @@ public final class Scalar {
       int id,
       Operation operation,
       List<Scalar> operands,
+      long identity,
+      long secondIdentity,
       double value,
       int index) {
     this.expressions = expressions;
     this.id = id;
     this.operation = operation;
     this.operands = operands;
+    this.identity = identity;
+    this.secondIdentity = secondIdentity;
     this.value = value;
     this.index = index;
     this.function = null;
@@ -41,6 +50,8 @@ public final class Scalar {
     this.id = id;
     this.operation = Operation.FUNCTION;
     this.operands = List.copyOf(operands);
+    this.identity = -1;
+    this.secondIdentity = -1;
     this.value = 0;
     this.index = 0;
     this.function = function;

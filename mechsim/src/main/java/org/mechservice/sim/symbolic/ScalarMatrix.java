@@ -1,6 +1,7 @@
 package org.mechservice.sim.symbolic;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 
 /**
@@ -34,12 +35,18 @@ public record ScalarMatrix(List<Scalar> rows) {
 
   /** Returns the symmetric matrix whose upper triangle holds the given elements. */
   public static ScalarMatrix symmetric(Element upper) {
-    return of((i, j) -> i <= j ? upper.at(i, j) : upper.at(j, i));
+    List<Scalar> rows = new ArrayList<>(9);
+    for (int i = 0; i < 3; i++) {
+      for (int j = 0; j < 3; j++) {
+        rows.add(j < i ? rows.get(3 * j + i) : upper.at(i, j));
+      }
+    }
+    return new ScalarMatrix(rows);
   }
 
   /** Returns the matrix with zeros everywhere. */
   public static ScalarMatrix zero(Expressions expressions) {
-    return of((i, j) -> expressions.zero());
+    return new ScalarMatrix(Collections.nCopies(9, expressions.zero()));
   }
 
   /** Returns element (i, j). */
@@ -59,7 +66,13 @@ public record ScalarMatrix(List<Scalar> rows) {
 
   /** Returns the transpose. */
   public ScalarMatrix transposed() {
-    return of((i, j) -> at(j, i));
+    List<Scalar> columns = new ArrayList<>(9);
+    for (int j = 0; j < 3; j++) {
+      for (int i = 0; i < 3; i++) {
+        columns.add(at(i, j));
+      }
+    }
+    return new ScalarMatrix(columns);
   }
 
   /** Returns whether opposite elements are the same expressions. */
@@ -77,7 +90,11 @@ public record ScalarMatrix(List<Scalar> rows) {
 
   /** Returns this + other. */
   public ScalarMatrix plus(ScalarMatrix other) {
-    return of((i, j) -> at(i, j).plus(other.at(i, j)));
+    List<Scalar> sums = new ArrayList<>(9);
+    for (int i = 0; i < 9; i++) {
+      sums.add(rows.get(i).plus(other.rows.get(i)));
+    }
+    return new ScalarMatrix(sums);
   }
 
   /** Returns this · v. */

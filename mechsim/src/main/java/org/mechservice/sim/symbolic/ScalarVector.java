@@ -26,7 +26,7 @@ public record ScalarVector(Scalar x, Scalar y, Scalar z) {
 
   /** Returns component {@code i}, 0 for x. */
   public Scalar at(int i) {
-    return components().get(i);
+    return i == 0 ? x : i == 1 ? y : z;
   }
 
   /** Returns the components in order. */
@@ -46,6 +46,11 @@ public record ScalarVector(Scalar x, Scalar y, Scalar z) {
 
   /** Returns factor · this. */
   public ScalarVector times(Scalar factor) {
+    return new ScalarVector(x.times(factor), y.times(factor), z.times(factor));
+  }
+
+  /** Returns factor · this. */
+  public ScalarVector times(double factor) {
     return new ScalarVector(x.times(factor), y.times(factor), z.times(factor));
   }
 

@@ -11,7 +11,6 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.Random;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -106,7 +105,10 @@ class LongScenesTest {
 
   /** Accelerations or the residual, and poses, near a stretched chain at rest. */
   private static void assertAgreement(Model code, Model data, Mechanism mechanism) {
-    double[] y = new Random(3).doubles(mechanism.positionCount() + mechanism.velocityCount(), -0.01, 0.01).toArray();
+    double[] y =
+        new Random(3)
+            .doubles(mechanism.positionCount() + mechanism.velocityCount(), -0.01, 0.01)
+            .toArray();
     double[] yDot = new Random(7).doubles(y.length, -0.1, 0.1).toArray();
     if (code instanceof ResidualModel residual) {
       double[] expected = new double[y.length];

@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -65,9 +66,35 @@ class SharedKernelsTest {
     return IntStream.rangeClosed(1, count).boxed();
   }
 
+  static Stream<Named<Mechanism>> manyScenes() {
+    return IntStream.rangeClosed(11, 210).mapToObj(SharedKernelsTest::scene);
+  }
+
+  private static Named<Mechanism> scene(int seed) {
+    int bodies = 5 + seed % 5;
+    Mechanism tree =
+        switch (seed % 3) {
+          case 0 -> RandomTrees.tree(seed, bodies);
+          case 1 -> RandomTrees.ofAllJoints(seed, bodies);
+          default -> RandomTrees.driven(seed, bodies);
+        };
+    return Named.of("seed " + seed, seed % 2 == 0 ? tree : RandomForces.on(tree, seed));
+  }
+
   @ParameterizedTest
   @MethodSource("scenes")
   void theyHaveTheBitsOfTheStraightLine(Mechanism mechanism) {
+    assertBitsOfTheStraightLine(mechanism);
+  }
+
+  @Tag("soak")
+  @ParameterizedTest
+  @MethodSource("manyScenes")
+  void theyHaveTheBitsOfTheStraightLineInManyScenes(Mechanism mechanism) {
+    assertBitsOfTheStraightLine(mechanism);
+  }
+
+  private static void assertBitsOfTheStraightLine(Mechanism mechanism) {
     MechmlModel file = Scenes.model(mechanism);
     for (String formulation : new String[] {"DTR", "DSR", "RR-JF"}) {
       BuildOptions straight = options(formulation, CodeForm.STRAIGHT);

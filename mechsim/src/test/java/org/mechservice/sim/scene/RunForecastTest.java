@@ -35,6 +35,8 @@ class RunForecastTest {
   @ParameterizedTest
   @CsvSource({
     "sin(1e9*t), N-019, turns 1.00e+09 rad/s",
+    "sin(1e9*t), N-019, sin(1.0E9*t) in force",
+    "sin(1e9*t), N-019, once in 6.28e-09 s",
     "2*cos(3-1e6*t)^2, N-019, turns 1.00e+06 rad/s",
     "floor(1e7*t), N-019, jumps 1.00e+07 times a second",
     "-signum(s.v), N-028, jumps with signum of a velocity",
@@ -48,6 +50,18 @@ class RunForecastTest {
         .satisfies(finding -> assertThat(finding.code()).isEqualTo(code))
         .satisfies(finding -> assertThat(finding.text()).contains(what))
         .satisfies(finding -> assertThat(finding.origin().line()).isPositive());
+  }
+
+  /** Every step may end where the sine has the same value. */
+  @ParameterizedTest
+  @CsvSource({"0.0004, false", "0.001, true"})
+  void largestStepLongerThanHalfAPeriodIsNamed(String longest, boolean named) throws Exception {
+    String bounded =
+        scene("brief_push")
+            .replace("1000*exp(-((t-5)/0.001)^2)", "sin(2*PI*1000*t)")
+            .replaceFirst("maxStep=\"[^\"]*", "maxStep=\"" + longest);
+    assertThat(of(bounded).stream().anyMatch(f -> f.text().contains("maxStep allows 0.00100 s")))
+        .isEqualTo(named);
   }
 
   @ParameterizedTest

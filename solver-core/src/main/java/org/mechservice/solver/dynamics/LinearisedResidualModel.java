@@ -28,7 +28,6 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
   private final Mode mode;
   private final ResidualJacobian jacobian;
   private final TreeIteration iteration;
-  private int singular;
 
   /**
    * @param mechanism an open tree
@@ -80,8 +79,7 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
 
   @Override
   public boolean factor(double hGamma) {
-    singular = iteration.factor(hGamma);
-    return singular == TreeLu.NONSINGULAR;
+    return iteration.factor(hGamma);
   }
 
   @Override
@@ -91,7 +89,7 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
 
   @Override
   public int singularUnknown() {
-    return tree.statePositionCount + singular;
+    return iteration.singularUnknown();
   }
 
   @Override

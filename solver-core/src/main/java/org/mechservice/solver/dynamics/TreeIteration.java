@@ -42,6 +42,9 @@ public final class TreeIteration {
   private final double[] turned = new double[4];
   private double hGamma;
 
+  /** Velocity in whose column the last factorisation left no pivot. */
+  private int singular;
+
   /** Makes a workspace for derivatives that are evaluated elsewhere. */
   public TreeIteration(TreeGeometry tree, TreePattern pattern, ResidualJacobian jacobian) {
     this(
@@ -103,11 +106,17 @@ public final class TreeIteration {
    * Forms and factors the n × n matrix.
    *
    * @param hGamma hγ, s
-   * @return {@link TreeLu#NONSINGULAR}, or the velocity in whose column no pivot is left
+   * @return whether it is regular
    */
-  public int factor(double hGamma) {
+  public boolean factor(double hGamma) {
     form(hGamma);
-    return lu.factor(matrix);
+    singular = lu.factor(matrix);
+    return singular == TreeLu.NONSINGULAR;
+  }
+
+  /** Returns the unknown in whose column the last factorisation, which failed, left no pivot. */
+  public int singularUnknown() {
+    return q.length + singular;
   }
 
   /**

@@ -13,7 +13,6 @@ import org.mechservice.solver.kinematics.StateCoordinates;
  * they are solved along the tree here.
  */
 public abstract class TreeStepModel implements LinearisedModel, RunNotes {
-  private final int positionCount;
   final TreeMatrix mass;
   final TreeSquare byVelocity;
   final TreeSquare byPosition;
@@ -24,8 +23,6 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
 
   /** Where it goes, in order. */
   private final double[][] parts;
-
-  private int singular;
 
   /**
    * @param types of the joints that have states, separated by blanks
@@ -45,9 +42,9 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
     mass = new TreeMatrix(pattern);
     byVelocity = new TreeSquare(pattern);
     byPosition = new TreeSquare(pattern);
-    StateCoordinates coordinates = new StateCoordinates(typesOf(types));
-    positionCount = coordinates.positionCount();
-    iteration = new TreeIteration(coordinates, pattern, mass, byVelocity, byPosition);
+    iteration =
+        new TreeIteration(
+            new StateCoordinates(typesOf(types)), pattern, mass, byVelocity, byPosition);
     parts =
         new double[][] {
           mass.diagonal(),
@@ -104,8 +101,7 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
 
   @Override
   public final boolean factor(double hGamma) {
-    singular = iteration.factor(hGamma);
-    return singular == TreeLu.NONSINGULAR;
+    return iteration.factor(hGamma);
   }
 
   @Override
@@ -115,7 +111,7 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
 
   @Override
   public final int singularUnknown() {
-    return positionCount + singular;
+    return iteration.singularUnknown();
   }
 
   @Override

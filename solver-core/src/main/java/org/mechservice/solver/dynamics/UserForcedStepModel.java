@@ -22,8 +22,6 @@ final class UserForcedStepModel extends UserForcedResidualModel
   /** Where each element of the generated pattern stands in the own one. */
   private final int[] elementAt;
 
-  private int singular;
-
   UserForcedStepModel(TreeStepModel generated, Mechanism mechanism, UserLoads loads) {
     super(generated, mechanism, loads);
     this.generated = generated;
@@ -77,8 +75,7 @@ final class UserForcedStepModel extends UserForcedResidualModel
 
   @Override
   public boolean factor(double hGamma) {
-    singular = iteration.factor(hGamma);
-    return singular == TreeLu.NONSINGULAR;
+    return iteration.factor(hGamma);
   }
 
   @Override
@@ -88,7 +85,7 @@ final class UserForcedStepModel extends UserForcedResidualModel
 
   @Override
   public int singularUnknown() {
-    return description().positionCount() + singular;
+    return iteration.singularUnknown();
   }
 
   @Override

@@ -11,7 +11,7 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.spatial.Vector3;
 
 /** Writes formulas as text for people, with the names of their mechanism. */
-final class FormulaText {
+public final class FormulaText {
   private static final int SUM = 1;
   private static final int PRODUCT = 2;
   private static final int SIGN = 3;
@@ -21,12 +21,15 @@ final class FormulaText {
 
   private final Mechanism mechanism;
 
-  FormulaText(Mechanism mechanism) {
+  /**
+   * @param mechanism whose names the formulas use
+   */
+  public FormulaText(Mechanism mechanism) {
     this.mechanism = mechanism;
   }
 
   /** Returns a formula as it could stand in a model file, in SI units. */
-  String of(Expression formula) {
+  public String of(Expression formula) {
     if (formula instanceof Expression.Constant constant) {
       return number(constant.value());
     } else if (formula instanceof Expression.Sum sum) {

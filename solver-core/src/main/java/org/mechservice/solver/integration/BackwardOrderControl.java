@@ -11,7 +11,8 @@ package org.mechservice.solver.integration;
  *
  * <p>Near the imaginary axis the formulas of high order are not stable, which shows in differences
  * that grow with their order. If asked to heed that, the order is lowered at once and not raised as
- * long as it lasts.
+ * long as it lasts. Only differences of equal steps tell: for some steps after a change of size
+ * those of a strongly damped system hold what the change has stirred up.
  */
 final class BackwardOrderControl {
   /** Safety factors of a step after an accepted one, by change of order. */
@@ -120,7 +121,7 @@ final class BackwardOrderControl {
   /** Chooses the order after an accepted step and returns the factor for the step. */
   double accept(BackwardDifferences differences, ErrorNorm norm) {
     int k = order;
-    if (heedsGrowth && differencesGrow(differences, norm)) {
+    if (heedsGrowth && equalSteps >= k && differencesGrow(differences, norm)) {
       return lower(errorOf(k - 1, differences, norm));
     }
     equalSteps = Math.min(equalSteps + 1, k + 2);

@@ -22,6 +22,7 @@ final class BackwardStep {
   private final StepSize step = new StepSize();
   private final JumpWatch jumps = new JumpWatch();
   private final JumpSearch search = new JumpSearch();
+  private final SlideWatch slide = new SlideWatch();
 
   private StepEquations equations;
   private StepSolver solver;
@@ -85,6 +86,7 @@ final class BackwardStep {
     control.begin(highestOrder, restarted);
     jumps.begin();
     search.clear();
+    slide.clear();
     step.beginAt(initialStep, restarted);
     step.stopAt(equations.breakpoints().next());
     triedTime = t;
@@ -241,11 +243,17 @@ final class BackwardStep {
     if (!inaccurate && solver.renew(hGamma())) {
       return Optional.empty();
     }
-    if (!step.canBeReduced(progress.time())) {
+    if (!step.canBeReduced(progress.time()) || slides(attempt)) {
       return Optional.of(solver.cause(attempt, tEnd - progress.start(), norm));
     }
     reduce(inaccurate);
     return Optional.empty();
+  }
+
+  private boolean slides(Attempt attempt) {
+    return attempt == Attempt.NOT_CONVERGING
+        && mode != Mode.FAITHFUL
+        && slide.unsolved(progress.time(), tEnd);
   }
 
   /** A search for a jump may ask once for the same step at order 1, not more often. */
@@ -334,6 +342,7 @@ final class BackwardStep {
     control.transfer(state);
     jumps.transfer(state);
     search.transfer(state);
+    slide.transfer(state);
     triedTime = state.number(triedTime);
     step.transfer(state);
   }

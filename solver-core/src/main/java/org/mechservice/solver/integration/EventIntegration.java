@@ -165,9 +165,14 @@ public final class EventIntegration implements ResidualIntegrator {
       running = false;
       return result;
     }
-    double[] parts = justRestarted ? PARTS_AFTER_RESTART : PARTS;
+    if (!justRestarted) {
+      return searchStep(result, PARTS);
+    }
     justRestarted = false;
-    return searchStep(result, parts);
+    time = integrator.previousTime();
+    return values.join(time)
+        ? searchStep(result, PARTS_AFTER_RESTART)
+        : fail(Cause.EVENT_NOT_FINITE);
   }
 
   /** Searches the step just taken from point to point. */

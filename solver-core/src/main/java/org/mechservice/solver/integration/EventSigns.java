@@ -147,6 +147,23 @@ final class EventSigns {
   }
 
   /**
+   * Takes note that values at one place differ. A function nearer to zero than such a difference
+   * must first leave it by more.
+   *
+   * @param g values last observed
+   * @param other values at the same place
+   */
+  void blur(double[] g, double[] other) {
+    for (int i = 0; i < g.length; i++) {
+      double unsure = BLUR * Math.abs(other[i] - g[i]);
+      if (Math.abs(g[i]) <= unsure) {
+        armed[i] = false;
+        blur[i] = Math.max(blur[i], unsure);
+      }
+    }
+  }
+
+  /**
    * Decides by the way a function goes on which side it is on after an event that has changed the
    * state, where its value leaves that open. One that turns round must not pass zero unnoticed.
    *

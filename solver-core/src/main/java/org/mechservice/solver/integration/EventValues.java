@@ -60,6 +60,19 @@ final class EventValues {
     return finite;
   }
 
+  /**
+   * Takes note of where the solution begins when it is interpolated in the first step after a
+   * restart: not quite in the state it was restarted from. Returns false if something is not finite
+   * there.
+   */
+  boolean join(double t) {
+    boolean finite = evaluate(t, here);
+    if (finite) {
+      signs.blur(before, here);
+    }
+    return finite;
+  }
+
   /** Looks at a point; returns false if something is not finite. */
   boolean lookAt(double t) {
     return evaluate(t, here);

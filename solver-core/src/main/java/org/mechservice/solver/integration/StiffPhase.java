@@ -59,8 +59,22 @@ final class StiffPhase {
     }
     double covered = Math.abs(time[latest] - time[slot]);
     long spent = evaluations[latest] - evaluations[slot];
-    double ofAdams = ADAMS_EVALUATIONS * covered * fastestRate / ADAMS_LIMIT;
-    return ofAdams <= WORTH_A_CHANGE * spent;
+    return ofAdams(covered, fastestRate) <= WORTH_A_CHANGE * spent;
+  }
+
+  /**
+   * Returns whether a whole stretch was had for half of what an Adams method would have spent.
+   *
+   * @param covered length of the stretch, positive
+   * @param spent evaluations there
+   * @param fastestRate L
+   */
+  static boolean paid(double covered, long spent, double fastestRate) {
+    return spent <= WORTH_A_CHANGE * ofAdams(covered, fastestRate);
+  }
+
+  private static double ofAdams(double covered, double fastestRate) {
+    return ADAMS_EVALUATIONS * covered * fastestRate / ADAMS_LIMIT;
   }
 
   /** Returns how long the step after a slot was. */

@@ -11,9 +11,10 @@ import java.util.List;
  * sees in the two evaluations of its steps ({@link StiffnessMonitor}), or when it slides along what
  * looks like a jump: friction so steep that no step of its own tells it from one. ode113 takes over
  * when its steps at that limit would cost half the evaluations that ode15s has spent lately ({@link
- * StiffPhase}). Both begin at order 1. A phase that proves too short to have paid makes the next
- * change of that kind ask for four times the evidence, so that methods that are about equally good
- * do not take turns.
+ * StiffPhase}). Both begin at order 1. A phase that has not paid makes the next change of that kind
+ * ask for four times the evidence, so that methods that are about equally good do not take turns:
+ * one of ode15s that cost more than half of what ode113 would have spent there, one of ode113 of
+ * less than 50 steps.
  *
  * <p>The workspace of ode15s is made when it is first needed. {@link IntegratorSettings#maxOrder}
  * bounds both; ode15s knows no more than 5.
@@ -23,8 +24,8 @@ import java.util.List;
  * our own.
  */
 public final class Switching implements Integrator {
-  /** A phase with fewer steps was not worth its start. */
-  private static final int SHORT_PHASE = 100;
+  /** A phase of ode113 with fewer steps was not worth its start. */
+  private static final int SHORT_PHASE = 50;
 
   private static final int MORE_EVIDENCE = 4;
   private static final int MOST_EVIDENCE = 256;
@@ -74,6 +75,11 @@ public final class Switching implements Integrator {
 
   private int evidence;
 
+  /** Where the present phase began, and the evaluations of ode15s up to there. */
+  private double phaseStart;
+
+  private long spentBefore;
+
   /** How many steps in a row must speak for ode15s, and for ode113. */
   private int neededForBackward;
 
@@ -115,6 +121,8 @@ public final class Switching implements Integrator {
   private void beginPhase(boolean stiff) {
     this.stiff = stiff;
     stepsOfPhase = 0;
+    phaseStart = progress.time();
+    spentBefore = backwardBegun ? backward.evaluations() : 0;
     beginWatch();
   }
 
@@ -239,7 +247,7 @@ public final class Switching implements Integrator {
     double t = progress.time();
     atWork().interpolate(t, y, yDot);
     changes.record(t, progress.stepSize(), !stiff);
-    if (stepsOfPhase < SHORT_PHASE) {
+    if (!paid()) {
       demandMore();
     }
     beginPhase(!stiff);
@@ -249,6 +257,14 @@ public final class Switching implements Integrator {
     boolean first = !backwardBegun;
     backwardBegun = true;
     return first ? backward.takeOver(system, t, y, tEnd) : backward.takeOver(t, y);
+  }
+
+  /** Returns whether the phase that ends was worth its start. */
+  private boolean paid() {
+    double covered = Math.abs(progress.time() - phaseStart);
+    return stiff
+        ? StiffPhase.paid(covered, backward.evaluations() - spentBefore, backward.fastestRate())
+        : stepsOfPhase >= SHORT_PHASE;
   }
 
   /** The phase that ends was begun too early. */
@@ -324,6 +340,8 @@ public final class Switching implements Integrator {
     changeDue = state.flag(changeDue);
     jumps = state.flag(jumps);
     stepsOfPhase = state.integer(stepsOfPhase);
+    phaseStart = state.number(phaseStart);
+    spentBefore = state.integer(spentBefore);
     evidence = state.integer(evidence);
     neededForBackward = state.integer(neededForBackward);
     neededForAdams = state.integer(neededForAdams);

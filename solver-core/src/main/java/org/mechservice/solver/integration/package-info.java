@@ -1,7 +1,7 @@
 /**
  * Integration of initial value problems y' = f(t, y), y(t<sub>0</sub>) = y<sub>0</sub>, with step
  * size and order chosen by the integrator. The package knows no mechanics and can be used on its
- * own; after {@code start} nothing in it allocates memory.
+ * own; once an integration is under way, no step of it allocates memory.
  *
  * <h2>In ten lines</h2>
  *
@@ -129,6 +129,23 @@
  * with the same bits. A problem that depends on more than t and y is to be a {@link
  * org.mechservice.solver.integration.SavedSystem}.
  *
+ * <h2>Modes</h2>
+ *
+ * The methods are those of known programs; {@link
+ * org.mechservice.solver.integration.IntegratorSettings#withMode} says how closely to keep to them.
+ *
+ * <table>
+ * <caption>What each mode does beyond the published program</caption>
+ * <tr><th>mode</th><th>Adams methods</th><th>stiff methods</th><th>when</th></tr>
+ * <tr><td>faithful</td><td>nothing</td><td>nothing</td><td>to compare counts and steps</td></tr>
+ * <tr><td>standard</td><td>narrow down jumps</td><td>the same; fewer iterations; shorter steps
+ * where nothing is stiff</td><td>the default</td></tr>
+ * <tr><td>tuned</td><td>as standard</td><td>fewest evaluations and factorisations; lower orders
+ * near the imaginary axis</td><td>stiff problems throughout, moderate accuracy</td></tr>
+ * <tr><td>accurate</td><td>a 20th of the tolerances, 1.3 times the evaluations</td><td>the same,
+ * 1.5 times the evaluations</td><td>the digits asked for have to arrive</td></tr>
+ * </table>
+ *
  * <h2>What the tolerance means</h2>
  *
  * The error of each step is held below the tolerance, not the error at the end: what errors become
@@ -136,11 +153,14 @@
  * fewer than asked for; on stable ones none. To judge a result, integrate again with a tenth of the
  * tolerance. Give each component an absolute tolerance at which it is negligible. In the
  * {@linkplain org.mechservice.solver.integration.IntegratorSettings.Mode#ACCURATE accurate mode} a
- * smaller tolerance is used inside, so that as a rule the end has the digits asked for but one.
+ * smaller tolerance is used inside, so that as a rule the end has the digits asked for but one: in
+ * three runs of four on orbits and oscillations, in nineteen of twenty on stiff problems.
  *
  * <h2>What can go wrong</h2>
  *
- * An integrator never hands out a state that is not finite. When it cannot go on it returns {@link
+ * An integrator never hands out a state that is not finite. Told to stop, it returns {@link
+ * org.mechservice.solver.integration.StepResult#STOPPED} within one evaluation, and the next {@code
+ * step} goes on from there. When it cannot go on it returns {@link
  * org.mechservice.solver.integration.StepResult#FAILED}, keeps the last accepted step, and {@link
  * org.mechservice.solver.integration.IntegrationFailure} names cause, place, component and the last
  * steps. f says that it is not defined somewhere by a value that is not finite; the step is then

@@ -204,7 +204,7 @@ public final class TreeGeometry {
     driven[link] = mechanism.isDriven(ofJoint);
     inverse[link] = step.inverse();
     pitch[link] = step.pitch();
-    parallelAtZero[link] = step.zeroRotation().equals(Rotation.IDENTITY);
+    parallelAtZero[link] = step.zeroRotation().isIdentity();
     put(zeroRotation, 9 * link, step.zeroRotation());
     put(axisInParent, 3 * link, step.axis());
     put(axisInLink, 3 * link, step.zeroRotation().transposed().apply(step.axis()));

@@ -17,6 +17,6 @@ public record Body(
 
   /** Returns whether the body has neither mass nor inertia. */
   public boolean isMassless() {
-    return mass == 0 && inertia.equals(InertiaTensor.ZERO);
+    return mass == 0 && inertia.isZero();
   }
 }

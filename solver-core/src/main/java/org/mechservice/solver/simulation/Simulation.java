@@ -1,17 +1,13 @@
 package org.mechservice.solver.simulation;
 
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
 import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ExtendedModel;
-import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.MomentumBalance;
 import org.mechservice.solver.api.Outcome;
@@ -19,14 +15,12 @@ import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.ResultTable;
 import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.api.WatchedModel;
-import org.mechservice.solver.integration.IntegrationFailure;
 import org.mechservice.solver.integration.IntegrationStatistics;
 import org.mechservice.solver.integration.Integrator;
 import org.mechservice.solver.integration.IntegratorFactory;
@@ -38,14 +32,6 @@ import org.mechservice.solver.integration.StepResult;
  * Runs models with one integrator: steps, rows at the output times, energy watched, control obeyed.
  */
 public final class Simulation implements Solver {
-  /** In place of a column: the loops cannot be closed at an output time. */
-  private static final int LOOPS_OPEN = -2;
-
-  /** In place of a column: the balance of energy, or that of momentum, has drifted too far. */
-  private static final int ENERGY_DRIFTED = -3;
-
-  private static final int MOMENTUM_DRIFTED = -4;
-
   private final IntegratorFactory integrators;
   private final EquationForm form;
 
@@ -132,7 +118,6 @@ public final class Simulation implements Solver {
     private final RunSettings settings;
     private final RunControl control;
     private final boolean strict;
-    private final OptionalDouble maxDrift;
     private final Integrator integrator;
     private final ModelEquations equations;
     private final RunEvents events;
@@ -141,6 +126,7 @@ public final class Simulation implements Solver {
     private final WorkMeter work;
     private final CheckpointWriter checkpoints;
     private final NotesOfRun notes;
+    private final FailuresOfRun failures;
     private final Optional<MomentumBalance> momentum;
     private final double[] y;
     private final double[] yDot;
@@ -165,7 +151,6 @@ public final class Simulation implements Solver {
       this.settings = request.settings();
       this.control = control;
       strict = request.strict();
-      maxDrift = request.maxDrift();
       integrator = events.watch(createIntegrator());
       outputTimes = new OutputTimes(settings);
       checkpoints = new CheckpointWriter(model, request, store);
@@ -178,6 +163,7 @@ public final class Simulation implements Solver {
           new WorkMeter(
               equations, integrator, model, rows.measuresWork(), momentum, settings.tStart());
       notes = new NotesOfRun(model, rows, events, integrator, momentum);
+      failures = new FailuresOfRun(equations, events, integrator, rows, momentum, request);
       y = new double[equations.dimension()];
       yDot = new double[equations.dimension()];
       timeReached = settings.tStart();
@@ -226,25 +212,21 @@ public final class Simulation implements Solver {
       model.initialState(y);
       StepResult result = equations.start(integrator, settings.tStart(), y, settings.tEnd());
       if (result == StepResult.FAILED) {
-        return startFailed();
+        return failures.atStart(y, yDot);
       }
       if (strict && notes.firstWarning().isPresent()) {
-        return warned(notes.firstWarning().get());
+        return failures.ofWarning(notes.firstWarning().get());
       }
       double first = outputTimes.time(nextRow);
       int badColumn = rows.write(first, first, y, 0, 0);
       if (badColumn != RowWriter.ALL_FINITE) {
-        return rowFailed(outputTimes.time(nextRow), badColumn);
+        return failures.ofRow(first, badColumn);
       }
       nextRow++;
       control.giveStates(Optional.of(this::copyState));
       return control.proceed(settings.tStart(), 0, 0, 0)
           ? stepToEnd(result)
           : new Outcome.Stopped();
-    }
-
-    private static Outcome warned(RunNotes.Note warning) {
-      return new Outcome.Failed(FailureText.ofStrict(warning));
     }
 
     private Outcome goOnFrom(byte[] saved) throws IOException {
@@ -282,13 +264,13 @@ public final class Simulation implements Solver {
         steps++;
         int badColumn = writeRowsOfStep();
         if (badColumn != RowWriter.ALL_FINITE) {
-          return rowFailed(dueRow(), badColumn);
+          return failures.ofRow(dueRow(), badColumn);
         }
         if (events.failure().isPresent()) {
           return new Outcome.Failed(events.failure().get());
         }
         if (strict && notes.firstWarning().isPresent()) {
-          return warned(notes.firstWarning().get());
+          return failures.ofWarning(notes.firstWarning().get());
         }
         work.add(events.takeWork());
         if (!proceed(result == StepResult.ADVANCED)) {
@@ -321,23 +303,19 @@ public final class Simulation implements Solver {
       for (double t = dueRow(); t <= timeReached; t = dueRow()) {
         integrator.interpolate(t, y, yDot);
         if (!equations.closeLoops(t, y) || !work.advance(t)) {
-          return LOOPS_OPEN;
+          return FailuresOfRun.LOOPS_OPEN;
         }
         int badColumn = rows.write(t, equations.beside(t), y, work.work(), work.turnover());
         if (badColumn != RowWriter.ALL_FINITE) {
           return badColumn;
         }
-        if (maxDrift.isPresent() && rows.energyMonitor().exceeds(maxDrift.getAsDouble())) {
-          return ENERGY_DRIFTED;
-        }
-        if (maxDrift.isPresent()
-            && momentum.isPresent()
-            && momentum.get().exceeds(maxDrift.getAsDouble())) {
-          return MOMENTUM_DRIFTED;
+        int drifted = failures.drifted();
+        if (drifted != RowWriter.ALL_FINITE) {
+          return drifted;
         }
         rowWritten(t);
       }
-      return work.advance(timeReached) ? RowWriter.ALL_FINITE : LOOPS_OPEN;
+      return work.advance(timeReached) ? RowWriter.ALL_FINITE : FailuresOfRun.LOOPS_OPEN;
     }
 
     /** Returns when the next row is due: an output time, or an event. */
@@ -358,76 +336,11 @@ public final class Simulation implements Solver {
       return control.proceed(timeReached, integrator.stepSize(), integrator.order(), steps);
     }
 
-    /** The model itself may have refused, before the integrator could begin. */
-    private Outcome startFailed() {
-      double t = settings.tStart();
-      Optional<Defects.Defect> defect = equations.defect(t, y, yDot, List.of());
-      if (defect.isPresent()) {
-        return new Outcome.Failed(FailureText.of(defect.get(), t, 0, 0));
-      }
-      return equations.singularJoint() == ExplicitModel.REGULAR
-          ? integratorFailed()
-          : new Outcome.Failed(
-              FailureText.singularStart(t, model.description(), equations.singularJoint()));
-    }
-
     private Outcome integratorFailed() {
-      IntegrationFailure failure = integrator.failure();
-      List<Failure.Step> tried = FailureText.steps(failure);
       if (steps > 0) {
         integrator.interpolate(integrator.time(), y, yDot);
       }
-      Optional<Defects.Defect> defect = equations.defect(integrator.time(), y, yDot, tried);
-      if (defect.isEmpty() && FailureText.mayLieInLoops(failure.cause())) {
-        defect = equations.obstacle();
-      }
-      Failure told =
-          defect.isPresent()
-              ? FailureText.of(defect.get(), failure.time(), failure.stepSize(), failure.order())
-              : FailureText.of(
-                  failure, model.description(), equations.singularJoint(), events.part());
-      return new Outcome.Failed(told.after(tried));
-    }
-
-    private Outcome rowFailed(double t, int column) {
-      return new Outcome.Failed(
-          switch (column) {
-            case LOOPS_OPEN -> loopsOpen(t);
-            case ENERGY_DRIFTED -> energyDrifts(t);
-            case MOMENTUM_DRIFTED ->
-                momentum
-                    .orElseThrow()
-                    .failure(maxDrift.orElseThrow(), t, integrator.stepSize(), integrator.order());
-            default -> FailureText.notFiniteColumn(t, rows.columnName(column));
-          });
-    }
-
-    private Failure energyDrifts(double t) {
-      IntegrationStatistics done = integrator.statistics();
-      return FailureText.energyDrifts(
-          t,
-          integrator,
-          rows.energyMonitor(),
-          maxDrift.orElseThrow(),
-          settings,
-          limits(done).stream().findFirst().map(RunReport.Limit::state),
-          done.stiffnessSuspected());
-    }
-
-    private Failure loopsOpen(double t) {
-      return equations
-          .obstacle()
-          .map(obstacle -> FailureText.of(obstacle, t, 0, 0))
-          .orElseGet(() -> FailureText.loopsOpen(t));
-    }
-
-    private List<RunReport.Limit> limits(IntegrationStatistics done) {
-      List<RunReport.Limit> limits = new ArrayList<>();
-      for (IntegrationStatistics.Limit limit : done.limits()) {
-        String name = equations.name(limit.component());
-        limits.add(new RunReport.Limit(name, limit.inaccurate(), limit.unsolved()));
-      }
-      return limits;
+      return failures.ofIntegrator(y, yDot);
     }
 
     private RunReport report(Outcome outcome) {
@@ -449,7 +362,7 @@ public final class Simulation implements Solver {
           done.stiffnessSuspected(),
           done.jacobians(),
           done.factorisations(),
-          limits(done),
+          failures.limits(done),
           notes.all(),
           SolverVersion.CURRENT);
     }

@@ -14,6 +14,11 @@ package org.mechservice.solver.spatial;
 public record InertiaTensor(double xx, double yy, double zz, double xy, double xz, double yz) {
   public static final InertiaTensor ZERO = new InertiaTensor(0, 0, 0, 0, 0, 0);
 
+  /** Returns whether all components are zero. */
+  public boolean isZero() {
+    return xx == 0 && yy == 0 && zz == 0 && xy == 0 && xz == 0 && yz == 0;
+  }
+
   /** Returns the product with a vector in the same axes. */
   public Vector3 times(Vector3 v) {
     return new Vector3(

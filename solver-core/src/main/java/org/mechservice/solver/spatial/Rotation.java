@@ -22,6 +22,11 @@ public record Rotation(
    */
   private static final double OPPOSITE = -1 + 1e-12;
 
+  /** Returns whether it turns nothing; equality of records is slow at its first call. */
+  public boolean isIdentity() {
+    return xx == 1 && yy == 1 && zz == 1;
+  }
+
   /**
    * Returns the right-handed rotation about an axis (Rodrigues' formula).
    *

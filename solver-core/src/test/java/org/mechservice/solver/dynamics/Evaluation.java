@@ -84,7 +84,9 @@ final class Evaluation {
     jacobian.finish();
     TreeIteration iteration = new TreeIteration(tree, pattern, jacobian);
     iteration.setState(y);
-    require(iteration.factor(0));
+    if (!iteration.factor(0)) {
+      throw new IllegalStateException("singular in unknown " + iteration.singularUnknown());
+    }
     double[] a = new double[nv];
     double[] change = new double[nq + nv];
     for (int i = 0; i < 2; i++) {

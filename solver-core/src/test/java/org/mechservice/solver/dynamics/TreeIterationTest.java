@@ -43,7 +43,7 @@ class TreeIterationTest {
       jacobian.finish();
       iteration = new TreeIteration(at.tree, pattern, jacobian);
       iteration.setState(at.y);
-      assertThat(iteration.factor(hGamma)).isEqualTo(TreeLu.NONSINGULAR);
+      assertThat(iteration.factor(hGamma)).isTrue();
       whole = whole(jacobian);
     }
 

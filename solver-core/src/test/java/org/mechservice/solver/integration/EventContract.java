@@ -58,6 +58,31 @@ abstract class EventContract extends EventLocationContract {
   }
 
   @ParameterizedTest
+  @ValueSource(doubles = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8})
+  void ballWhoseWeightFallsWithHeightBouncesOnceAtEachContact(double tolerance) {
+    // y'' = ω² (y − 1), ω = 10 1/s, let go from y = 1/2: it comes down with ω √3 / 2 and goes up as
+    // fast, for 2 artanh(√3 / 2) / ω. The slope of its weight turns the dense output of a first
+    // step
+    // downwards at its very beginning.
+    double omega = 10;
+    Bounces bounces = new Bounces(1);
+    Ode pressed =
+        new Ode(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = y[1];
+              yDot[1] = omega * omega * (y[0] - 1);
+            });
+    run(new EventIntegration(create(tolerance), bounces), pressed, new double[] {0.5, 0}, 2);
+    double r = Math.sqrt(3) / 2;
+    double flight = Math.log((1 + r) / (1 - r)) / omega;
+    for (int i = 1; i < bounces.times.size(); i++) {
+      double apart = bounces.times.get(i) - bounces.times.get(i - 1);
+      assertThat(apart).as("flight %d", i).isBetween(0.5 * flight, 1.5 * flight);
+    }
+  }
+
+  @ParameterizedTest
   @ValueSource(doubles = {1e-3, 1e-6, 1e-10})
   void bouncesThatAccumulateEndTheRun(double tolerance) {
     EventIntegration integrator = new EventIntegration(create(tolerance), new Bounces(0.8));

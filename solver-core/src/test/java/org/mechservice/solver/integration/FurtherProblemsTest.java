@@ -2,6 +2,7 @@ package org.mechservice.solver.integration;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -90,6 +91,71 @@ class FurtherProblemsTest {
             (t, y, d) -> {
               d[0] = -1e5 * (y[0] - y[1] * y[1]) - 2 * y[0];
               d[1] = y[0] - y[1] * (1 + y[1]);
+            }),
+        // Enright, Hull and Lindberg 1975, E5: concentrations down to 1e-22, rates up to 1e9.
+        problem(
+            "DetestE5",
+            true,
+            List.of(1.76e-3, 0.0, 0.0, 0.0),
+            1e5,
+            1e-14,
+            (t, y, d) -> {
+              d[0] = -7.89e-10 * y[0] - 1.1e7 * y[0] * y[2];
+              d[1] = 7.89e-10 * y[0] - 1.13e9 * y[1] * y[2];
+              d[3] = 1.1e7 * y[0] * y[2] - 1130 * y[3];
+              d[2] = d[1] - d[3];
+            }),
+        // A rectifier: the current through the diode spans 40 decades within a period.
+        problem(
+            "Rectifier",
+            true,
+            List.of(0.0),
+            0.05,
+            1e-2,
+            (t, y, d) -> {
+              double across = 5 * StrictMath.sin(314.159265 * t) - y[0];
+              d[0] = 1e-3 * (StrictMath.exp(across / 0.05) - 1) - 1e3 * y[0];
+            }),
+        // A mass on a spring whose other end moves, far more than critically damped.
+        problem(
+            "OverdampedMass",
+            true,
+            List.of(1.0, 0.0),
+            10,
+            1e-2,
+            (t, y, d) -> {
+              d[0] = y[1];
+              d[1] = -1e4 * y[1] - 1e6 * (y[0] - StrictMath.sin(t));
+            }),
+        // A rod of 30 pieces, heated in turns at one end.
+        problem(
+            "HeatedRod",
+            true,
+            Collections.nCopies(30, 0.0),
+            1,
+            1e-3,
+            (t, y, d) -> {
+              for (int i = 0; i < 30; i++) {
+                double left = i > 0 ? y[i - 1] : 0;
+                double right = i < 29 ? y[i + 1] : StrictMath.sin(5 * t);
+                d[i] = 961 * (left - 2 * y[i] + right);
+              }
+            }),
+        // A free body that turns over about its middle axis: Euler parameters, then its own axes.
+        problem(
+            "TurningOver",
+            false,
+            List.of(1.0, 0.0, 0.0, 0.0, 0.01, 1.0, 0.01),
+            40,
+            1,
+            (t, y, d) -> {
+              d[0] = 0.5 * (-y[1] * y[4] - y[2] * y[5] - y[3] * y[6]);
+              d[1] = 0.5 * (y[0] * y[4] + y[2] * y[6] - y[3] * y[5]);
+              d[2] = 0.5 * (y[0] * y[5] - y[1] * y[6] + y[3] * y[4]);
+              d[3] = 0.5 * (y[0] * y[6] + y[1] * y[5] - y[2] * y[4]);
+              d[4] = -y[5] * y[6];
+              d[5] = y[4] * y[6];
+              d[6] = -y[4] * y[5] / 3;
             }),
         problem(
             "LorenzShort",

@@ -3,6 +3,8 @@ package org.mechservice.solver.integration;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.integration.IntegratorSettings.Mode;
 import org.mechservice.solver.integration.suite.DampedOscillator;
 import org.mechservice.solver.integration.suite.StiffChain;
@@ -41,6 +43,34 @@ class Ode15sTunedTest extends IntegratorContract {
     // Eigenvalues −10 ± 100i: left to themselves, orders 4 and 5 take 4900 evaluations.
     Run run = run(new DampedOscillator(), 1e-6, Mode.TUNED);
     assertThat(run.statistics().evaluations()).isLessThanOrEqualTo(1300);
+  }
+
+  /** A mass on a spring whose other end moves, so damped that it follows within 0.01 s. */
+  private static final Ode STRONGLY_DAMPED =
+      new Ode(
+          2,
+          (t, y, yDot) -> {
+            yDot[0] = y[1];
+            yDot[1] = -1e4 * y[1] - 1e6 * (y[0] - StrictMath.sin(t));
+          });
+
+  private static long evaluationsOfStronglyDamped(Integrator integrator) {
+    Run run = Run.of(integrator, STRONGLY_DAMPED, 0, new double[] {1, 0}, 10);
+    assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+    return run.statistics().evaluations();
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {3, 4, 5, 6, 7, 8})
+  void whatAChangeOfStepStirsUpDoesNotLowerTheOrder(int k) {
+    // Heeded right after such changes, it keeps order 1 for up to nine times the evaluations.
+    double tolerance = StrictMath.pow(10, -k);
+    IntegratorSettings settings = new IntegratorSettings(tolerance, 0.01 * tolerance);
+    long standard = evaluationsOfStronglyDamped(new Ode15s(settings));
+    assertThat(evaluationsOfStronglyDamped(new Ode15s(settings.withMode(Mode.TUNED))))
+        .isLessThan(2 * standard);
+    // Finding out takes evaluations too.
+    assertThat(evaluationsOfStronglyDamped(new Switching(settings))).isLessThan(2 * standard + 150);
   }
 
   @Test

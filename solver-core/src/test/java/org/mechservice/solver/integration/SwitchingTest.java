@@ -46,6 +46,16 @@ class SwitchingTest {
     assertThat(run.integrator().methodChangeCount()).isBetween(35L, 46L);
   }
 
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-4, 3e-5, 1e-5, 1e-6, 1e-8})
+  void relaxationOscillatorCostsNoMoreThanTheStiffMethodAlone(double tolerance) {
+    // A phase of few steps may have paid all the same: it covers what ode113 could not.
+    IntegratorSettings settings = new IntegratorSettings(tolerance, tolerance);
+    Run stiff = Run.of(new Ode15s(settings), RELAXATION, 0, new double[] {2, 0}, 16_150);
+    assertThat(relaxation(tolerance, 10).statistics().evaluations())
+        .isLessThan(stiff.statistics().evaluations());
+  }
+
   /** A block on a spring with friction as a jump: once at rest, it would have to stay there. */
   @Test
   void slidingAlongAJumpEndsTheRunInsteadOfCrossingItForEver() {

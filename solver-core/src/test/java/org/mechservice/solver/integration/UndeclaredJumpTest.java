@@ -1,6 +1,7 @@
 package org.mechservice.solver.integration;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Random;
@@ -98,6 +99,22 @@ class UndeclaredJumpTest {
   @EnumSource
   void frictionTooSteepForAnyStepIsRightOrRefused(Method method) {
     integrate(method, new DryFriction(1e-8));
+  }
+
+  /** The block comes to rest, where f jumps whatever way it moves. */
+  @ParameterizedTest
+  @EnumSource
+  void restOnAJumpEndsTheRunBeforeItCreeps(Method method) {
+    IntegratorSettings how = new IntegratorSettings(1e-7, 1e-8);
+    Integrator integrator = method.start(new DryFriction(0), new double[] {3.3, 0}, 20, how);
+    StepResult result = StepResult.ADVANCED;
+    while (result == StepResult.ADVANCED) {
+      result = integrator.step();
+    }
+    assertThat(result).isEqualTo(StepResult.FAILED);
+    assertThat(integrator.failure().time()).isCloseTo(2 * Math.PI, within(0.01));
+    // A thousand tries that come to nothing are enough; each is narrowed down in some tens.
+    assertThat(integrator.statistics().evaluations()).isLessThan(50_000);
   }
 
   private static void integrate(Method method, DryFriction friction) {

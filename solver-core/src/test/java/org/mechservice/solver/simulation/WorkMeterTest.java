@@ -6,11 +6,14 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
 
 /** Work of what has no energy of its own. */
 class WorkMeterTest {
@@ -44,6 +47,39 @@ class WorkMeterTest {
     }
     assertThat(rows.rows.get(rows.rows.size() - 1)[kinetic + 2]).isLessThan(-0.1);
     assertThat(report.energyDrift().orElseThrow()).isLessThan(1e-8);
+  }
+
+  /** The same, pushed as well: work is put in and taken out for good. */
+  private static final class Pushed extends HarmonicOscillator implements PowerInput {
+    @Override
+    public int derivative(double t, double[] y, double[] yDot) {
+      yDot[0] = y[1];
+      yDot[1] = -y[0] - DAMPING * y[1] + StrictMath.sin(t);
+      return REGULAR;
+    }
+
+    @Override
+    public double power(double t, double[] y) {
+      return (StrictMath.sin(t) - DAMPING * y[1]) * y[1];
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {4, 6, 8, 10, 12})
+  void workIsAsAccurateAsTheMotionWhateverTheTolerance(int k) throws IOException {
+    // One row at the end: the rule goes over whole steps, with nothing but them to bound it.
+    double tolerance = StrictMath.pow(10, -k);
+    RunSettings settings =
+        new RunSettings(0, 20, 20, "ode113", tolerance, tolerance, Double.POSITIVE_INFINITY, 0, 0);
+    RunReport report =
+        new RuntimeSolver()
+            .run(
+                new Pushed(),
+                new RunRequest(settings, Set.of(ColumnGroup.ENERGY)),
+                rows,
+                new RunControl());
+    // Errors of 20 s, of which the damper forgets those older than some seconds.
+    assertThat(report.energyDrift().orElseThrow()).isLessThan(30 * tolerance);
   }
 
   @Test

@@ -97,8 +97,9 @@ final class AutoStudy implements Study {
     scenes.put("chain, undamped", new Chain(5, 1, 1, 1e4, 0, 0.05, 1).text());
     double worst = 0;
     String worstScene = "";
+    int compared = 0;
     for (Map.Entry<String, String> scene : scenes.entrySet()) {
-      bench.at(scene.getKey(), 0.5);
+      bench.at(scene.getKey(), (double) compared++ / scenes.size());
       double ratio = bench.with(scene.getValue(), s -> compare(table, scene.getKey(), s));
       if (ratio > worst) {
         worst = ratio;

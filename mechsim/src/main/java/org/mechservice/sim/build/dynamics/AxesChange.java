@@ -1,7 +1,7 @@
 package org.mechservice.sim.build.dynamics;
 
+import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarMatrix;
@@ -89,12 +89,18 @@ record AxesChange(Rotation permuted, List<Turn> turns) {
     double norm = Math.hypot(rest[0][0], rest[1][0]);
     Turn second = new Turn(0, r[2][2], sinB);
     Turn third = new Turn(2, rest[0][0] / norm, rest[1][0] / norm);
-    return Stream.of(first, second, third).filter(turn -> !turn.isNone()).toList();
+    List<Turn> turns = new ArrayList<>();
+    for (Turn turn : List.of(first, second, third)) {
+      if (!turn.isNone()) {
+        turns.add(turn);
+      }
+    }
+    return turns;
   }
 
   /** Returns whether child and parent axes are the same. */
   boolean isIdentity() {
-    return turns.isEmpty() && permuted.equals(Rotation.IDENTITY);
+    return turns.isEmpty() && permuted.isIdentity();
   }
 
   /** Returns parent components of a vector given in child components. */
@@ -147,7 +153,7 @@ record AxesChange(Rotation permuted, List<Turn> turns) {
     ScalarVector x = ScalarVector.of(expressions, new Vector3(r.xx(), r.xy(), r.xz()));
     ScalarVector y = ScalarVector.of(expressions, new Vector3(r.yx(), r.yy(), r.yz()));
     ScalarVector z = ScalarVector.of(expressions, new Vector3(r.zx(), r.zy(), r.zz()));
-    return ScalarMatrix.of((i, j) -> List.of(x, y, z).get(i).at(j));
+    return new ScalarMatrix(List.of(x.x(), x.y(), x.z(), y.x(), y.y(), y.z(), z.x(), z.y(), z.z()));
   }
 
   private static Scalar constant(ScalarVector v, double value) {

@@ -27,7 +27,10 @@ final class PositionRates {
 
   /** Derives the rates in a section of their own and hands them over. */
   void each(Taker taker) {
-    boolean balls = mechanism.links().stream().anyMatch(Link::isBall);
+    boolean balls = false;
+    for (Link link : mechanism.links()) {
+      balls |= link.isBall();
+    }
     program.section(balls ? "q' = v, e' = (0, v) e / 2" : "q' = v", "q");
     for (Link link : mechanism.links()) {
       if (link.isBall()) {

@@ -22,9 +22,7 @@ record Wrench(ScalarVector moment, ScalarVector force) {
 
   /** Returns factor · this. */
   Wrench times(double factor) {
-    return new Wrench(
-        moment.map(component -> component.times(factor)),
-        force.map(component -> component.times(factor)));
+    return new Wrench(moment.times(factor), force.times(factor));
   }
 
   /** Returns the same wrench in other axes: components v = rotation · this. */

@@ -1,5 +1,7 @@
 package org.mechservice.sim.build.emit;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Program;
@@ -41,12 +43,10 @@ final class CodeSize implements StackCode.Machine {
   /** Slots of the instance, the parameters and the workspace. */
   private static final int FIRST_SLOT = 7;
 
-  private final LocalSlots locals;
+  private final List<Scalar> accesses = new ArrayList<>();
   private int bytes;
 
-  private CodeSize(LocalSlots locals) {
-    this.locals = locals;
-  }
+  private CodeSize() {}
 
   /** Returns an estimate of each section of a program, were all in one method. */
   static int[] ofSections(Program program, Usage usage) {
@@ -69,7 +69,9 @@ final class CodeSize implements StackCode.Machine {
 
   private static int sizeIn(Usage usage, Scalar node) {
     int bytes = 1;
-    for (Scalar operand : node.operands()) {
+    List<Scalar> operands = node.operands();
+    for (int i = 0; i < operands.size(); i++) {
+      Scalar operand = operands.get(i);
       boolean inline = !operand.operands().isEmpty() && !usage.isPlaced(operand);
       bytes += inline ? sizeIn(usage, operand) : LOCAL;
     }
@@ -78,9 +80,14 @@ final class CodeSize implements StackCode.Machine {
 
   /** Returns the size of a planned method, its variables sharing slots as they come and go. */
   static int of(MethodPlan method) {
-    CodeSize size = new CodeSize(new LocalSlots(method, FIRST_SLOT));
+    CodeSize size = new CodeSize();
     StackCode.tell(method, size);
-    return size.bytes;
+    LocalSlots locals = new LocalSlots(size.accesses, FIRST_SLOT);
+    int bytes = size.bytes;
+    for (int i = 0; i < locals.count(); i++) {
+      bytes += locals.next() <= LAST_SHORT_SLOT ? SHORT_LOCAL : WIDE_LOCAL;
+    }
+    return bytes;
   }
 
   /** Returns an estimate of the code of a step. */
@@ -95,23 +102,19 @@ final class CodeSize implements StackCode.Machine {
 
   /** Returns an estimate of the code that computes sines and cosines. */
   static int of(AngleRun run) {
-    CodeSize size = new CodeSize(new LocalSlots(MethodPlan.EMPTY, FIRST_SLOT));
+    CodeSize size = new CodeSize();
     StackCode.tellValue(run.angle(), size);
     return size.bytes + ELEMENT + CALL + (run.isLoop() ? LOOP + 2 * SUM : 0);
   }
 
-  private void local(Scalar value) {
-    bytes += locals.access(value) <= LAST_SHORT_SLOT ? SHORT_LOCAL : WIDE_LOCAL;
-  }
-
   @Override
   public void pushLocal(Scalar value) {
-    local(value);
+    accesses.add(value);
   }
 
   @Override
   public void popLocal(Scalar value) {
-    local(value);
+    accesses.add(value);
   }
 
   @Override

@@ -65,7 +65,12 @@ public final class JavaText {
   }
 
   private static boolean isOnlyUnderscores(String name) {
-    return name.chars().allMatch(c -> c == '_');
+    for (int i = 0; i < name.length(); i++) {
+      if (name.charAt(i) != '_') {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** Returns a string literal, in ASCII; a long one in pieces, which the compiler joins. */

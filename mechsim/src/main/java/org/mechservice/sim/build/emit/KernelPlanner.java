@@ -29,9 +29,9 @@ final class KernelPlanner {
   private final List<MethodPlan> methods = new ArrayList<>();
   private final List<Step.Call> calls = new ArrayList<>();
 
-  private KernelPlanner(Program program, Head head, ConstantTable table, int limit) {
-    this.program = program;
-    this.usage = new Usage(program);
+  private KernelPlanner(LongSections.Division division, Head head, ConstantTable table, int limit) {
+    this.program = division.program();
+    this.usage = division.usage();
     this.head = head;
     this.table = table;
     this.limit = limit;
@@ -48,8 +48,7 @@ final class KernelPlanner {
     return Planner.within(
         limit -> {
           table.cutBack(before);
-          Program program = LongSections.divided(whole, limit);
-          return new KernelPlanner(program, head, table, limit).plan();
+          return new KernelPlanner(LongSections.divided(whole, limit), head, table, limit).plan();
         });
   }
 

@@ -1,7 +1,9 @@
 package org.mechservice.sim.build.emit;
 
+import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Operation;
@@ -12,65 +14,104 @@ import org.mechservice.sim.symbolic.Scalar;
  * is free while it lives, from the statement that gives it its value to its last use.
  */
 final class LocalSlots {
-  /** A variable: the slot it has, and how many accesses are still to come. */
+  /** A variable: the pair it has, and how many accesses are still to come. */
   private static final class Variable {
-    private int slot = -1;
+    private int pair = -1;
     private int accesses;
   }
 
-  private final Map<Scalar, Variable> variables = new HashMap<>();
-  private final BitSet taken = new BitSet();
   private final int first;
 
+  /** Of each access in order: the pair of slots. */
+  private final int[] pairs;
+
+  /** Which accesses are the last of their variables. */
+  private final BitSet ends = new BitSet();
+
+  private int next;
+
   /**
+   * @param accesses the variables that a method accesses, in order
    * @param first first slot behind the parameters
    */
-  LocalSlots(MethodPlan method, int first) {
+  LocalSlots(List<Scalar> accesses, int first) {
     this.first = first;
-    StackCode.tell(method, new AccessCounter());
+    this.pairs = new int[accesses.size()];
+    Variable[] variables = new Variable[pairs.length];
+    Map<Scalar, Variable> known = new HashMap<>();
+    for (int i = 0; i < pairs.length; i++) {
+      Variable variable = known.get(accesses.get(i));
+      if (variable == null) {
+        variable = new Variable();
+        known.put(accesses.get(i), variable);
+      }
+      variable.accesses++;
+      variables[i] = variable;
+    }
+    give(variables);
   }
 
-  /** Returns the slot of a variable that is accessed now; after its last access it is free. */
-  int access(Scalar value) {
-    Variable variable = variables.computeIfAbsent(value, key -> new Variable());
-    if (variable.slot < 0) {
-      int pair = taken.nextClearBit(0);
-      taken.set(pair);
-      variable.slot = first + 2 * pair;
+  private void give(Variable[] accesses) {
+    BitSet taken = new BitSet();
+    for (int i = 0; i < accesses.length; i++) {
+      Variable variable = accesses[i];
+      if (variable.pair < 0) {
+        variable.pair = taken.nextClearBit(0);
+        taken.set(variable.pair);
+      }
+      pairs[i] = variable.pair;
+      variable.accesses--;
+      if (variable.accesses == 0) {
+        taken.clear(variable.pair);
+        ends.set(i);
+      }
     }
-    int slot = variable.slot;
-    variable.accesses--;
-    if (variable.accesses == 0) {
-      taken.clear((slot - first) / 2);
-      variable.slot = -1;
-    }
+  }
+
+  /**
+   * Returns those of a method.
+   *
+   * @param first first slot behind the parameters
+   */
+  static LocalSlots of(MethodPlan method, int first) {
+    Accesses accesses = new Accesses();
+    StackCode.tell(method, accesses);
+    return new LocalSlots(accesses.values, first);
+  }
+
+  /** Returns the slot of the variable that is accessed next. */
+  int next() {
+    int slot = first + 2 * pairs[next];
+    next++;
     return slot;
   }
 
-  /** Returns how many pairs of slots lie up to the last that is taken now. */
-  int pairs() {
-    return taken.length();
+  /** Returns how many accesses there are. */
+  int count() {
+    return pairs.length;
   }
 
-  /** Returns whether a pair of slots is taken now. */
-  boolean isTaken(int pair) {
-    return taken.get(pair);
-  }
-
-  /** Counts the accesses to local variables. */
-  private final class AccessCounter implements StackCode.Machine {
-    private void count(Scalar value) {
-      variables.computeIfAbsent(value, key -> new Variable()).accesses++;
+  /** Returns the pairs of slots that are taken now. */
+  BitSet taken() {
+    BitSet taken = new BitSet();
+    for (int i = 0; i < next; i++) {
+      taken.set(pairs[i], !ends.get(i));
     }
+    return taken;
+  }
+
+  /** Writes down the accesses to local variables. */
+  private static final class Accesses implements StackCode.Machine {
+    private final List<Scalar> values = new ArrayList<>();
 
     @Override
     public void pushLocal(Scalar value) {
-      count(value);
+      values.add(value);
     }
 
     @Override
     public void popLocal(Scalar value) {
-      count(value);
+      values.add(value);
     }
 
     @Override

@@ -8,8 +8,8 @@ import org.mechservice.sim.symbolic.Scalar;
 /**
  * Divides sections that are too long for a method; what they compute stays in its order.
  *
- * <p>A value that is put out, written out there while its section was whole, gets a place of its own
- * once it stands in another part: parts are divided again until none is too long.
+ * <p>A value that is put out, written out there while its section was whole, gets a place of its
+ * own once it stands in another part: parts are divided again until none is too long.
  */
 final class LongSections {
   /** Values that one part puts out at most. */
@@ -31,28 +31,54 @@ final class LongSections {
    *
    * @param longest bytes of code a section may have
    */
-  static Program divided(Program program, int longest) {
-    Program whole = program;
-    Program parts = onceDivided(whole, longest);
-    while (parts.sections().size() > whole.sections().size()) {
+  static Division divided(Program program, int longest) {
+    Division whole = new Division(program);
+    Division parts = whole.divided(longest);
+    while (parts.bytes.length > whole.bytes.length) {
       whole = parts;
-      parts = onceDivided(whole, longest);
+      parts = whole.divided(longest);
     }
     return whole;
   }
 
-  private static Program onceDivided(Program program, int longest) {
-    Usage usage = new Usage(program);
-    int[] bytes = CodeSize.ofSections(program, usage);
-    LongSections division = new LongSections(program, usage, longest / 2);
-    for (int s = 0; s < bytes.length; s++) {
-      if (bytes[s] <= longest) {
-        division.parts.add(program.sections().get(s));
-      } else {
-        division.divide(s);
-      }
+  /** A program in sections, where its values are used, and how long its sections are. */
+  static final class Division {
+    private final Program program;
+    private final Usage usage;
+    private final int[] bytes;
+
+    private Division(Program program) {
+      this.program = program;
+      this.usage = new Usage(program);
+      this.bytes = CodeSize.ofSections(program, usage);
     }
-    return division.parts.size() == bytes.length ? program : program.in(division.parts);
+
+    Program program() {
+      return program;
+    }
+
+    Usage usage() {
+      return usage;
+    }
+
+    /** Returns an estimate of the code of each section; not to be modified. */
+    int[] bytes() {
+      return bytes;
+    }
+
+    private Division divided(int longest) {
+      LongSections division = new LongSections(program, usage, longest / 2);
+      boolean any = false;
+      for (int s = 0; s < bytes.length; s++) {
+        if (bytes[s] <= longest) {
+          division.parts.add(program.sections().get(s));
+        } else {
+          division.divide(s);
+          any = true;
+        }
+      }
+      return any ? new Division(program.in(division.parts)) : this;
+    }
   }
 
   private void divide(int s) {

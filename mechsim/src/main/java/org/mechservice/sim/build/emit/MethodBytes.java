@@ -1,6 +1,7 @@
 package org.mechservice.sim.build.emit;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Operation;
@@ -17,6 +18,7 @@ final class MethodBytes implements StackCode.Machine {
   private final Parameters parameters;
   private final LocalSlots locals;
   private final NumberCode numbers;
+  private final int workspace;
 
   /**
    * @param head what the program's inputs and outputs are called
@@ -28,6 +30,7 @@ final class MethodBytes implements StackCode.Machine {
     this.parameters = parameters;
     this.locals = locals;
     this.numbers = new NumberCode(code);
+    this.workspace = parameters.slotOf(Parameters.WORKSPACE);
   }
 
   @Override
@@ -45,19 +48,19 @@ final class MethodBytes implements StackCode.Machine {
 
   @Override
   public void pushSlot(int index) {
-    code.visitVarInsn(Opcodes.ALOAD, parameters.slotOf(Parameters.WORKSPACE));
+    code.visitVarInsn(Opcodes.ALOAD, workspace);
     numbers.push(index);
     code.visitInsn(Opcodes.DALOAD);
   }
 
   @Override
   public void pushLocal(Scalar value) {
-    code.visitVarInsn(Opcodes.DLOAD, locals.access(value));
+    code.visitVarInsn(Opcodes.DLOAD, locals.next());
   }
 
   @Override
   public void popLocal(Scalar value) {
-    code.visitVarInsn(Opcodes.DSTORE, locals.access(value));
+    code.visitVarInsn(Opcodes.DSTORE, locals.next());
   }
 
   @Override
@@ -88,7 +91,7 @@ final class MethodBytes implements StackCode.Machine {
 
   @Override
   public void beginSlot(int index) {
-    code.visitVarInsn(Opcodes.ALOAD, parameters.slotOf(Parameters.WORKSPACE));
+    code.visitVarInsn(Opcodes.ALOAD, workspace);
     numbers.push(index);
   }
 
@@ -158,8 +161,9 @@ final class MethodBytes implements StackCode.Machine {
   /** Tells what the parameters and the variables that still live hold where a jump ends. */
   private void frame() {
     List<Object> types = new ArrayList<>(parameters.types());
-    for (int pair = 0; pair < locals.pairs(); pair++) {
-      if (locals.isTaken(pair)) {
+    BitSet taken = locals.taken();
+    for (int pair = 0; pair < taken.length(); pair++) {
+      if (taken.get(pair)) {
         types.add(Opcodes.DOUBLE);
       } else {
         types.add(Opcodes.TOP);

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.IntStream;
 import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
@@ -82,9 +81,14 @@ final class MethodPlanner {
 
   /** Returns a plan that calls every method once. */
   ProgramPlan plan() {
-    List<MethodPlan> methods =
-        methods().stream().filter(method -> !method.statements().isEmpty()).toList();
-    List<Step> steps = IntStream.range(0, methods.size()).mapToObj(Step::of).toList();
+    List<MethodPlan> methods = new ArrayList<>();
+    List<Step> steps = new ArrayList<>();
+    for (MethodPlan method : methods()) {
+      if (!method.statements().isEmpty()) {
+        steps.add(Step.of(methods.size()));
+        methods.add(method);
+      }
+    }
     return new ProgramPlan(program, usage, methods, steps, slots.count(), "");
   }
 

@@ -34,8 +34,10 @@ final class ModelBytes {
 
   /** Returns the class file. */
   byte[] bytes() {
-    String[] interfaces =
-        plan.interfaces().stream().map(Type::getInternalName).toArray(String[]::new);
+    String[] interfaces = new String[plan.interfaces().size()];
+    for (int i = 0; i < interfaces.length; i++) {
+      interfaces[i] = Type.getInternalName(plan.interfaces().get(i));
+    }
     int access = Opcodes.ACC_PUBLIC | Opcodes.ACC_FINAL | Opcodes.ACC_SUPER;
     String base = Type.getInternalName(plan.base().type());
     classFile.visit(Opcodes.V17, access, className, null, base, interfaces);
@@ -45,7 +47,9 @@ final class ModelBytes {
     constructor();
     describe();
     method(plan.start(), ModelBytes::fillWithZeros, (code, parameters) -> {});
-    plan.programs().forEach(this::method);
+    for (ModelPlan.Part part : plan.programs()) {
+      method(part);
+    }
     if (plan.poses().isPresent()) {
       bodies();
       method(plan.poses().get(), (code, parameters) -> {}, ModelBytes::chooseSigns);
@@ -60,8 +64,12 @@ final class ModelBytes {
       forces.values(plan.forceCount());
       method(plan.forces().get());
     }
-    plan.directedForces().ifPresent(this::directedForce);
-    plan.formulas().ifPresent(this::formulas);
+    if (plan.directedForces().isPresent()) {
+      directedForce(plan.directedForces().get());
+    }
+    if (plan.formulas().isPresent()) {
+      formulas(plan.formulas().get());
+    }
     classFile.visitEnd();
     return checked(classFile, plan.simpleName());
   }
@@ -96,7 +104,9 @@ final class ModelBytes {
     String given = plan.hasParameters() ? "([D)V" : "()V";
     MethodVisitor code = ClassMethods.beginPublic(classFile, "<init>", given);
     code.visitVarInsn(Opcodes.ALOAD, 0);
-    plan.base().arguments().forEach(code::visitLdcInsn);
+    for (String argument : plan.base().arguments()) {
+      code.visitLdcInsn(argument);
+    }
     code.visitMethodInsn(
         Opcodes.INVOKESPECIAL,
         Type.getInternalName(plan.base().type()),

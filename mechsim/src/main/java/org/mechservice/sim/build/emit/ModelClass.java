@@ -10,6 +10,7 @@ import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /**
@@ -66,7 +67,12 @@ public record ModelClass(
 
   /** Returns whether forces written as classes act on a mechanism. */
   public static boolean hasUserForces(Mechanism mechanism) {
-    return mechanism.forces().stream().anyMatch(UserForceElement.class::isInstance);
+    for (ForceElement force : mechanism.forces()) {
+      if (force instanceof UserForceElement) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Returns the class's simple name. */

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.Function;
+import org.mechservice.sim.build.dynamics.ResidualDerivatives;
 import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
@@ -14,6 +15,7 @@ import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.DirectedForces;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.api.ResultColumns;
@@ -21,6 +23,7 @@ import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.dynamics.TreeStepModel;
 import org.mechservice.solver.force.WrittenFormulas;
+import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
 /**
@@ -62,14 +65,13 @@ public final class ModelPlan implements WrittenClass {
     this.form = form;
     this.start = part(INITIAL_STATE, startOf(content));
     programs.add(part(DERIVATIVE, content.derivative()));
-    content
-        .residual()
-        .ifPresent(program -> programs.add(part(ofStateAndRate(content, "residual"), program)));
-    content
-        .derivatives()
-        .ifPresent(
-            derived ->
-                programs.add(part(ofStateAndRate(content, "derivatives"), derived.program())));
+    if (content.residual().isPresent()) {
+      programs.add(part(ofStateAndRate(content, "residual"), content.residual().get()));
+    }
+    if (content.derivatives().isPresent()) {
+      Program derivatives = content.derivatives().get().program();
+      programs.add(part(ofStateAndRate(content, "derivatives"), derivatives));
+    }
     programs.add(part(ENERGY, content.energy()));
     this.poses = content.poses().map(program -> part(POSES, program));
     this.power = content.power().map(program -> part(POWER, program));
@@ -197,10 +199,11 @@ public final class ModelPlan implements WrittenClass {
 
   private List<Part> all() {
     List<Part> all = new ArrayList<>(programs);
-    poses.ifPresent(all::add);
-    power.ifPresent(all::add);
-    forces.ifPresent(all::add);
-    formulas.ifPresent(all::add);
+    for (Optional<Part> part : List.of(poses, power, forces, formulas)) {
+      if (part.isPresent()) {
+        all.add(part.get());
+      }
+    }
     return all;
   }
 
@@ -223,13 +226,11 @@ public final class ModelPlan implements WrittenClass {
 
   /** Returns what the class extends. */
   Base base() {
-    return content
-        .derivatives()
-        .map(
-            derived ->
-                new Base(
-                    TreeStepModel.class, List.of(jointTypes(), derived.tree(), derived.coupled())))
-        .orElse(new Base(Object.class, List.of()));
+    if (content.derivatives().isEmpty()) {
+      return new Base(Object.class, List.of());
+    }
+    ResidualDerivatives.Derived derived = content.derivatives().get();
+    return new Base(TreeStepModel.class, List.of(jointTypes(), derived.tree(), derived.coupled()));
   }
 
   /** Returns whether the class is given numbers: values of parameters, loads of user forces. */
@@ -244,12 +245,18 @@ public final class ModelPlan implements WrittenClass {
       interfaces.add(content.residual().isPresent() ? ResidualModel.class : ExplicitModel.class);
     }
     interfaces.add(Energies.class);
-    poses.ifPresent(part -> interfaces.add(BodyPoses.class));
-    power.ifPresent(part -> interfaces.add(PowerInput.class));
-    forces.ifPresent(part -> interfaces.add(ResultColumns.class));
-    directedForces().ifPresent(names -> interfaces.add(DirectedForces.class));
-    formulas.ifPresent(part -> interfaces.add(WrittenFormulas.class));
+    addIf(poses.isPresent(), BodyPoses.class, interfaces);
+    addIf(power.isPresent(), PowerInput.class, interfaces);
+    addIf(forces.isPresent(), ResultColumns.class, interfaces);
+    addIf(directedForces().isPresent(), DirectedForces.class, interfaces);
+    addIf(formulas.isPresent(), WrittenFormulas.class, interfaces);
     return interfaces;
+  }
+
+  private static void addIf(boolean implemented, Class<?> type, List<Class<?>> interfaces) {
+    if (implemented) {
+      interfaces.add(type);
+    }
   }
 
   /** Returns the number of columns of forces. */
@@ -318,21 +325,27 @@ public final class ModelPlan implements WrittenClass {
   /** Returns the names of the joints, as the description takes them. */
   String jointNames() {
     List<String> names = new ArrayList<>();
-    content.description().joints().forEach(joint -> names.add(joint.name()));
+    for (JointVariables joint : content.description().joints()) {
+      names.add(joint.name());
+    }
     return String.join("\n", names);
   }
 
   /** Returns the types of the joints, as the description takes them. */
   String jointTypes() {
     List<String> types = new ArrayList<>();
-    content.description().joints().forEach(joint -> types.add(joint.type().name()));
+    for (JointVariables joint : content.description().joints()) {
+      types.add(joint.type().name());
+    }
     return String.join(" ", types);
   }
 
   /** Returns the names of the bodies, one a line. */
   String bodyNames() {
     List<String> names = new ArrayList<>();
-    content.mechanism().bodies().forEach(body -> names.add(body.name()));
+    for (Body body : content.mechanism().bodies()) {
+      names.add(body.name());
+    }
     return String.join("\n", names);
   }
 
@@ -355,6 +368,11 @@ public final class ModelPlan implements WrittenClass {
             settings.integrator(),
             settings.relativeTolerance(),
             settings.absoluteTolerance());
-    return !settings.equals(automatic);
+    return settings.maxStep() != automatic.maxStep()
+        || settings.initialStep() != automatic.initialStep()
+        || settings.maxOrder() != automatic.maxOrder()
+        || settings.angleTolerance() != automatic.angleTolerance()
+        || settings.velocityTolerance() != automatic.velocityTolerance()
+        || settings.angularVelocityTolerance() != automatic.angularVelocityTolerance();
   }
 }

@@ -44,7 +44,9 @@ final class Parameters {
       }
     }
     add(head.output(), "[D", 1);
-    fields.forEach(field -> add(field, "[D", 1));
+    for (String field : fields) {
+      add(field, "[D", 1);
+    }
   }
 
   private void add(String name, Object type, int size) {
@@ -54,8 +56,10 @@ final class Parameters {
     next += size;
   }
 
+  /** Returns the slot of a parameter; −1 if there is none of this name. */
   int slotOf(String name) {
-    return slots.get(names.indexOf(name));
+    int place = names.indexOf(name);
+    return place < 0 ? -1 : slots.get(place);
   }
 
   /** Returns types as stack map frames tell them. */

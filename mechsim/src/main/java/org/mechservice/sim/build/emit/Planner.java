@@ -24,10 +24,9 @@ final class Planner {
   static ProgramPlan plan(Program whole) {
     return within(
         limit -> {
-          Program program = LongSections.divided(whole, limit);
-          Usage usage = new Usage(program);
-          int[] bytes = CodeSize.ofSections(program, usage);
-          return new MethodPlanner(program, usage, chunks(bytes, limit), true).plan();
+          LongSections.Division division = LongSections.divided(whole, limit);
+          int[] chunks = chunks(division.bytes(), limit);
+          return new MethodPlanner(division.program(), division.usage(), chunks, true).plan();
         });
   }
 

@@ -52,7 +52,7 @@ final class ProgramBytes {
       code.visitVarInsn(Opcodes.ASTORE, parameters.slotOf(field));
     }
     MethodPlan only = plan.isOneMethod() ? plan.methods().get(0) : MethodPlan.EMPTY;
-    LocalSlots locals = new LocalSlots(only, parameters.end());
+    LocalSlots locals = LocalSlots.of(only, parameters.end());
     MethodBytes body = new MethodBytes(code, head, parameters, locals);
     first.write(code, parameters);
     angles(code, body, parameters);
@@ -235,7 +235,7 @@ final class ProgramBytes {
       MethodVisitor code = begin(head.anglesName(i), false, 0);
       MethodBytes body =
           new MethodBytes(
-              code, head, parameters, new LocalSlots(MethodPlan.EMPTY, parameters.end()));
+              code, head, parameters, LocalSlots.of(MethodPlan.EMPTY, parameters.end()));
       angles(code, body, parameters, angleParts.get(i));
       end(code, body, false);
     }
@@ -248,7 +248,8 @@ final class ProgramBytes {
       Parameters parameters = Parameters.ofPart(head, plan.arguments(head), fields, 0);
       MethodVisitor code = begin(partName(i), checks, 0);
       steps(code, parameters, parts.get(i));
-      MethodBytes body = new MethodBytes(code, head, parameters, new LocalSlots(MethodPlan.EMPTY, 0));
+      MethodBytes body =
+          new MethodBytes(code, head, parameters, LocalSlots.of(MethodPlan.EMPTY, 0));
       end(code, body, checks);
     }
     for (int i = 0; i < plan.methods().size(); i++) {
@@ -256,7 +257,7 @@ final class ProgramBytes {
       int wholeNumbers = method.parameters();
       Parameters parameters = Parameters.ofPart(head, plan.arguments(head), fields, wholeNumbers);
       MethodVisitor code = begin(methodName(i), method.checks(), wholeNumbers);
-      LocalSlots locals = new LocalSlots(method, parameters.end());
+      LocalSlots locals = LocalSlots.of(method, parameters.end());
       MethodBytes body = new MethodBytes(code, head, parameters, locals);
       StackCode.tell(method, body);
       end(code, body, method.checks());

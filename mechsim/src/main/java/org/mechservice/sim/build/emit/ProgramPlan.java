@@ -33,7 +33,12 @@ record ProgramPlan(
 
   /** Returns whether methods are shared by stretches of the program. */
   boolean isShared() {
-    return methods.stream().anyMatch(method -> method.parameters() > 0);
+    for (MethodPlan method : methods) {
+      if (method.parameters() > 0) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Returns how many calls of methods one run of the program takes. */
@@ -69,10 +74,11 @@ record ProgramPlan(
    */
   List<List<AngleRun>> angleParts() {
     List<AngleRun> runs = AngleRun.of(angles());
-    int bytes = runs.stream().mapToInt(CodeSize::of).sum();
-    return bytes + ownBytes() > Planner.TOO_LONG
-        ? grouped(runs, CodeSize::of)
-        : List.of();
+    int bytes = ownBytes();
+    for (AngleRun run : runs) {
+      bytes += CodeSize.of(run);
+    }
+    return bytes > Planner.TOO_LONG ? grouped(runs, CodeSize::of) : List.of();
   }
 
   /** Returns an estimate of the method that runs the program, but for its angles. */
@@ -80,10 +86,11 @@ record ProgramPlan(
     if (isOneMethod()) {
       return CodeSize.of(methods.get(0));
     }
-    List<List<Step>> parts = parts();
-    return parts.size() == 1
-        ? parts.get(0).stream().mapToInt(CodeSize::of).sum()
-        : parts.size() * CodeSize.STEP;
+    int bytes = 0;
+    for (Step step : steps) {
+      bytes += CodeSize.of(step);
+    }
+    return bytes <= Planner.METHOD_BYTES ? bytes : parts().size() * CodeSize.STEP;
   }
 
   /** Returns whether parameters of the model are read. */
@@ -122,7 +129,11 @@ record ProgramPlan(
 
   /** Returns the steps, in methods of their own if they are too long for one. */
   List<List<Step>> parts() {
-    return grouped(steps, CodeSize::of);
+    int bytes = 0;
+    for (Step step : steps) {
+      bytes += CodeSize.of(step);
+    }
+    return bytes <= Planner.METHOD_BYTES ? List.of(steps) : grouped(steps, CodeSize::of);
   }
 
   /** Returns what follows one another in as few groups as methods have room for. */
@@ -148,7 +159,14 @@ record ProgramPlan(
 
   /** Returns whether steps can end the program. */
   boolean checks(List<Step> some) {
-    return some.stream().flatMap(step -> step.calls().stream()).anyMatch(this::checks);
+    for (Step step : some) {
+      for (Step.Call call : step.calls()) {
+        if (checks(call)) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   /** Returns the fields that every method of the program is given: workspace and parameters. */

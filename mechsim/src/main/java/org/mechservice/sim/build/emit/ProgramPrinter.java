@@ -1,7 +1,6 @@
 package org.mechservice.sim.build.emit;
 
 import java.util.List;
-import org.mechservice.sim.symbolic.Scalar;
 
 /** Writes a planned program as Java methods. */
 final class ProgramPrinter {

@@ -158,8 +158,9 @@ final class StackCode {
       case SINE, COSINE -> throw new IllegalStateException("an angle function has a place");
       case ADD, SUBTRACT -> sum(Sum.of(node, method.places()));
       default -> {
-        for (Scalar operand : node.operands()) {
-          value(operand);
+        List<Scalar> operands = node.operands();
+        for (int i = 0; i < operands.size(); i++) {
+          value(operands.get(i));
         }
         if (node.operation() == Operation.FUNCTION) {
           machine.call(node.function());

@@ -20,6 +20,8 @@ final class Usage {
   /** A longer expression is cut in two, so that people can read it. */
   private static final int LONGEST_EXPRESSION = 14;
 
+  private static final Comparator<Scalar> ANGLES = new AngleOrder();
+
   private final Program program;
   private final List<Program.Section> sections;
   private final int[] live;
@@ -90,8 +92,9 @@ final class Usage {
     for (int id = live.length - 1; id >= 0; id--) {
       Scalar node = program.expressions().node(id);
       if (live[id] > 0 && isComputed(node)) {
-        for (Scalar operand : node.operands()) {
-          use(operand, sectionOf[id], listener);
+        List<Scalar> operands = node.operands();
+        for (int i = 0; i < operands.size(); i++) {
+          use(operands.get(i), sectionOf[id], listener);
         }
       }
     }
@@ -107,8 +110,9 @@ final class Usage {
     for (int id = 0; id < live.length; id++) {
       Scalar node = program.expressions().node(id);
       int terms = 0;
-      for (Scalar operand : node.operands()) {
-        terms += length[operand.id()];
+      List<Scalar> operands = node.operands();
+      for (int i = 0; i < operands.size(); i++) {
+        terms += length[operands.get(i).id()];
       }
       if (live[id] > 0 && isComputed(node)) {
         boolean here = useCount(id) == 1 && users[firstUse[id]] == sectionOf[id];
@@ -195,10 +199,20 @@ final class Usage {
       }
     }
     List<Scalar> sorted = new ArrayList<>(found);
-    sorted.sort(
-        Comparator.comparing((Scalar angle) -> angle.operation() != Operation.INPUT)
-            .thenComparing(Scalar::index)
-            .thenComparing(Scalar::id));
+    sorted.sort(ANGLES);
     return sorted;
+  }
+
+  /** Inputs before others, in order of input and then of node. */
+  private static final class AngleOrder implements Comparator<Scalar> {
+    @Override
+    public int compare(Scalar a, Scalar b) {
+      if (a.operation() == Operation.INPUT ^ b.operation() == Operation.INPUT) {
+        return a.operation() == Operation.INPUT ? -1 : 1;
+      }
+      return a.index() != b.index()
+          ? Integer.compare(a.index(), b.index())
+          : Integer.compare(a.id(), b.id());
+    }
   }
 }
