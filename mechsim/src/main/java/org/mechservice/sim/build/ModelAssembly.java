@@ -159,19 +159,19 @@ final class ModelAssembly {
       return compact(tooLarge);
     }
     Set<ColumnGroup> further = DataColumns.of(model, options, !ModelClass.hasUserForces(mechanism));
-    Optional<ValuesPlan> values = ValuesClass.derive(model, links, options);
+    ValuesClass.Derived values = ValuesClass.derive(model, links, options);
     Optional<CompactClass> beside =
         further.isEmpty() && !needsData(model.watchedMechanism())
             ? Optional.empty()
-            : Optional.of(data(further, written.simpleName(), values, Optional.empty()));
+            : Optional.of(data(further, written.simpleName(), values.plan(), Optional.empty()));
     return assembled(
         written,
         beside,
-        values,
+        values.plan(),
         choice.callingForcesOf(mechanism),
         operations,
         leftOut,
-        FromData.of(model, options, further, Optional.empty()));
+        FromData.of(model, further, values.fromData(), Optional.empty()));
   }
 
   /** Parameters, user forces and what happens along a run are kept as data beside the code. */
@@ -209,15 +209,15 @@ final class ModelAssembly {
     Optional<String> why =
         leftToData ? Optional.of(GenerationLimits.TOO_LONG_DERIVATIVES) : Optional.empty();
     Set<ColumnGroup> further = DataColumns.of(model, options, false);
-    Optional<ValuesPlan> values = ValuesClass.derive(model, links, options);
+    ValuesClass.Derived values = ValuesClass.derive(model, links, options);
     return assembled(
         written,
-        Optional.of(data(further, written.simpleName(), values, Optional.empty())),
-        values,
+        Optional.of(data(further, written.simpleName(), values.plan(), Optional.empty())),
+        values.plan(),
         choice.callingForcesOf(mechanism),
         operations,
         LeftOut.of(model, links, options, terms.equations()),
-        FromData.of(model, options, further, why));
+        FromData.of(model, further, values.fromData(), why));
   }
 
   /** Tries to write a large class: how many bodies fit depends on their joints and forces. */

@@ -19,6 +19,27 @@ import org.mechservice.solver.mechanism.Output;
 
 /** The expressions of a model's author that are no part of its equations, derived as code. */
 final class ValuesClass {
+  /** Operations up to which no class was ever too large; formulas of people have some hundred. */
+  private static final int MOST_OPERATIONS = 20_000;
+
+  private static final String TOO_LONG =
+      "all together they take more than " + MOST_OPERATIONS + " operations";
+
+  private static final String TURNS =
+      "an angle of a cut joint is among what they depend on, whose whole turns the data count";
+
+  /**
+   * What became of the expressions.
+   *
+   * @param plan their class, if there is one
+   * @param fromData why they are left to the data, if they are
+   */
+  record Derived(Optional<ValuesPlan> plan, Optional<String> fromData) {
+    private static Derived leftToData(String why) {
+      return new Derived(Optional.empty(), Optional.of(why));
+    }
+  }
+
   private final Mechanism mechanism;
   private final List<Expression> triggers;
   private final List<Expression> assigned;
@@ -46,24 +67,32 @@ final class ValuesClass {
   }
 
   /** Derives the class; there is none where nothing is to be evaluated, or not by code. */
-  static Optional<ValuesPlan> derive(MechmlModel model, Links links, BuildOptions options) {
+  static Derived derive(MechmlModel model, Links links, BuildOptions options) {
     ValuesClass values = of(model, options);
-    if (values.isEmpty() || values.countTurns()) {
-      return Optional.empty();
+    if (values.isEmpty()) {
+      return new Derived(Optional.empty(), Optional.empty());
     }
-    return Optional.of(
-        new ValuesPlan(
-            model.mechanism().name(),
-            !model.mechanism().parameters().isEmpty(),
-            program(links, values.triggers),
-            program(links, values.assigned),
-            program(links, values.outputs),
-            options.form()));
-  }
-
-  /** Returns whether expressions are left to the data: angles of cut joints are counted there. */
-  static boolean areFromData(MechmlModel model, BuildOptions options) {
-    return of(model, options).countTurns();
+    if (values.countTurns()) {
+      return Derived.leftToData(TURNS);
+    }
+    Program triggers = program(links, values.triggers);
+    Program assignments = program(links, values.assigned);
+    Program outputs = program(links, values.outputs);
+    int operations =
+        triggers.operationCount() + assignments.operationCount() + outputs.operationCount();
+    if (operations > MOST_OPERATIONS) {
+      return Derived.leftToData(TOO_LONG);
+    }
+    return new Derived(
+        Optional.of(
+            new ValuesPlan(
+                model.mechanism().name(),
+                !model.mechanism().parameters().isEmpty(),
+                triggers,
+                assignments,
+                outputs,
+                options.form())),
+        Optional.empty());
   }
 
   private static Program program(Links links, List<Expression> expressions) {

@@ -41,10 +41,10 @@ public final class GenerationLimits {
    * Operations of the derivatives of a residual with loops: the most of which code is generated.
    * They are evaluated some hundred times in a run, and so seldom compiled to the end. Measured in
    * new processes, processor time of code against data until 300, 1000 and 10 000 evaluations are
-   * done, by projection and by penalty. Without forces, where data are fastest: 0.4, 0.5 and 0.2 (0.4,
-   * 0.6, 0.2) at 4192 operations; 0.7, 0.9, 0.5 (0.9, 1.3, 0.4) at 10 044; 1.2, 1.4, 0.5 (1.0, 1.5,
-   * 0.8) at 46 738; 2.3, 2.1, 1.0 (1.7, 2.4, 1.2) at 76 511. With forces of every kind: from 0.2,
-   * 0.3, 0.1 (0.2, 0.2, 0.1) at 2453 to 0.3, 0.5, 0.2 (0.4, 0.6, 0.2) at 20 000.
+   * done, by projection and by penalty. Without forces, where data are fastest: 0.4, 0.5 and 0.2
+   * (0.4, 0.6, 0.2) at 4192 operations; 0.7, 0.9, 0.5 (0.9, 1.3, 0.4) at 10 044; 1.2, 1.4, 0.5
+   * (1.0, 1.5, 0.8) at 46 738; 2.3, 2.1, 1.0 (1.7, 2.4, 1.2) at 76 511. With forces of every kind:
+   * from 0.2, 0.3, 0.1 (0.2, 0.2, 0.1) at 2453 to 0.3, 0.5, 0.2 (0.4, 0.6, 0.2) at 20 000.
    */
   private static final int MOST_OF_LOOP_DERIVATIVES = 50_000;
 

@@ -169,6 +169,28 @@ class GeneratedLoopsTest {
   }
 
   @Test
+  void theSourceOfAModelNamedLikeWhatItIsCompiles() {
+    Mechanism loops = LoopAgreement.scene(1);
+    Mechanism named =
+        new Mechanism(
+            "LoopTerms",
+            loops.root(),
+            loops.gravity(),
+            loops.bodies(),
+            loops.joints(),
+            loops.motions(),
+            loops.startRoles(),
+            loops.closures(),
+            loops.forces(),
+            loops.parameters());
+    MechmlModel file = Scenes.model(named);
+    BuildOptions options = LoopAgreement.options("DSR", "penalty", false);
+    GeneratedModel generated = ModelFactory.generate(file, options);
+    Model model = ModelFactory.compileSource(file, options, generated).newInstance();
+    assertThat(model.description().name()).isEqualTo("LoopTerms");
+  }
+
+  @Test
   void manyBodiesInLoopsHaveShortMethods() {
     Mechanism loops = RandomLoops.on(RandomTrees.tree(1, 40), 1, 6);
     GeneratedModel generated = generated(loops, "RR", "penalty");

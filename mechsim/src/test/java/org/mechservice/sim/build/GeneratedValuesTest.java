@@ -109,7 +109,7 @@ class GeneratedValuesTest {
   void theClassFileHasTheBitsOfTheCompiledSource() {
     MechmlModel file = RandomEvents.on(RandomTrees.ofAllJoints(1, 5), 1);
     ValuesPlan plan =
-        ValuesClass.derive(file, Links.of(file.mechanism()), options(false)).orElseThrow();
+        ValuesClass.derive(file, Links.of(file.mechanism()), options(false)).plan().orElseThrow();
     String name = "org.mechservice.model." + plan.simpleName();
     Map<String, byte[]> written = Map.of(name, plan.classFile());
     Map<String, byte[]> compiled = ModelCompiler.compile(name, plan.source(), new TreeMap<>());
@@ -158,5 +158,12 @@ class GeneratedValuesTest {
                 "outputs",
                 "an angle of a cut joint is among what they depend on, whose whole turns the data"
                     + " count"));
+  }
+
+  @Test
+  void expressionsOfMoreOperationsThanFitSurelyAreLeftToTheData() {
+    MechmlModel file = RandomEvents.on(RandomTrees.ofAllJoints(1, 120), 1);
+    assertThat(ValuesClass.derive(file, Links.of(file.mechanism()), options(false)).fromData())
+        .contains("all together they take more than 20000 operations");
   }
 }

@@ -109,10 +109,8 @@ class ModelJarsTest {
   @Test
   void theManifestSaysWhatDataComputeAndWhy() {
     MechmlModel file = Scenes.model(Scenes.pendulum());
-    BuildOptions options =
-        new BuildOptions("DTR", Set.of(ColumnGroup.REACTIONS), Scenes.SETTINGS);
-    CompiledModel model =
-        ModelFactory.compile(file, options, ModelFactory.generate(file, options));
+    BuildOptions options = new BuildOptions("DTR", Set.of(ColumnGroup.REACTIONS), Scenes.SETTINGS);
+    CompiledModel model = ModelFactory.compile(file, options, ModelFactory.generate(file, options));
     assertThat(ModelFactory.modelJar(model, SHA, Packing.QUICK).manifest())
         .containsEntry(
             "Mech-From-Data",
