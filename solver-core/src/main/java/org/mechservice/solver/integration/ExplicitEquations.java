@@ -32,6 +32,9 @@ final class ExplicitEquations extends StepEquations {
   /** Sizes of the terms of the equations, length n. */
   private final double[] terms;
 
+  /** Sizes of what is left of equations that are not solved, length n. */
+  private final double[] unsolved;
+
   private int notFiniteComponent;
 
   /**
@@ -52,6 +55,7 @@ final class ExplicitEquations extends StepEquations {
     matrix = new IterationMatrix(solver, manifold());
     derivative = new double[smallSizes.length];
     terms = new double[smallSizes.length];
+    unsolved = new double[smallSizes.length];
   }
 
   @Override
@@ -182,24 +186,24 @@ final class ExplicitEquations extends StepEquations {
   }
 
   @Override
-  boolean solved(
-      double hGamma,
-      BackwardDifferences differences,
-      double[] before,
-      double[] left,
-      ErrorNorm norm,
-      double small) {
-    boolean termsKnown = false;
+  boolean better(
+      double hGamma, double[] before, double part, double[] left, ErrorNorm norm, double small) {
+    boolean better = true;
     for (int l = 0; l < left.length; l++) {
       double size = Math.abs(left[l]);
-      if (size > BETTER * Math.abs(before[l]) && size * norm.weight(l) > small) {
-        if (!termsKnown) {
-          sizeTerms(hGamma, differences);
-          termsKnown = true;
-        }
-        if (size > ROUNDOFF_OF_TERMS * terms[l]) {
-          return false;
-        }
+      boolean row = size <= part * Math.abs(before[l]) || size * norm.weight(l) <= small;
+      unsolved[l] = row ? 0 : size;
+      better &= row;
+    }
+    return better;
+  }
+
+  @Override
+  boolean leftByRounding(double hGamma, BackwardDifferences differences) {
+    sizeTerms(hGamma, differences);
+    for (int l = 0; l < terms.length; l++) {
+      if (unsolved[l] > ROUNDOFF_OF_TERMS * terms[l]) {
+        return false;
       }
     }
     return true;

@@ -1,7 +1,5 @@
 package org.mechservice.solver.integration;
 
-import java.util.Arrays;
-
 /**
  * Simplified Newton iteration for the correction d of a step: the equations say what is left of
  * them at y* + d and, with the factors of their matrix, which change δ would mend it; d ← d + δ.
@@ -17,9 +15,10 @@ import java.util.Arrays;
  * <p>All this believes in the matrix. Where its derivatives are much steeper than the equations are
  * now, behind a jump or outside of the narrow zone of a steep friction law, every δ is tiny, though
  * next to nothing of the equations is solved. So a first δ is taken for granted only if it is of
- * the size that the rate was measured for, or if the equations, if nothing were stiff, would be
- * solved as well, or up to their rounding errors; else the rate is measured, and each equation has
- * to be solved better than before. Programs published do not look.
+ * the size that the rate was measured for and the {@link Remainder} of the equations is usual, or
+ * if they would be solved as well if nothing were stiff, or up to their rounding errors; else the
+ * rate is measured, and a change before the last has to mend most of the equations. Programs
+ * published do not look.
  */
 final class NewtonIteration {
   private static final int ITERATIONS = 4;
@@ -50,11 +49,7 @@ final class NewtonIteration {
 
   private final double[] change;
 
-  /** What was left of the equations before the last change and the one before, length n. */
-  private double[] left;
-
-  private double[] leftBefore;
-
+  private final Remainder remainder;
   private final IterationRules rules;
 
   /** Size of the change after which the rate was measured last. */
@@ -77,8 +72,7 @@ final class NewtonIteration {
 
   NewtonIteration(int dimension, IterationRules rules) {
     change = new double[dimension];
-    left = new double[dimension];
-    leftBefore = new double[dimension];
+    remainder = new Remainder(dimension);
     this.rules = rules;
   }
 
@@ -120,7 +114,7 @@ final class NewtonIteration {
     begun = true;
     iteration = 0;
     seen = 0;
-    Arrays.fill(left, 0);
+    remainder.begin();
     negligible = ROUNDOFF * norm.of(differences.predicted);
   }
 
@@ -139,7 +133,7 @@ final class NewtonIteration {
         return Attempt.STOPPED;
       }
       iteration++;
-      keepWhatIsLeft();
+      remainder.keep(change, iteration == 1);
       equations.factors().solve(hGamma, change);
       differences.correct(change);
       double size = norm.of(change);
@@ -187,10 +181,21 @@ final class NewtonIteration {
       return true;
     }
     boolean passes = iteration == 1 ? firstPasses(size, small) : laterPasses(size, small);
-    return passes
-        && ((iteration == 1 && familiar(size))
-            || !rules.heedsRoundOff()
-            || equations.solved(hGamma, differences, leftBefore, left, norm, ACCURACY));
+    if (!passes || !rules.heedsRoundOff()) {
+      return passes;
+    }
+    boolean solved;
+    if (iteration > 1) {
+      solved = remainder.reduced(equations, hGamma, differences, norm);
+    } else if (familiar(size)) {
+      solved = remainder.usual(equations, hGamma, norm, rate);
+    } else {
+      solved = remainder.negligible(equations, hGamma, differences, norm, ACCURACY);
+    }
+    if (solved) {
+      remainder.remember();
+    }
+    return solved;
   }
 
   private boolean firstPasses(double size, boolean small) {
@@ -213,13 +218,6 @@ final class NewtonIteration {
         && size >= FAMILIAR_SMALLER * measuredSize;
   }
 
-  private void keepWhatIsLeft() {
-    double[] freed = leftBefore;
-    leftBefore = left;
-    left = freed;
-    System.arraycopy(change, 0, left, 0, left.length);
-  }
-
   private double standstill() {
     return Math.min(STANDSTILL, NEGLIGIBLE_CHANGES * negligible);
   }
@@ -234,6 +232,9 @@ final class NewtonIteration {
   }
 
   private void learnRate(double size) {
+    if (!rateKnown) {
+      remainder.forget();
+    }
     rate = Math.max(rateKnown ? MEMORY * rate : 0, size / lastSize);
     rateKnown = true;
     measuredSize = lastSize;
@@ -279,5 +280,6 @@ final class NewtonIteration {
     rateKnown = state.flag(rateKnown);
     measuredSize = state.number(measuredSize);
     stepsByOldRate = state.integer(stepsByOldRate);
+    remainder.transfer(state);
   }
 }

@@ -287,23 +287,15 @@ final class ResidualEquations extends StepEquations {
    * {@inheritDoc} Algebraic components are in no test: of systems that have any nothing is said.
    */
   @Override
-  boolean solved(
-      double hGamma,
-      BackwardDifferences differences,
-      double[] before,
-      double[] left,
-      ErrorNorm norm,
-      double small) {
+  boolean better(
+      double hGamma, double[] before, double part, double[] left, ErrorNorm norm, double small) {
     boolean better = true;
     for (int l = 0; l < left.length; l++) {
-      boolean row = Math.abs(left[l]) <= BETTER * Math.abs(before[l]);
+      boolean row = Math.abs(left[l]) <= part * Math.abs(before[l]);
       unsolved[l] = row ? 0 : left[l];
       better &= row || left[l] == 0;
     }
-    return better
-        || manifold().anyAlgebraic()
-        || slight(hGamma, norm, small)
-        || isRoundOff(differences.corrected());
+    return better || manifold().anyAlgebraic() || slight(hGamma, norm, small);
   }
 
   /**
@@ -320,8 +312,10 @@ final class ResidualEquations extends StepEquations {
     return !regular || norm.of(ahead) <= SHORT * small;
   }
 
-  /** What rounding makes of F shows where y is moved by some rounding errors. */
-  private boolean isRoundOff(double[] y) {
+  /** {@inheritDoc} What rounding makes of F shows where y is moved by some rounding errors. */
+  @Override
+  boolean leftByRounding(double hGamma, BackwardDifferences differences) {
+    double[] y = differences.corrected();
     for (int l = 0; l < y.length; l++) {
       // Parts of either sign, no two alike, so that differences of components move, too.
       ahead[l] = y[l] + ROUNDOFF_OF_TERMS * (1 - 2 * ((l + 1) * GOLDEN_RATIO % 1)) * y[l];

@@ -16,9 +16,6 @@ abstract class StepEquations {
    */
   static final double ROUNDOFF_OF_TERMS = 1e4 * Math.ulp(1.0);
 
-  /** Part of an equation that may be left when it is solved better than before. */
-  static final double BETTER = 0.9;
-
   private final Manifold manifold;
   private final MatrixDrift drift;
   private final StepFactors factors;
@@ -118,22 +115,19 @@ abstract class StepEquations {
   abstract int notFiniteInEvaluation();
 
   /**
-   * Returns whether each of the equations is solved better than before, or as well as can be: what
-   * is left of it is made of rounding errors, or would be solved by a small change of the state if
-   * f did not depend on that.
+   * Returns whether each of the equations is solved better than before, or so well that a small
+   * change of the state would solve it if f did not depend on that.
    *
-   * @param before what was left of the equations before, as {@link #evaluate} gives it; 0 if
-   *     nothing is known
+   * @param before what was left of the equations before, as {@link #evaluate} gives it
+   * @param part of that which may be left at most
    * @param left what is left of them
    * @param small norm of a change that is small
    */
-  abstract boolean solved(
-      double hGamma,
-      BackwardDifferences differences,
-      double[] before,
-      double[] left,
-      ErrorNorm norm,
-      double small);
+  abstract boolean better(
+      double hGamma, double[] before, double part, double[] left, ErrorNorm norm, double small);
+
+  /** Returns whether what {@link #better} found left over last is made of rounding errors. */
+  abstract boolean leftByRounding(double hGamma, BackwardDifferences differences);
 
   /**
    * Returns how far, in units of the tolerance, the rounding errors of the equations move the

@@ -3,12 +3,22 @@ package org.mechservice.solver.integration;
 import java.util.Arrays;
 
 /**
- * A block on a spring, let go at rest and slowed down by friction of one unit: y'' = −s(y') − y,
- * with s = sgn, which no method is told of, or a hyperbolic tangent nearly as steep.
+ * A block on a spring, let go at rest and moved by friction of one unit on a belt of velocity V:
+ * y'' = −s(y' − V) − y, with s = sgn, which no method is told of, or a hyperbolic tangent nearly as
+ * steep.
  *
  * @param width of the hyperbolic tangent; 0: a jump
+ * @param belt V; 0: a floor
  */
-record DryFriction(double width) implements JacobianSystem {
+record DryFriction(double width, double belt) implements JacobianSystem {
+  /** Arc that is only the rounding of one that begins where the block reaches the velocity. */
+  private static final double SHORTEST = 1e-9;
+
+  /** On a floor. */
+  DryFriction(double width) {
+    this(width, 0);
+  }
+
   @Override
   public int dimension() {
     return 2;
@@ -17,13 +27,14 @@ record DryFriction(double width) implements JacobianSystem {
   @Override
   public void derivative(double t, double[] y, double[] yDot) {
     yDot[0] = y[1];
-    yDot[1] = -(width == 0 ? Math.signum(y[1]) : StrictMath.tanh(y[1] / width)) - y[0];
+    double slip = y[1] - belt;
+    yDot[1] = -(width == 0 ? Math.signum(slip) : StrictMath.tanh(slip / width)) - y[0];
   }
 
   /** Of the jump there is none. */
   @Override
   public void jacobian(double t, double[] y, double[] jacobian) {
-    double cosh = width == 0 ? 1 : StrictMath.cosh(y[1] / width);
+    double cosh = width == 0 ? 1 : StrictMath.cosh((y[1] - belt) / width);
     jacobian[1] = -1;
     jacobian[2] = 1;
     jacobian[3] = width == 0 ? 0 : -1 / (width * cosh * cosh);
@@ -92,5 +103,48 @@ record DryFriction(double width) implements JacobianSystem {
       y = 2 * centre - y;
     }
     return new double[] {y, 0};
+  }
+
+  /**
+   * The solution for a jump on a belt that moves: arcs round ±1 as long as the block slips, then a
+   * straight line while it sticks, until the spring is as strong as friction, then an arc that
+   * never sticks again.
+   *
+   * @param start y(0)
+   * @param belt velocity, positive
+   */
+  static double[] exactOnBelt(double start, double belt, double t) {
+    double centre = 1;
+    double y = start;
+    double v = 0;
+    double left = t;
+    while (true) {
+      double radius = Math.hypot(y - centre, v);
+      double angle = StrictMath.atan2(-v, y - centre);
+      double arc = left;
+      if (radius > belt) {
+        double touches = -StrictMath.asin(belt / radius);
+        arc = ((centre > 0 ? -Math.PI - touches : touches) - angle) % (2 * Math.PI);
+        arc += arc < SHORTEST ? 2 * Math.PI : 0;
+      }
+      if (arc >= left) {
+        double end = angle + left;
+        return new double[] {centre + radius * StrictMath.cos(end), -radius * StrictMath.sin(end)};
+      }
+      left -= arc;
+      y = centre + radius * StrictMath.cos(angle + arc);
+      v = belt;
+      if (Math.abs(y) < 1) {
+        return stuck(y, belt, left);
+      }
+      centre = -centre;
+    }
+  }
+
+  private static double[] stuck(double y, double belt, double left) {
+    double loose = left - (1 - y) / belt;
+    return loose <= 0
+        ? new double[] {y + belt * left, belt}
+        : new double[] {1 + belt * StrictMath.sin(loose), belt * StrictMath.cos(loose)};
   }
 }
