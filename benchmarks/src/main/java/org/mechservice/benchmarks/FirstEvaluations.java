@@ -33,8 +33,8 @@ public final class FirstEvaluations {
   private static final int[] COUNTS = {1, 100, 1_000, 3_000, 5_000, 10_000};
   private static final int RUNS = 5;
   private static final int COLD_RUNS = 15;
-  private static final int WARM = 40;
-  private static final double WARM_MILLIS = 6_000;
+  private static final int WARM = 80;
+  private static final double WARM_MILLIS = 20_000;
 
   private final List<String> page = new ArrayList<>();
   private final Path folder;
