@@ -33,8 +33,8 @@ public final class FirstEvaluations {
   private static final int[] COUNTS = {1, 100, 1_000, 3_000, 5_000, 10_000};
   private static final int RUNS = 5;
   private static final int COLD_RUNS = 15;
-  private static final int WARM = 40;
-  private static final double WARM_MILLIS = 6_000;
+  private static final int WARM = 80;
+  private static final double WARM_MILLIS = 20_000;
 
   private final List<String> page = new ArrayList<>();
   private final Path folder;
@@ -165,11 +165,7 @@ public final class FirstEvaluations {
         classes + System.getProperty("path.separator") + System.getProperty("java.class.path");
     double[] times =
         medians(
-            RUNS,
-            List.of(),
-            List.of("-cp", path),
-            "evaluate",
-            compiled.generated().className());
+            RUNS, List.of(), List.of("-cp", path), "evaluate", compiled.generated().className());
     line("| %s | %s | %s |", scene, form, numbers(times));
     return times;
   }
@@ -226,11 +222,12 @@ public final class FirstEvaluations {
     List<String> train = new ArrayList<>(swift);
     train.add("-XX:DumpLoadedClassList=" + classes);
     started(List.of(), train, "generate", "driver");
-    List<String> dump = List.of(
-        "-Xshare:dump",
-        "-Xlog:disable",
-        "-XX:SharedClassListFile=" + classes,
-        "-XX:SharedArchiveFile=" + archive);
+    List<String> dump =
+        List.of(
+            "-Xshare:dump",
+            "-Xlog:disable",
+            "-XX:SharedClassListFile=" + classes,
+            "-XX:SharedArchiveFile=" + archive);
     run(List.of(), dump);
     if (!Files.exists(archive)) {
       throw new IOException("no archive of classes: start this from benchmarks.jar");

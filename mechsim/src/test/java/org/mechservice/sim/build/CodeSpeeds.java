@@ -105,7 +105,7 @@ final class CodeSpeeds {
         generated.operations(),
         compiled.classFiles().values().stream().mapToInt(bytes -> bytes.length).sum(),
         jar.bytes().length,
-        CodeSizes.leastTime(() -> CodeSizes.throughBytes(file, options)),
+        CodeSizes.leastTime(2, () -> CodeSizes.throughBytes(file, options)),
         evaluationTime((ExplicitModel) compiled.newInstance(), mechanism, false),
         first[0],
         first[1]);
