@@ -64,8 +64,8 @@ class CancelLatencyTest {
       return new NameValue[] {
         new NameValue(OPT_INTEGRATOR.value, integrator),
         new NameValue(OPT_REL_TOL.value, "1e-10"),
-        new NameValue(OPT_T_END.value, "1e6"),
-        new NameValue(OPT_T_STEP.value, "1e3")
+        new NameValue(OPT_T_END.value, "1e8"),
+        new NameValue(OPT_T_STEP.value, "1e5")
       };
     }
   }
