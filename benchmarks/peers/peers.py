@@ -24,6 +24,8 @@ JAR = ROOT / "benchmarks" / "target" / "benchmarks.jar"
 TABLES = ROOT / "mechsim/src/test/resources/org/mechservice/sim/build"
 MODELS = {"pend5": "pend5", "pend5s": "pend5s", "driver41": "driver41", "spatial200": "chain200",
           "driver": None}
+# with closed loops, in tables of their own, where angles count the other way round
+LOOPS = {"fourbar": HERE / "fourbar.csv"}
 PACKAGES = ["pin", "mujoco", "cmeel-eigen", "ziglang"]
 
 
@@ -50,7 +52,7 @@ def java(short, classpath):
     path = classpath or JAR
     if not pathlib.Path(str(path).split(os.pathsep)[0]).exists():
         run("mvn", "-q", "-pl", "benchmarks", "-am", "package", "-DskipTests", cwd=ROOT)
-    run("java", "-cp", path, "org.mechservice.benchmarks.PeerModels", WORK, *MODELS)
+    run("java", "-cp", path, "org.mechservice.benchmarks.PeerModels", WORK, *MODELS, *LOOPS)
     if classpath:
         return {}
     result = WORK / "jmh.json"
@@ -95,8 +97,8 @@ def pinocchio(python, site):
             [*compiler(python), "-O3", "-march=native", "-DNDEBUG", "-std=c++17", "-w",
              "-fno-sanitize=all", "-I", include, "-I", include / "eigen3", HERE / "pinocchio.cpp",
              "-o", program], check=True)
-    return {name: figures(run(program, TABLES / f"{table}.csv"))
-            for name, table in MODELS.items() if table}
+    tables = {name: TABLES / f"{table}.csv" for name, table in MODELS.items() if table}
+    return {name: figures(run(program, table)) for name, table in {**tables, **LOOPS}.items()}
 
 
 def page(found, versions):
@@ -135,7 +137,27 @@ def page(found, versions):
             found[k].get(name, {}).get("value") for k in ("c", "pinocchio", "mujoco")]
         lines.append(f"| {name} | " + " | ".join("" if v is None else f"{v:.12g}" for v in values)
                      + " |")
-    return "\n".join(lines) + "\n"
+    return "\n".join(lines + loops(found)) + "\n"
+
+
+def loops(found):
+    lines = ["", "## Closed loops", "",
+             "Accelerations of a four-bar linkage. Generated: DSR with the terms of the loop as code,"
+             " closed by projection, from five equations of which two are independent. Pinocchio:"
+             " constraintDynamics with the loop as a point, three equations of which two are"
+             " independent, and the proximal iteration that takes. The suspension's rods, one"
+             " equation and no mass each, are none of its constraints: alone in"
+             " [generated-loops](generated-loops.md).", "",
+             "| model | generated | Pinocchio | Pinocchio / generated | last acceleration, generated"
+             " | Pinocchio |", "|---|---:|---:|---:|---:|---:|"]
+    for name in LOOPS:
+        ours = found.get("java", {}).get(name, {}).get("derivative")
+        theirs = found["pinocchio"].get(name, {})
+        value = float((WORK / f"{name}.value").read_text())
+        other = f"{-theirs['value']:.12g}" if theirs else ""
+        lines.append(f"| {name} | {text(ours)} | {text(theirs.get('derivative'))} |"
+                     f" {ratio(theirs.get('derivative'), ours)} | {value:.12g} | {other} |")
+    return lines
 
 
 def text(value):

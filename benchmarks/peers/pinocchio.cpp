@@ -1,4 +1,5 @@
-// Forward dynamics and derivatives of inverse dynamics by Pinocchio's headers, one line per figure.
+// Forward dynamics and derivatives of inverse dynamics by Pinocchio's headers, one line per figure;
+// with loops, forward dynamics alone.
 #define PINOCCHIO_WITHOUT_TEMPLATE_INSTANTIATION
 #define BOOST_MPL_CFG_NO_PREPROCESSED_HEADERS
 #define BOOST_MPL_LIMIT_LIST_SIZE 30
@@ -9,6 +10,7 @@
 #include <pinocchio/algorithm/aba.hpp>
 #include <pinocchio/algorithm/rnea.hpp>
 #include <pinocchio/algorithm/rnea-derivatives.hpp>
+#include <pinocchio/algorithm/constrained-dynamics.hpp>
 #include <chrono>
 #include <cstdio>
 #include <fstream>
@@ -19,7 +21,16 @@
 
 using namespace pinocchio;
 
-static Model read(const char *file, std::vector<double> &state) {
+typedef std::vector<RigidConstraintModel, Eigen::aligned_allocator<RigidConstraintModel>> Loops;
+typedef std::vector<RigidConstraintData, Eigen::aligned_allocator<RigidConstraintData>> LoopsData;
+
+static SE3 point(std::istream &cells) {
+  double x, y, z;
+  cells >> x >> y >> z;
+  return SE3(Eigen::Matrix3d::Identity(), Eigen::Vector3d(x, y, z));
+}
+
+static Model read(const char *file, std::vector<double> &state, Loops &loops) {
   Model model;
   model.gravity.linear(Eigen::Vector3d(0, 0, -9.81));
   std::ifstream in(file);
@@ -31,7 +42,15 @@ static Model read(const char *file, std::vector<double> &state) {
     std::string name, type;
     int parent;
     double x[18];
-    cells >> name >> parent >> type;
+    cells >> name >> parent;
+    if (name == "close") {
+      SE3 first = point(cells);
+      int other;
+      cells >> other;
+      loops.emplace_back(CONTACT_3D, model, joints[parent], first, joints[other], point(cells), LOCAL);
+      continue;
+    }
+    cells >> type;
     for (double &number : x) cells >> number;
     JointIndex above = parent < 0 ? 0 : joints[parent];
     SE3 place(Eigen::Matrix3d::Identity(), Eigen::Vector3d(x[3], x[4], x[5]));
@@ -79,13 +98,27 @@ template <class Work> static double best(Work work) {
 
 int main(int argc, char **argv) {
   std::vector<double> state;
-  Model model = read(argv[1], state);
+  Loops loops;
+  Model model = read(argv[1], state, loops);
   Data data(model);
   Eigen::VectorXd q = Eigen::Map<Eigen::VectorXd>(state.data(), model.nq);
   Eigen::VectorXd v = Eigen::Map<Eigen::VectorXd>(state.data() + model.nq, model.nv);
   Eigen::VectorXd tau = Eigen::VectorXd::Zero(model.nv);
   double sign = 1e-9;
   auto move = [&] { q[0] += sign; sign = -sign; };
+  if (!loops.empty()) {
+    LoopsData loopsData;
+    for (const RigidConstraintModel &loop : loops) loopsData.emplace_back(loop);
+    initConstraintDynamics(model, data, loops, loopsData);
+    // equations that say the same twice: a little compliance, iterated away
+    ProximalSettings settings(1e-12, 1e-8, 20);
+    auto evaluate = [&] { constraintDynamics(model, data, q, v, tau, loops, loopsData, settings); };
+    std::printf("derivative %.1f\n", best([&] { move(); evaluate(); }));
+    q[0] = state[0];
+    evaluate();
+    std::printf("value %.17g\n", data.ddq[model.nv - 1]);
+    return 0;
+  }
   double world = best([&] { move(); aba(model, data, q, v, tau, Convention::WORLD); });
   double local = best([&] { move(); aba(model, data, q, v, tau, Convention::LOCAL); });
   std::printf("derivative %.1f\n", std::min(world, local));

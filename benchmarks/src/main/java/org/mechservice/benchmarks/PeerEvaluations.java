@@ -1,5 +1,6 @@
 package org.mechservice.benchmarks;
 
+import org.mechservice.mechml.MechmlModel;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -12,7 +13,7 @@ import org.openjdk.jmh.annotations.State;
 @State(Scope.Thread)
 public class PeerEvaluations extends Measured {
   /** What is evaluated. */
-  @Param({"pend5", "pend5s", "driver41", "spatial200", "driver"})
+  @Param({"pend5", "pend5s", "driver41", "spatial200", "driver", "fourbar"})
   public String scene = "";
 
   private ExplicitModel model = new DataDrivenModel(LinkChain.of(1), Scenes.SETTINGS);
@@ -23,7 +24,8 @@ public class PeerEvaluations extends Measured {
   /** Generates and loads. */
   @Setup
   public void prepare() {
-    model = (ExplicitModel) Scenes.generated(Scenes.named(scene), "DTR");
+    MechmlModel named = Scenes.named(scene);
+    model = (ExplicitModel) Scenes.generated(named, Scenes.forwardDynamics(named));
     y = new double[model.description().stateCount()];
     yDot = new double[y.length];
     model.initialState(y);

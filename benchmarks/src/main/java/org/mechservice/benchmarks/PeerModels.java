@@ -19,8 +19,9 @@ public final class PeerModels {
   private PeerModels() {}
 
   /**
-   * Writes {@code NAME.c}, {@code NAME.state} and, of models without forces, {@code NAME.xml} and
-   * the state in its order, {@code NAME.order}.
+   * Writes {@code NAME.state}, the last acceleration in it, {@code NAME.value}, of models without
+   * loops {@code NAME.c} and, if they have no forces either, {@code NAME.xml} and the state in its
+   * order, {@code NAME.order}.
    *
    * @param args folder, names of models
    */
@@ -35,7 +36,9 @@ public final class PeerModels {
     MechmlModel model = Scenes.named(name);
     Mechanism mechanism = model.mechanism();
     // C has what is written out; Java takes what suits it.
-    BuildOptions options = new BuildOptions("DTR", Set.of(), Scenes.SETTINGS).in(CodeForm.STRAIGHT);
+    BuildOptions options =
+        new BuildOptions(Scenes.forwardDynamics(model), Set.of(), Scenes.SETTINGS)
+            .in(CodeForm.STRAIGHT);
     GeneratedModel generated = ModelFactory.generate(model, options);
     double[] y = new double[mechanism.positionCount() + mechanism.velocityCount()];
     mechanism.initialState(y);
@@ -49,6 +52,9 @@ public final class PeerModels {
     }
     Files.writeString(folder.resolve(name + ".state"), state);
     Files.writeString(folder.resolve(name + ".value"), yDot[y.length - 1] + "\n");
+    if (!mechanism.closures().isEmpty()) {
+      return;
+    }
     Files.writeString(folder.resolve(name + ".c"), CText.of(generated.source(), y.length));
     if (mechanism.forces().isEmpty()) {
       MujocoText text = new MujocoText(mechanism);

@@ -23,14 +23,15 @@ final class Scenes {
   private Scenes() {}
 
   /**
-   * Returns {@code pendulum}, {@code driver}, a model that is compared with other programs ({@code
-   * pend5}, {@code pend5s}, {@code driver41}, {@code spatial200}), or a chain such as {@code
-   * chain200}.
+   * Returns {@code pendulum}, {@code driver}, {@code fourbar}, a model that is compared with other
+   * programs ({@code pend5}, {@code pend5s}, {@code driver41}, {@code spatial200}), or a chain such
+   * as {@code chain200}.
    */
   static MechmlModel named(String name) {
     return switch (name) {
       case "pendulum" -> read("pendulum/pendulum.xml");
       case "driver" -> read("driver/driver-free-c0.xml");
+      case "fourbar" -> read("extremes/fourbar_redundant.xml");
       case "pend5", "pend5s", "driver41" -> table(name, name);
       case "spatial200" -> table("chain200", name);
       default ->
@@ -72,6 +73,11 @@ final class Scenes {
     BuildOptions options = options(formulation);
     return ModelFactory.compile(scene, options, ModelFactory.generate(scene, options))
         .newInstance();
+  }
+
+  /** Returns the formulation in which the accelerations of a scene are measured beside others. */
+  static String forwardDynamics(MechmlModel scene) {
+    return scene.mechanism().closures().isEmpty() ? "DTR" : "DSR";
   }
 
   /** Returns how a model is built in a formulation, with an integrator that goes with it. */
