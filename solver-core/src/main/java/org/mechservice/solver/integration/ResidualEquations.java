@@ -303,10 +303,17 @@ final class ResidualEquations extends StepEquations {
    * nothing is in a step that is short enough; true where that cannot be said. The factors stay.
    */
   private boolean slight(double hGamma, ErrorNorm norm, double small) {
-    boolean regular = linearisation.factor(SHORT * hGamma);
+    double shortHGamma = SHORT * hGamma;
+    System.arraycopy(unsolved, 0, ahead, 0, ahead.length);
+    if (linearisation.solveUnstiff(ahead)) {
+      for (int l = 0; l < ahead.length; l++) {
+        ahead[l] *= linearisation.algebraic(l) ? 1 : shortHGamma;
+      }
+      return norm.of(ahead) <= SHORT * small;
+    }
+    boolean regular = linearisation.factor(shortHGamma);
     if (regular) {
-      System.arraycopy(unsolved, 0, ahead, 0, ahead.length);
-      linearisation.solve(SHORT * hGamma, ahead);
+      linearisation.solve(shortHGamma, ahead);
     }
     linearisation.factor(hGamma);
     return !regular || norm.of(ahead) <= SHORT * small;
@@ -368,7 +375,10 @@ final class ResidualEquations extends StepEquations {
   IterationRules rules(Mode mode) {
     asPublished = mode == Mode.FAITHFUL;
     linearisation.watchForJumps(!asPublished);
-    return asPublished ? IterationRules.PUBLISHED : IterationRules.LEARNING;
+    if (asPublished) {
+      return IterationRules.PUBLISHED;
+    }
+    return linearisation.allDifferential() ? IterationRules.TRUSTING : IterationRules.LEARNING;
   }
 
   @Override
