@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.mechservice.solver.integration.IntegratorSettings.Mode;
@@ -27,8 +28,18 @@ class UndeclaredJumpTest {
 
   private static final int BELTS = 400;
 
-  /** At most one run of so many is wrong. */
-  private static final int RARELY = 40;
+  /** At most one run of so many is wrong; in the long run, of so many. */
+  private static final int RARELY = 100;
+
+  private static final int VERY_RARELY = 200;
+
+  private static final int MANY_BELTS = 3000;
+
+  /** Part of the interval that a step may have which is one of many equal ones. */
+  private static final double EQUAL_STEP = 0.01;
+
+  /** Modes that look for jumps. */
+  private static final Mode[] WATCHFUL = {Mode.STANDARD, Mode.TUNED, Mode.ACCURATE};
 
   /** Enough for a run that is not stuck. */
   private static final long MAX_STEPS = 5000;
@@ -137,26 +148,61 @@ class UndeclaredJumpTest {
   @ParameterizedTest
   @EnumSource(names = "ODE15S.*", mode = EnumSource.Mode.MATCH_ANY)
   void runsRarelyMissThatABlockBreaksLooseFromABelt(Method method) {
-    Random random = new Random(11);
+    assertThat(wrongOnBelts(method, BELTS, Double.POSITIVE_INFINITY, 11, WATCHFUL))
+        .isLessThanOrEqualTo(BELTS / RARELY);
+  }
+
+  /**
+   * In steps held equal the spring pulls a little harder from step to step: one run in twelve
+   * missed where it won as long as what is left of the equations was compared with the step before.
+   */
+  @ParameterizedTest
+  @EnumSource(names = "ODE15S.*", mode = EnumSource.Mode.MATCH_ANY)
+  void runsInEqualStepsRarelyMissItEither(Method method) {
+    assertThat(wrongOnBelts(method, BELTS, EQUAL_STEP, 11, WATCHFUL))
+        .isLessThanOrEqualTo(BELTS / RARELY);
+  }
+
+  @Tag("soak")
+  @ParameterizedTest
+  @EnumSource(names = "ODE15S.*", mode = EnumSource.Mode.MATCH_ANY)
+  void inTheLongRunTheyMissItVeryRarely(Method method) {
+    for (Mode mode : WATCHFUL) {
+      for (double longest : new double[] {Double.POSITIVE_INFINITY, EQUAL_STEP}) {
+        assertThat(wrongOnBelts(method, MANY_BELTS, longest, 3, mode))
+            .as("%s mode, steps up to %s of the interval", mode, longest)
+            .isLessThanOrEqualTo(MANY_BELTS / VERY_RARELY);
+      }
+    }
+  }
+
+  /**
+   * Counts wrong ends of random runs.
+   *
+   * @param longest step, in intervals
+   * @param modes taken in turns
+   */
+  private static int wrongOnBelts(
+      Method method, int runs, double longest, long seed, Mode... modes) {
+    Random random = new Random(seed);
     int wrong = 0;
-    for (int i = 0; i < BELTS; i++) {
+    for (int i = 0; i < runs; i++) {
       double tolerance = StrictMath.pow(10, -3 - 8 * random.nextDouble());
       double absolute = tolerance * StrictMath.pow(10, random.nextInt(3) - 1);
       double start = 0.3 + 5 * random.nextDouble();
       double belt = 0.5 + 0.5 * random.nextDouble();
       double tEnd = 2 + 10 * random.nextDouble();
       double width = StrictMath.pow(10, -4 - 4 * random.nextDouble());
-      Mode mode = i % 2 == 0 ? Mode.STANDARD : Mode.TUNED;
       IntegratorSettings how =
           new IntegratorSettings(
               tolerance,
               List.of(absolute),
-              Double.POSITIVE_INFINITY,
+              longest * tEnd,
               0,
               0,
               Long.MAX_VALUE,
               () -> false,
-              mode);
+              modes[i % modes.length]);
       DryFriction friction = new DryFriction(width, belt);
       Integrator integrator = method.start(friction, new double[] {start, 0}, tEnd, how);
       StepResult result = StepResult.ADVANCED;
@@ -168,12 +214,11 @@ class UndeclaredJumpTest {
       double[] exact = DryFriction.exactOnBelt(start, belt, t);
       wrong += distance(Run.state(integrator, t, 2), exact) > allowed ? 1 : 0;
     }
-    assertThat(wrong).isLessThanOrEqualTo(BELTS / RARELY);
+    return wrong;
   }
 
   private static void integrate(Method method, DryFriction friction) {
     Random random = new Random(7);
-    Mode[] modes = {Mode.STANDARD, Mode.TUNED, Mode.ACCURATE};
     for (int i = 0; i < STARTS; i++) {
       double tolerance = StrictMath.pow(10, -3 - 9 * random.nextDouble());
       double absolute = tolerance * StrictMath.pow(10, random.nextInt(4) - 2);
@@ -188,7 +233,7 @@ class UndeclaredJumpTest {
               0,
               MAX_STEPS,
               () -> false,
-              modes[i % modes.length]);
+              WATCHFUL[i % WATCHFUL.length]);
       Integrator integrator = method.start(friction, new double[] {start, 0}, tEnd, how);
       StepResult result = StepResult.ADVANCED;
       while (result == StepResult.ADVANCED) {

@@ -16,8 +16,8 @@ import org.mechservice.sim.symbolic.Scalar;
  *
  * <p>A value computed in one chunk and used in a later one goes through the workspace, even if it
  * is used once. What a chunk takes from there it loads into a local variable, which gives it its
- * name again; so it does with an input that it uses more than once, lest a write to one array force
- * another to be read again. In a straight line, sections that read anew do so.
+ * name again; so it does with an element of an array that it uses more than once, lest a write to
+ * one array force another to be read again. In a straight line, sections that read anew do so.
  */
 final class MethodPlanner {
   /** Fewer inputs than this are put out one by one. */
@@ -144,14 +144,12 @@ final class MethodPlanner {
   /** Finds a place in a chunk for a value that comes from outside it. */
   private void take(Use use, Map<Scalar, Place> places, Map<Integer, List<Statement>> loads) {
     Scalar node = use.value();
-    if (node.operation() == Operation.INPUT && use.count() == 1) {
+    boolean isInput = node.operation() == Operation.INPUT;
+    if (isInput && (use.count() == 1 || node.index() == Program.TIME)) {
       places.put(node, new Place.Input(node.index()));
       return;
     }
-    Place outside =
-        node.operation() == Operation.INPUT
-            ? new Place.Input(node.index())
-            : new Place.Slot(slots.of(node));
+    Place outside = isInput ? new Place.Input(node.index()) : new Place.Slot(slots.of(node));
     load(use.firstSection(), new Statement.Load(node, outside, false), loads);
     for (int section : use.sectionsAnew()) {
       if (section != use.firstSection()) {

@@ -15,7 +15,7 @@ final class ProgramPrinter {
     this.source = source;
     this.head = head;
     this.plan = plan;
-    this.names = new LocalNames(plan);
+    this.names = new LocalNames(plan, head);
     this.angleParts = plan.angleParts();
   }
 
