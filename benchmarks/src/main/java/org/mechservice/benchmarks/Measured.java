@@ -8,10 +8,14 @@ import org.openjdk.jmh.annotations.Mode;
 import org.openjdk.jmh.annotations.OutputTimeUnit;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** How everything here is measured: nanoseconds per call, in a process of its own, warm. */
+/**
+ * How everything here is measured: nanoseconds per call, in a process of its own, warm. The process
+ * waits for its compilers: beside the measurement on one core they take seconds for large models,
+ * and what is then measured is half compiled.
+ */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
-@Fork(1)
+@Fork(value = 1, jvmArgsAppend = "-Xbatch")
 @Warmup(iterations = 5, time = 1)
 @Measurement(iterations = 5, time = 1)
 abstract class Measured {}
