@@ -13,8 +13,8 @@ import org.mechservice.sim.symbolic.Scalar;
  *
  * <p>A value computed in one chunk and used in a later one goes through the workspace, even if it
  * is used once. What a chunk takes from there it loads into a local variable, which gives it its
- * name again; so it does with an element of an array that it uses more than once, lest a write to one
- * array force another to be read again.
+ * name again; so it does with an element of an array that it uses more than once, lest a write to
+ * one array force another to be read again.
  */
 final class MethodPlanner {
   /** Fewer inputs than this are put out one by one. */
