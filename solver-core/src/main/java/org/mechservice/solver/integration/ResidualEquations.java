@@ -301,10 +301,20 @@ final class ResidualEquations extends StepEquations {
    * nothing is in a step that is short enough; true where that cannot be said. The factors stay.
    */
   private boolean slight(double hGamma, ErrorNorm norm, double small) {
-    boolean slight =
-        manifold().anyAlgebraic()
-            ? slightBesideRelations(hGamma, norm, small)
-            : !solveUnsolved(SHORT * hGamma, ahead) || norm.of(ahead) <= SHORT * small;
+    if (manifold().anyAlgebraic()) {
+      boolean slight = slightBesideRelations(hGamma, norm, small);
+      linearisation.factor(hGamma);
+      return slight;
+    }
+    double shortHGamma = SHORT * hGamma;
+    System.arraycopy(unsolved, 0, ahead, 0, ahead.length);
+    if (linearisation.solveUnstiff(ahead)) {
+      for (int l = 0; l < ahead.length; l++) {
+        ahead[l] *= linearisation.algebraic(l) ? 1 : shortHGamma;
+      }
+      return norm.of(ahead) <= SHORT * small;
+    }
+    boolean slight = !solveUnsolved(shortHGamma, ahead) || norm.of(ahead) <= SHORT * small;
     linearisation.factor(hGamma);
     return slight;
   }
@@ -392,7 +402,10 @@ final class ResidualEquations extends StepEquations {
   IterationRules rules(Mode mode) {
     asPublished = mode == Mode.FAITHFUL;
     linearisation.watchForJumps(!asPublished);
-    return asPublished ? IterationRules.PUBLISHED : IterationRules.LEARNING;
+    if (asPublished) {
+      return IterationRules.PUBLISHED;
+    }
+    return linearisation.allDifferential() ? IterationRules.TRUSTING : IterationRules.LEARNING;
   }
 
   @Override
