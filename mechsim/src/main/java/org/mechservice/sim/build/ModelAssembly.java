@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.build.dynamics.ResidualDerivatives;
@@ -21,6 +22,7 @@ import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.StartRole;
 
 /**
  * Puts a model together, its formulation chosen: code where code is written for it, and data in its
@@ -88,8 +90,23 @@ final class ModelAssembly {
           closed.findings().stream()
               .filter(finding -> !finding.kind().isWarning())
               .map(finding -> finding.note().text())
-              .collect(Collectors.joining(" ")));
+              .collect(Collectors.joining(" ", "", " " + wayToClose())));
     }
+  }
+
+  /** Driven and fixed joints are what assembly must leave alone: often one too many. */
+  private String wayToClose() {
+    String held =
+        IntStream.range(0, mechanism.joints().size())
+            .filter(j -> mechanism.isDriven(j) || mechanism.startRoles().get(j) == StartRole.FIXED)
+            .mapToObj(j -> "\"" + mechanism.joints().get(j).name() + "\"")
+            .collect(Collectors.joining(", "));
+    return held.isEmpty()
+        ? "Check the lengths in this loop, and start nearer to a position that closes it."
+        : "Check the lengths in this loop, start nearer to a position that closes it, or let joints"
+            + " move that are driven or fixed: "
+            + held
+            + ".";
   }
 
   private GeneratedModel assembled(

@@ -74,8 +74,15 @@ class SimplificationTest {
   }
 
   @Test
-  void divisionByTheConstantZeroIsRefused() {
-    assertThatThrownBy(() -> x.over(zero)).isInstanceOf(ArithmeticException.class);
+  void whatHasNoFiniteValueIsLeftToTheRunToFind() {
+    Scalar huge = expressions.constant(1e308);
+    assertThat(x.over(zero).operation()).isEqualTo(Operation.DIVIDE);
+    assertThat(one.over(zero).operation()).isEqualTo(Operation.DIVIDE);
+    assertThat(huge.plus(huge).operation()).isEqualTo(Operation.ADD);
+    assertThat(huge.negated().minus(huge).operation()).isEqualTo(Operation.SUBTRACT);
+    assertThat(huge.times(huge).operation()).isEqualTo(Operation.MULTIPLY);
+    assertThat(huge.times(x.times(1e308)).operation()).isEqualTo(Operation.MULTIPLY);
+    assertThat(one.negated().squareRoot().operation()).isEqualTo(Operation.SQUARE_ROOT);
     assertThatThrownBy(() -> expressions.constant(Double.NaN))
         .isInstanceOf(ArithmeticException.class);
   }

@@ -239,7 +239,11 @@ final class ProgramPrinter {
   private void statement(Statement statement, ExpressionPrinter printer) {
     if (statement instanceof Statement.Load load) {
       source.line(
-          "double " + printer.name(load.value()) + " = " + printer.place(load.from()) + ";");
+          (load.again() ? "" : "double ")
+              + printer.name(load.value())
+              + " = "
+              + printer.place(load.from())
+              + ";");
     } else if (statement instanceof Statement.Define define) {
       source.line(
           "double "
