@@ -38,9 +38,8 @@ final class FormulaReader {
         return Optional.empty();
       }
       Expression formula = FormulaTranslation.of(parsed, names, role);
-      if (formula instanceof Expression.Constant constant
-          && !Double.isFinite(unit.toSi(constant.value()))) {
-        throw new ExpressionException(MessageCode.EXPRESSION_VALUE, 0, "too large in SI units");
+      if (formula instanceof Expression.Constant constant) {
+        ValueReader.requireCalculable(unit.toSi(constant.value()));
       }
       values.warnOfDegrees(text, parsed, unit);
       return Optional.of(FormulaNames.toSi(formula, unit));

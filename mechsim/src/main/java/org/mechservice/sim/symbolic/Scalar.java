@@ -140,11 +140,7 @@ public final class Scalar {
     return Simplification.product(expressions.constant(factor), this);
   }
 
-  /**
-   * Returns this / other.
-   *
-   * @throws ArithmeticException if the other is the constant zero
-   */
+  /** Returns this / other; by the constant zero it is a division that has no finite value. */
   public Scalar over(Scalar other) {
     return Simplification.quotient(this, other);
   }

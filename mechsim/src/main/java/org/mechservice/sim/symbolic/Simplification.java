@@ -15,7 +15,8 @@ import java.util.List;
  * What an operation becomes before it becomes a node: constants are folded, 0 and 1 disappear, x −
  * x and a − (a − b) cancel, signs move outwards until a sum or difference takes them up.
  *
- * <p>Values are taken as finite: 0 · x is 0.
+ * <p>Values are taken as finite: 0 · x is 0. Constants whose result is not finite stay unfolded, so
+ * that the run finds it where it arises and can say which joint or force it belongs to.
  */
 final class Simplification {
   /** Inputs and constants in the longest formula whose sine is computed before all else. */
@@ -26,7 +27,7 @@ final class Simplification {
   static Scalar sum(Scalar a, Scalar b) {
     Expressions expressions = a.expressions();
     if (a.isConstant() && b.isConstant()) {
-      return expressions.constant(a.value() + b.value());
+      return folded(a.value() + b.value(), ADD, a, b);
     }
     if (a.isZero()) {
       return b;
@@ -50,8 +51,9 @@ final class Simplification {
       return sum(b, a);
     }
     if (a.isConstant()) {
-      if (b.is(ADD) && b.first().isConstant(-a.value())) {
-        return b.second();
+      if (beginsWithConstant(b)) {
+        Scalar both = expressions.constant(a.value() + b.first().value());
+        return b.is(ADD) ? sum(both, b.second()) : difference(both, b.second());
       }
       Scalar opposite = expressions.constant(-a.value());
       if (expressions.knows(SUBTRACT, opposite, b)) {
@@ -67,7 +69,7 @@ final class Simplification {
       return expressions.zero();
     }
     if (a.isConstant() && b.isConstant()) {
-      return expressions.constant(a.value() - b.value());
+      return folded(a.value() - b.value(), SUBTRACT, a, b);
     }
     if (b.isZero()) {
       return a;
@@ -90,6 +92,10 @@ final class Simplification {
       return sum(expressions.constant(-b.value()), a);
     }
     if (a.isConstant()) {
+      if (beginsWithConstant(b)) {
+        Scalar both = expressions.constant(a.value() - b.first().value());
+        return b.is(ADD) ? difference(both, b.second()) : sum(both, b.second());
+      }
       Scalar opposite = expressions.constant(-a.value());
       if (expressions.knows(ADD, opposite, b)) {
         return negation(expressions.binary(ADD, opposite, b));
@@ -113,10 +119,15 @@ final class Simplification {
     return expressions.binary(SUBTRACT, a, b);
   }
 
+  /** Returns whether a value is c + x or c − x with a constant c. */
+  private static boolean beginsWithConstant(Scalar node) {
+    return (node.is(ADD) || node.is(SUBTRACT)) && node.first().isConstant();
+  }
+
   static Scalar product(Scalar a, Scalar b) {
     Expressions expressions = a.expressions();
     if (a.isConstant() && b.isConstant()) {
-      return expressions.constant(a.value() * b.value());
+      return folded(a.value() * b.value(), MULTIPLY, a, b);
     }
     if (a.isZero() || b.isZero()) {
       return expressions.zero();
@@ -136,7 +147,10 @@ final class Simplification {
       return product(b, a);
     }
     if (a.isConstant() && b.is(MULTIPLY) && b.first().isConstant()) {
-      return product(expressions.constant(a.value() * b.first().value()), b.second());
+      double both = a.value() * b.first().value();
+      if (Double.isFinite(both)) {
+        return product(expressions.constant(both), b.second());
+      }
     }
     if (a.isConstant()) {
       Scalar opposite = expressions.constant(-a.value());
@@ -149,14 +163,14 @@ final class Simplification {
 
   static Scalar quotient(Scalar a, Scalar b) {
     Expressions expressions = a.expressions();
+    if (a.isConstant() && b.isConstant()) {
+      return folded(a.value() / b.value(), DIVIDE, a, b);
+    }
     if (b.isZero()) {
-      throw new ArithmeticException("division by the constant zero");
+      return expressions.binary(DIVIDE, a, b);
     }
     if (a == b) {
       return expressions.one();
-    }
-    if (a.isConstant() && b.isConstant()) {
-      return expressions.constant(a.value() / b.value());
     }
     if (a.isZero() || b.isConstant(1)) {
       return a;
@@ -170,6 +184,13 @@ final class Simplification {
     return expressions.binary(DIVIDE, a, b);
   }
 
+  /** Returns a result of two constants as one, or the operation itself where it is not finite. */
+  private static Scalar folded(double value, Operation operation, Scalar a, Scalar b) {
+    return Double.isFinite(value)
+        ? a.expressions().constant(value)
+        : a.expressions().binary(operation, a, b);
+  }
+
   static Scalar negation(Scalar a) {
     if (a.isConstant()) {
       return a.expressions().constant(-a.value());
@@ -178,7 +199,7 @@ final class Simplification {
   }
 
   static Scalar squareRoot(Scalar a) {
-    return a.isConstant()
+    return a.isConstant() && a.value() >= 0
         ? a.expressions().constant(Math.sqrt(a.value()))
         : a.expressions().unary(SQUARE_ROOT, a);
   }

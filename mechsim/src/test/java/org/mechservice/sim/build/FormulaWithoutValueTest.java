@@ -172,6 +172,26 @@ class FormulaWithoutValueTest {
     assertThat(failure.cause()).contains("log(s.q) is NaN for s.q = -1.0");
   }
 
+  /** The graph of expressions finds the zero itself, and leaves what to say of it to the run. */
+  @ParameterizedTest
+  @CsvSource(textBlock = METHODS)
+  void divisionByADifferenceThatIsAlwaysZeroIsNamed(
+      boolean compact, String formulation, String integrator) throws Exception {
+    Failure failure = failure(sliders("2/(s.q - s.q)", 1, 0), compact, formulation, integrator);
+    assertThat(failure.code()).isEqualTo("N-030");
+    assertThat(failure.part()).isEqualTo("force pull");
+    assertThat(failure.cause()).contains("is Infinity for s.q - s.q = 0.0");
+  }
+
+  @ParameterizedTest
+  @CsvSource(textBlock = METHODS)
+  void constantsWhoseProductOverflowsEndTheRunAtTheirJoint(
+      boolean compact, String formulation, String integrator) throws Exception {
+    Failure failure = failure(sliders("1e200*s.q*1e200", 1, 0), compact, formulation, integrator);
+    assertThat(failure.code()).isIn("N-001", "N-011", "N-030");
+    assertThat(failure.part()).containsAnyOf("s.v", "force pull");
+  }
+
   @ParameterizedTest
   @CsvSource(textBlock = METHODS)
   void forceThatOverflowsIsNamed(boolean compact, String formulation, String integrator)

@@ -24,6 +24,16 @@ class SimplificationTest {
   }
 
   @Test
+  void constantsOfOneSumAreAddedUp() {
+    Scalar two = expressions.constant(2);
+    assertThat(two.plus(x.plus(one))).isSameAs(x.plus(expressions.constant(3)));
+    assertThat(two.plus(one.minus(x))).isSameAs(expressions.constant(3).minus(x));
+    assertThat(two.minus(x.plus(one))).isSameAs(one.minus(x));
+    assertThat(two.minus(one.minus(x))).isSameAs(one.plus(x));
+    assertThat(x.plus(two).minus(two)).isSameAs(x);
+  }
+
+  @Test
   void zeroAndOneDisappear() {
     assertThat(x.plus(zero)).isSameAs(x);
     assertThat(zero.minus(x)).isSameAs(x.negated());
@@ -64,8 +74,15 @@ class SimplificationTest {
   }
 
   @Test
-  void divisionByTheConstantZeroIsRefused() {
-    assertThatThrownBy(() -> x.over(zero)).isInstanceOf(ArithmeticException.class);
+  void whatHasNoFiniteValueIsLeftToTheRunToFind() {
+    Scalar huge = expressions.constant(1e308);
+    assertThat(x.over(zero).operation()).isEqualTo(Operation.DIVIDE);
+    assertThat(one.over(zero).operation()).isEqualTo(Operation.DIVIDE);
+    assertThat(huge.plus(huge).operation()).isEqualTo(Operation.ADD);
+    assertThat(huge.negated().minus(huge).operation()).isEqualTo(Operation.SUBTRACT);
+    assertThat(huge.times(huge).operation()).isEqualTo(Operation.MULTIPLY);
+    assertThat(huge.times(x.times(1e308)).operation()).isEqualTo(Operation.MULTIPLY);
+    assertThat(one.negated().squareRoot().operation()).isEqualTo(Operation.SQUARE_ROOT);
     assertThatThrownBy(() -> expressions.constant(Double.NaN))
         .isInstanceOf(ArithmeticException.class);
   }

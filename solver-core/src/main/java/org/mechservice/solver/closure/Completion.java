@@ -23,6 +23,12 @@ final class Completion {
   /** Residual over its size that a completed position may have. */
   private static final double CLOSED = 1e-11;
 
+  /**
+   * Rounding errors of a residual in terms of those of the coordinates and fixed points it is made
+   * of: four operations or so with each.
+   */
+  private static final double ROUNDINGS = 4;
+
   /** Residual over its size beyond which an equation left out does not follow from the others. */
   private static final double LEFT_OUT = 1e-7;
 
@@ -40,12 +46,20 @@ final class Completion {
    */
   private static final double OTHER_BRANCH = 0.25;
 
+  /**
+   * Velocities in units that are those of a mechanism at rest, 1/s: a radian in thirty thousand
+   * years. In a structure that cannot move all velocities are rounding errors, and their changes as
+   * large as themselves.
+   */
+  private static final double AT_REST = 1e-12;
+
   private final ClosedTree work;
   private final LoopEquations loops;
   private final PositionEquations positions;
   private final Partition ofPositions;
   private final Partition ofVelocities;
   private final CoordinateUnits units;
+  private final double farthest;
   private final int nq;
   private final int nv;
   private final double[] correction;
@@ -64,6 +78,7 @@ final class Completion {
     this.work = work;
     loops = work.loops;
     units = work.units;
+    farthest = LengthScale.farthest(work.tree);
     StateCoordinates coordinates = work.coordinates;
     positions = new PositionEquations(loops, coordinates);
     nq = work.nq;
@@ -123,8 +138,7 @@ final class Completion {
     remember(y);
     boolean positionsChosen = ofPositions.choose(positions.matrix, nq);
     boolean velocitiesChosen = ofVelocities.choose(loops.jacobian, loops.width());
-    watch.begin(t);
-    return positionsChosen && velocitiesChosen;
+    return watch.begin(t) && positionsChosen && velocitiesChosen;
   }
 
   private void differentiate(double[] y) {
@@ -197,7 +211,7 @@ final class Completion {
 
   private boolean completeVelocities(double t, double[] y) {
     work.place(t, y);
-    if (!keptAreClosed() || !ofVelocities.factor(loops.jacobian, loops.width())) {
+    if (!keptAreClosed(y) || !ofVelocities.factor(loops.jacobian, loops.width())) {
       return false;
     }
     for (int i = 0; i < velocityCorrection.length; i++) {
@@ -211,7 +225,7 @@ final class Completion {
       change = larger(change, Math.abs(velocityCorrection[i]) / units.velocities[j]);
     }
     double speed = Math.max(acceptedSpeed, units.speed(y, nq));
-    return change <= OTHER_BRANCH * speed || asBefore(y, OTHER_BRANCH * speed);
+    return change <= Math.max(AT_REST, OTHER_BRANCH * speed) || asBefore(y, OTHER_BRANCH * speed);
   }
 
   /** Whether the equations of the last accepted state give nearly the same velocities. */
@@ -298,14 +312,29 @@ final class Completion {
     watch.restore(state, next + 1);
   }
 
-  private boolean keptAreClosed() {
+  private boolean keptAreClosed(double[] y) {
     for (int i = 0; i < ofVelocities.rank(); i++) {
       int row = ofVelocities.kept[i];
-      if (!(Math.abs(loops.value[row]) <= CLOSED * loops.size(row))) {
+      double residual = Math.abs(loops.value[row]);
+      double allowed = CLOSED * loops.size(row);
+      if (!(residual <= allowed || residual <= allowed + rounding(row, y))) {
         return false;
       }
     }
     return true;
+  }
+
+  /**
+   * Returns the residual that an equation may have because coordinates and fixed points are
+   * rounded: far from the origin, or after many turns, that is more than a part of the mechanism's
+   * size.
+   */
+  private double rounding(int row, double[] y) {
+    double sum = Math.ulp(farthest);
+    for (int j = 0; j < nq; j++) {
+      sum += Math.abs(positions.matrix[row * nq + j]) * Math.ulp(y[j]);
+    }
+    return ROUNDINGS * sum;
   }
 
   /**

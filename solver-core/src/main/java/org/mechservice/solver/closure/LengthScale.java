@@ -1,5 +1,6 @@
 package org.mechservice.solver.closure;
 
+import java.util.List;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
@@ -32,22 +33,47 @@ final class LengthScale {
     return largest > 0 ? largest : 1;
   }
 
+  /**
+   * Returns how far from the root's origin a point of the root lies at most that a joint or closure
+   * names, m: what is computed from there is as exact as numbers of that size.
+   */
+  static double farthest(TreeGeometry tree) {
+    double largest = 0;
+    for (int link = 0; link < tree.linkCount; link++) {
+      if (tree.parent[link] == TreeGeometry.ROOT) {
+        largest = Math.max(largest, norm(tree.offset, 3 * link));
+      }
+    }
+    for (LoopClosure closure : tree.mechanism().closures()) {
+      for (BodyPoint point : points(closure)) {
+        boolean fixed = point.body() == BodyPoint.ROOT;
+        largest = Math.max(largest, fixed ? point.position().norm() : 0);
+      }
+    }
+    return largest;
+  }
+
   private static double of(LoopClosure closure, TreeGeometry tree) {
+    double largest = closure instanceof DistanceClosure rod ? rod.distance() : 0;
+    for (BodyPoint point : points(closure)) {
+      largest = Math.max(largest, arm(point, tree));
+    }
+    return largest;
+  }
+
+  private static List<BodyPoint> points(LoopClosure closure) {
     if (closure instanceof DistanceClosure distance) {
-      return Math.max(
-          distance.distance(),
-          Math.max(arm(distance.point1(), tree), arm(distance.point2(), tree)));
+      return List.of(distance.point1(), distance.point2());
     } else if (closure instanceof JointClosure joint) {
       var at = joint.joint().attachment();
-      return Math.max(
-          arm(new BodyPoint(at.parent(), at.parentPoint()), tree),
-          arm(new BodyPoint(at.child(), at.childPoint()), tree));
+      return List.of(
+          new BodyPoint(at.parent(), at.parentPoint()), new BodyPoint(at.child(), at.childPoint()));
     } else if (closure instanceof PointOnPlaneClosure plane) {
-      return Math.max(arm(plane.point(), tree), arm(plane.plane(), tree));
+      return List.of(plane.point(), plane.plane());
     } else if (closure instanceof PointOnLineClosure line) {
-      return Math.max(arm(line.point(), tree), arm(line.line(), tree));
+      return List.of(line.point(), line.line());
     }
-    return 0;
+    return List.of();
   }
 
   private static double arm(BodyPoint point, TreeGeometry tree) {

@@ -33,7 +33,7 @@ record InertiaBound(Scalar mass, Scalar first, Scalar second) {
     for (int i = bounds.length - 1; i > 0; i--) {
       Link link = links.get(i);
       if (link.parent() != Links.ROOT) {
-        Scalar length = expressions.constant(link.offset().norm());
+        Scalar length = finite(expressions, link.offset().norm());
         InertiaBound seen = bounds[i].from(link.slides() ? length.plus(slid.apply(link)) : length);
         bounds[link.parent()] = bounds[link.parent()].plus(seen);
       }
@@ -45,9 +45,14 @@ record InertiaBound(Scalar mass, Scalar first, Scalar second) {
     double distance = link.centerOfMass().norm();
     double moment = link.mass() * distance;
     return new InertiaBound(
-        expressions.constant(link.mass()),
-        expressions.constant(moment),
-        expressions.constant(moment * distance + link.inertia().trace()));
+        finite(expressions, link.mass()),
+        finite(expressions, moment),
+        finite(expressions, moment * distance + link.inertia().trace()));
+  }
+
+  /** A bound that overflows is still one: what it bounds overflows too, and the run says where. */
+  private static Scalar finite(Expressions expressions, double bound) {
+    return expressions.constant(Math.min(bound, Double.MAX_VALUE));
   }
 
   private InertiaBound plus(InertiaBound other) {
