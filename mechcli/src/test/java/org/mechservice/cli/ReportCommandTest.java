@@ -7,6 +7,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,7 +29,8 @@ class ReportCommandTest {
     assertThat(mech("report", file.toString(), "-o", folder.toString(), "--quick"))
         .isEqualTo(ExitStatus.DONE);
     String name = file.getFileName().toString().replace(".xml", ".html");
-    return Files.readString(folder.resolve(name));
+    String page = Files.readString(folder.resolve(name));
+    return page.replaceFirst("(?s)<style>.*?</style>", ""); // one for all pages
   }
 
   @Test
@@ -62,6 +64,20 @@ class ReportCommandTest {
     Path file = folder.resolve("bouncing_ball-reference.csv");
     Files.writeString(file, Files.readString(file).replaceFirst("# Reference: .*", "# Kept."));
     assertThat(quickPage("benchmarks/bouncing_ball.xml")).contains("<li>Kept.");
+  }
+
+  @Test
+  void reportIsTakenUpAgainWithTheSameCodeOnly() throws IOException {
+    quickPage("benchmarks/bouncing_ball.xml");
+    Path file = folder.resolve("bouncing_ball.csv");
+    List<String> lines = Files.readAllLines(file);
+    String kept = lines.get(lines.size() - 1).replaceFirst("^[^,]*", "kept");
+    Files.writeString(file, String.join("\n", lines) + "\n" + kept + "\n");
+    quickPage("benchmarks/bouncing_ball.xml");
+    assertThat(Files.readAllLines(file)).contains(kept);
+    Files.writeString(file, Files.readString(file).replaceFirst("; code \\w+", "; code other"));
+    quickPage("benchmarks/bouncing_ball.xml");
+    assertThat(Files.readAllLines(file)).doesNotContain(kept).hasSameSizeAs(lines);
   }
 
   @Test

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
+import org.mechservice.client.BuiltJar;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.ModelSummary;
 import org.mechservice.client.ServiceException;
@@ -45,6 +46,9 @@ import org.mechservice.solver.api.RunSettings;
 public final class ModelReport {
   private static final int OUTPUT_INTERVALS = 50;
   private static final int SPECTRUM_SAMPLES = 11;
+
+  /** Hexadecimal digits of a hash that tell code from other code. */
+  private static final int SHOWN_DIGITS = 12;
 
   private final MechSession session;
   private final Path folder;
@@ -103,7 +107,7 @@ public final class ModelReport {
     List<Point> points = List.of();
     if (judge.reference().isPresent()) {
       Reference reference = judge.reference().get();
-      try (Journal journal = Journal.open(folder.resolve(csv), purpose(file));
+      try (Journal journal = Journal.open(folder.resolve(csv), purpose(file) + "; " + code(candidates.get(0)));
           MethodRunner runner =
               new MethodRunner(reference, distance, judge.grid(), loops(candidates))) {
         new Campaign(runner, journal, effort, progress).run(candidates);
@@ -195,11 +199,23 @@ public final class ModelReport {
         .filter(found -> !found.samples().isEmpty());
   }
 
-  /** A journal is taken up again only if it was made with the same model, effort and version. */
+  /** A reference is taken up again only if it was made for the same model, effort and version. */
   private String purpose(String file) {
     ModelSummary model = session.model();
     return String.join(
         "; ", "mech report", file, model.sha256(), effort.name(), Machine.solverVersion());
+  }
+
+  /**
+   * A journal is taken up again only if, besides, it was made with the same code: counts and times
+   * are those of one solver and one generator, which a version does not tell while it is made.
+   */
+  private String code(Candidate candidate) {
+    BuiltJar jar = session.build(MethodList.options(candidate.method()), false);
+    return "code "
+        + jar.runtimeSha256().substring(0, SHOWN_DIGITS)
+        + " "
+        + jar.sha256().substring(0, SHOWN_DIGITS);
   }
 
   private Map<String, TimeShares> shares(

@@ -8,6 +8,7 @@ import java.util.TreeMap;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.jar.Sha256;
 import org.mechservice.sim.build.javac.ModelClassLoader;
+import org.mechservice.sim.build.user.IdleForces;
 import org.mechservice.sim.build.user.UserClasses;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
@@ -20,6 +21,7 @@ public final class CompiledModel {
   private final SortedMap<String, byte[]> classFiles;
   private final UserClasses userClasses;
   private final Constructor<?> constructor;
+  private final Constructor<?> describing;
 
   /**
    * Loads the class of a model.
@@ -40,7 +42,14 @@ public final class CompiledModel {
     this.generated = generated;
     this.options = options;
     this.userClasses = userClasses;
-    this.constructor = constructor(generated.className(), classFiles, userClasses.loader());
+    constructor = constructor(generated.className(), classFiles, userClasses.loader());
+    describing =
+        userClasses.isEmpty()
+            ? constructor
+            : constructor(
+                generated.className(),
+                classFiles,
+                UserClasses.loaderOf(IdleForces.of(source.mechanism())));
     SortedMap<String, byte[]> all = new TreeMap<>(classFiles);
     all.putAll(userClasses.classFiles());
     this.classFiles = Collections.unmodifiableSortedMap(all);
@@ -93,8 +102,8 @@ public final class CompiledModel {
   }
 
   /**
-   * Returns an instance to be asked for names, units and settings: classes of users are not loaded
-   * for it.
+   * Returns an instance to be asked for names, units, columns and settings: classes of users are
+   * not loaded for it, their forces do nothing.
    */
   Model withoutUserClasses() {
     return describing().model();
@@ -102,7 +111,7 @@ public final class CompiledModel {
 
   /** Returns what makes instances like that of {@link #withoutUserClasses}, with parameters. */
   public ModelSource describing() {
-    return hasUserClasses() ? generated.withoutUserClasses() : instances();
+    return source(describing);
   }
 
   /**
@@ -120,6 +129,10 @@ public final class CompiledModel {
    * model of one run is not to be that of another.
    */
   public ModelSource instances() {
+    return source(constructor);
+  }
+
+  private ModelSource source(Constructor<?> constructor) {
     try {
       return ModelSource.from(constructor.newInstance());
     } catch (ReflectiveOperationException e) {

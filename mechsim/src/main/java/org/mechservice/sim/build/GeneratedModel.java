@@ -6,16 +6,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
-import org.mechservice.sim.build.emit.ValuesPlan;
 import org.mechservice.sim.build.emit.WrittenClass;
-import org.mechservice.solver.api.ForceDeclaration;
-import org.mechservice.solver.api.ForceLoads;
-import org.mechservice.solver.api.ForceState;
-import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.ModelSource;
-import org.mechservice.solver.api.TunableParameter;
-import org.mechservice.solver.api.UserForce;
-import org.mechservice.solver.compact.CompactModel;
 
 /**
  * A model specialised to its scene: what its class computes, planned, ready to be written as Java
@@ -24,7 +15,7 @@ import org.mechservice.solver.compact.CompactModel;
 public final class GeneratedModel {
   private final WrittenClass written;
   private final Optional<CompactClass> columns;
-  private final Optional<ValuesPlan> values;
+  private final Optional<WrittenClass> values;
   private final String modelName;
   private final String formulation;
   private final String formulationReason;
@@ -46,7 +37,7 @@ public final class GeneratedModel {
   GeneratedModel(
       WrittenClass written,
       Optional<CompactClass> columns,
-      Optional<ValuesPlan> values,
+      Optional<WrittenClass> values,
       String modelName,
       String formulation,
       String formulationReason,
@@ -97,49 +88,6 @@ public final class GeneratedModel {
       files.put(name(values.get()), values.get().classFile());
     }
     return files;
-  }
-
-  /** Returns the model with forces of users that do nothing. */
-  ModelSource withoutUserClasses() {
-    CompactClass compact = written instanceof CompactClass all ? all : columns.orElseThrow();
-    CompactModel data = compact.model();
-    String closure = data.mechanism().closures().isEmpty() ? "none" : "projection";
-    CompactModel integrated =
-        compact.task().isEmpty()
-            ? data
-            : new CompactModel(data.mechanism(), "DSR", closure, data.settings());
-    return new ForceFree(integrated);
-  }
-
-  /** Makes models that know everything but the forces of users. */
-  private record ForceFree(CompactModel data) implements ModelSource {
-    @Override
-    public Model model() {
-      return data.model(element -> new NoForce());
-    }
-
-    @Override
-    public List<TunableParameter> parameters() {
-      return data.parameters();
-    }
-
-    @Override
-    public Model model(double[] values) {
-      return data.with(values).model(element -> new NoForce());
-    }
-  }
-
-  /** Stands for a force that is not to be loaded. */
-  private static final class NoForce implements UserForce {
-    @Override
-    public void declare(ForceDeclaration model) {
-      // It reads nothing.
-    }
-
-    @Override
-    public void apply(ForceState state, ForceLoads loads) {
-      // It does nothing.
-    }
   }
 
   /** Returns the formulation its equations are written in. */

@@ -14,7 +14,6 @@ import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.ModelPlan;
 import org.mechservice.sim.build.emit.TermsClass;
 import org.mechservice.sim.build.emit.TermsPlan;
-import org.mechservice.sim.build.emit.ValuesPlan;
 import org.mechservice.sim.build.emit.WrittenClass;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
@@ -63,7 +62,7 @@ final class ModelAssembly {
   GeneratedModel analysis(AnalysisTask task) {
     Set<ColumnGroup> further = DataColumns.of(model, options, false);
     further.add(ColumnGroup.JOINTS);
-    CompactClass data = data(further, "", Optional.empty(), Optional.of(task));
+    CompactClass data = data(further, Optional.empty(), Optional.empty(), Optional.of(task));
     return ofData(data, choice);
   }
 
@@ -73,7 +72,7 @@ final class ModelAssembly {
             ? "compact form, as asked for"
             : "compact form, since no code is generated yet for " + String.join(", ", beyond);
     Set<ColumnGroup> further = DataColumns.of(model, options, mechanism.closures().isEmpty());
-    CompactClass data = data(further, "", Optional.empty(), Optional.empty());
+    CompactClass data = data(further, Optional.empty(), Optional.empty(), Optional.empty());
     return ofData(data, choice.because("; " + form));
   }
 
@@ -113,7 +112,7 @@ final class ModelAssembly {
   private GeneratedModel assembled(
       WrittenClass written,
       Optional<CompactClass> beside,
-      Optional<ValuesPlan> values,
+      Optional<WrittenClass> values,
       FormulationChoice reason,
       int operations,
       List<Omission> leftOut,
@@ -132,19 +131,19 @@ final class ModelAssembly {
 
   /**
    * @param further columns that are computed from the data
-   * @param generated simple name of the class the data are beside; empty if they are the model
+   * @param generated the class the data are beside; none if they are the model
    * @param values what its events watch and assign, and its outputs, if they are code
    */
   private CompactClass data(
       Set<ColumnGroup> further,
-      String generated,
-      Optional<ValuesPlan> values,
+      Optional<WrittenClass> generated,
+      Optional<WrittenClass> values,
       Optional<AnalysisTask> task) {
     return new CompactClass(
         DataColumns.data(model, options, choice, further),
         BuiltColumns.labels(further),
         generated,
-        values.map(ValuesPlan::simpleName).orElse(""),
+        values,
         task);
   }
 
@@ -180,7 +179,7 @@ final class ModelAssembly {
     Optional<CompactClass> beside =
         further.isEmpty() && !needsData(model.watchedMechanism())
             ? Optional.empty()
-            : Optional.of(data(further, written.simpleName(), values.plan(), Optional.empty()));
+            : Optional.of(data(further, Optional.of(written), values.plan(), Optional.empty()));
     return assembled(
         written,
         beside,
@@ -215,7 +214,7 @@ final class ModelAssembly {
 
   /** Returns the model with these terms, whatever they cost. */
   GeneratedModel looped(Links links, TermsClass terms) {
-    TermsPlan written = TermsPlan.of(terms, options.form());
+    WrittenClass written = TermsPlan.of(terms, options.form());
     int operations = terms.equations().operationCount();
     int ofDerivatives = terms.derivatives().map(Program::operationCount).orElse(0);
     List<String> tooLarge = tooLarge(written, operations + ofDerivatives);
@@ -229,7 +228,7 @@ final class ModelAssembly {
     ValuesClass.Derived values = ValuesClass.derive(model, links, options);
     return assembled(
         written,
-        Optional.of(data(further, written.simpleName(), values.plan(), Optional.empty())),
+        Optional.of(data(further, Optional.of(written), values.plan(), Optional.empty())),
         values.plan(),
         choice.callingForcesOf(mechanism),
         operations,

@@ -58,6 +58,37 @@ class UserCodeContractTest {
     }
   }
 
+  /** Time, q and v; a; 13 of the pose and the velocity; T, U, work; 6 reactions; 12 of momentum. */
+  @Test
+  void runWithUserCodePutsOutEveryColumnThatTheModelHas() throws UserException {
+    try (HostedClient there = host(true)) {
+      MechSim session = there.emptySession();
+      session.loadModel(MODEL, source(PushedCart.harmlessSource()));
+      NameValue[] all = {new NameValue("columns", "all")};
+      IMechSimRemote run = session.createSimulation(all, null);
+      run.start();
+      List<double[]> rows = HostedClient.rows(run.openResults(HostedClient.ALL), 100);
+      assertThat(rows.get(0)).hasSize(3 + 1 + 13 + 3 + 6 + 12);
+    }
+  }
+
+  /** Nothing moves the cart back: two eigenvalues of zero, each in the eight columns of a mode. */
+  @Test
+  void smallMotionsWithUserCodeAreATable() throws UserException {
+    try (HostedClient there = host(true)) {
+      MechSim session = there.emptySession();
+      String dynamic = new String(PushedCart.file(), StandardCharsets.UTF_8);
+      String linear = dynamic.replaceFirst("(?s)<dynamic>.*</dynamic>", "<linearize/>");
+      byte[] file = linear.getBytes(StandardCharsets.UTF_8);
+      session.loadModel(new ModelFile("pushed.xml", file), source(PushedCart.harmlessSource()));
+      IMechSimRemote run = session.createSimulation(AS_IN_FILE, null);
+      run.start();
+      List<double[]> rows = HostedClient.rows(run.openResults(HostedClient.ALL), 100);
+      assertThat(rows).hasSize(2).allSatisfy(mode -> assertThat(mode).hasSize(8));
+      assertThat(rows).allSatisfy(mode -> assertThat(mode[2]).isZero());
+    }
+  }
+
   @Test
   void runWithUserCodeMayLeaveAHostThatIsBeingEmptied() throws UserException {
     try (HostedClient there = host(true)) {

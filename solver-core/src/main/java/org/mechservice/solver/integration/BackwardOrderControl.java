@@ -13,6 +13,11 @@ package org.mechservice.solver.integration;
  * that grow with their order. If asked to heed that, the order is lowered at once and not raised as
  * long as it lasts. Only differences of equal steps tell: for some steps after a change of size
  * those of a strongly damped system hold what the change has stirred up.
+ *
+ * <p>At order 1 such a system can be caught: its velocities err by a part of each step, far beyond
+ * their tolerances where they are small, which no test sees as long as the steps are equal, and any
+ * other step fails. After a growth that failed at once, a program that heeds such things prefers
+ * order 2 to a longer step, and stays there until a growth has passed.
  */
 final class BackwardOrderControl {
   /** Safety factors of a step after an accepted one, by change of order. */
@@ -43,6 +48,13 @@ final class BackwardOrderControl {
   private int order;
   private int equalSteps;
   private boolean failedBefore;
+
+  /** Whether the step was made longer before the present try. */
+  private boolean grown;
+
+  /** Whether the last longer step failed its first try, if that is heeded. */
+  private boolean caught;
+
   private double error;
 
   /**
@@ -64,6 +76,8 @@ final class BackwardOrderControl {
     order = 1;
     equalSteps = 0;
     failedBefore = false;
+    grown = false;
+    caught = false;
     error = 0;
   }
 
@@ -96,6 +110,7 @@ final class BackwardOrderControl {
   void restart() {
     order = 1;
     equalSteps = 0;
+    caught = false;
   }
 
   /** Chooses the order after a failed error test and returns the factor for the step. */
@@ -104,8 +119,9 @@ final class BackwardOrderControl {
       return RETRY_AGAIN;
     }
     failedBefore = true;
+    caught |= heedsGrowth && grown;
     double factor = Math.max(SMALLEST_RETRY, RETRY_SAME * passing(error, order));
-    if (order > 1) {
+    if (mayFall()) {
       double errorBelow =
           formulas.errorConstant(order - 1)
               * norm.ofSum(differences.tried(order), differences.correction);
@@ -121,7 +137,9 @@ final class BackwardOrderControl {
   /** Chooses the order after an accepted step and returns the factor for the step. */
   double accept(BackwardDifferences differences, ErrorNorm norm) {
     int k = order;
-    if (heedsGrowth && equalSteps >= k && differencesGrow(differences, norm)) {
+    caught &= failedBefore || !grown;
+    grown = false;
+    if (heedsGrowth && mayFall() && equalSteps == k + 2 && differencesGrow(differences, norm)) {
       return lower(errorOf(k - 1, differences, norm));
     }
     equalSteps = Math.min(equalSteps + 1, k + 2);
@@ -129,7 +147,7 @@ final class BackwardOrderControl {
       return 1;
     }
     double best = growth(error, k, SAFETY_SAME);
-    if (k > 1) {
+    if (mayFall()) {
       double below = growth(errorOf(k - 1, differences, norm), k - 1, SAFETY_BELOW);
       if (below > best) {
         best = below;
@@ -138,11 +156,12 @@ final class BackwardOrderControl {
     }
     if (k < highestOrder && mayRise(differences, norm)) {
       double above = growth(errorOf(k + 1, differences, norm), k + 1, SAFETY_ABOVE);
-      if (above > best || (rising && k == 1 && above == LARGEST_GROWTH)) {
+      if (above > best || ((rising || caught) && k == 1 && above == LARGEST_GROWTH)) {
         best = above;
         order = k + 1;
       }
     }
+    grown = best > 1;
     return best;
   }
 
@@ -151,9 +170,6 @@ final class BackwardOrderControl {
    * where the formula is stable and the solution smooth. Brenan, Campbell and Petzold 1996, ch. 5.
    */
   private boolean differencesGrow(BackwardDifferences differences, ErrorNorm norm) {
-    if (order == 1) {
-      return false;
-    }
     double highest = norm.of(differences.accepted(order + 1));
     double below = norm.of(differences.accepted(order));
     return order == 2
@@ -166,6 +182,10 @@ final class BackwardOrderControl {
     equalSteps = 0;
     double factor = passing(errorBelow, order) / SAFETY_SAME;
     return Math.min(1, Math.max(SMALLEST_LOWERED, factor));
+  }
+
+  private boolean mayFall() {
+    return order > (caught ? 2 : 1);
   }
 
   /** Returns whether the next difference is smaller, or nobody asks. */
@@ -204,6 +224,8 @@ final class BackwardOrderControl {
     equalSteps = state.integer(equalSteps);
     rising = state.flag(rising);
     failedBefore = state.flag(failedBefore);
+    grown = state.flag(grown);
+    caught = state.flag(caught);
     error = state.number(error);
   }
 }

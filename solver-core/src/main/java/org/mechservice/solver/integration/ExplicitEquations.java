@@ -35,6 +35,12 @@ final class ExplicitEquations extends StepEquations {
   /** Sizes of what is left of equations that are not solved, length n. */
   private final double[] unsolved;
 
+  /** y moved by rounding errors, then f there, length n. */
+  private final double[] moved;
+
+  /** Where f was evaluated last for the iteration. */
+  private double evaluatedTime;
+
   private int notFiniteComponent;
 
   /**
@@ -56,6 +62,7 @@ final class ExplicitEquations extends StepEquations {
     derivative = new double[smallSizes.length];
     terms = new double[smallSizes.length];
     unsolved = new double[smallSizes.length];
+    moved = new double[smallSizes.length];
   }
 
   @Override
@@ -156,6 +163,7 @@ final class ExplicitEquations extends StepEquations {
 
   @Override
   boolean evaluate(double t, double hGamma, BackwardDifferences differences, double[] residual) {
+    evaluatedTime = t;
     if (!rightHandSide.evaluate(t, differences.corrected(), derivative)) {
       return false;
     }
@@ -198,25 +206,42 @@ final class ExplicitEquations extends StepEquations {
     return better;
   }
 
+  /**
+   * {@inheritDoc} A Jacobian of a steeper place explains anything: what it says of rounding errors
+   * is believed where y moved by some moves f as much.
+   */
   @Override
   boolean leftByRounding(double hGamma, BackwardDifferences differences) {
-    sizeTerms(hGamma, differences);
+    double[] y = differences.corrected();
+    Arrays.fill(terms, 0);
+    jacobian.addMagnitudes(y, terms);
+    boolean steep = false;
     for (int l = 0; l < terms.length; l++) {
-      if (unsolved[l] > ROUNDOFF_OF_TERMS * terms[l]) {
+      double ofSlopes = Math.abs(hGamma) * terms[l];
+      double others = Math.abs(hGamma * derivative[l]) + Math.abs(y[l]);
+      others += Math.abs(differences.psi[l]);
+      if (unsolved[l] > ROUNDOFF_OF_TERMS * (ofSlopes + others)) {
+        return false;
+      }
+      steep |= unsolved[l] > ROUNDOFF_OF_TERMS * others;
+      terms[l] = others;
+    }
+    return !steep || movesByRounding(hGamma, y);
+  }
+
+  private boolean movesByRounding(double hGamma, double[] y) {
+    for (int l = 0; l < y.length; l++) {
+      moved[l] = movedByRounding(y, l);
+    }
+    function.t = evaluatedTime;
+    function.evaluateAlways(moved, moved);
+    for (int l = 0; l < terms.length; l++) {
+      double change = Math.abs(hGamma * (moved[l] - derivative[l]));
+      if (!(unsolved[l] <= ROUNDOFF_OF_TERMS * terms[l] + change)) {
         return false;
       }
     }
     return true;
-  }
-
-  private void sizeTerms(double hGamma, BackwardDifferences differences) {
-    double[] y = differences.corrected();
-    Arrays.fill(terms, 0);
-    jacobian.addMagnitudes(y, terms);
-    for (int l = 0; l < terms.length; l++) {
-      terms[l] = Math.abs(hGamma) * (Math.abs(derivative[l]) + terms[l]);
-      terms[l] += Math.abs(y[l]) + Math.abs(differences.psi[l]);
-    }
   }
 
   /** {@inheritDoc} In h f they vanish with the step. */
@@ -298,15 +323,20 @@ final class ExplicitEquations extends StepEquations {
 
     @Override
     public boolean evaluate(double[] x, double[] value) {
-      if (!manifold().completes()) {
-        return rightHandSide.evaluate(t, x, value);
+      if (rightHandSide.stopped()) {
+        return false;
       }
+      evaluateAlways(x, value);
+      return true;
+    }
+
+    void evaluateAlways(double[] x, double[] value) {
       System.arraycopy(x, 0, completed, 0, x.length);
-      if (!manifold().complete(t, completed)) {
+      if (manifold().complete(t, completed)) {
+        rightHandSide.evaluateAlways(t, completed, value);
+      } else {
         Arrays.fill(value, Double.NaN);
-        return true;
       }
-      return rightHandSide.evaluate(t, completed, value);
     }
   }
 }

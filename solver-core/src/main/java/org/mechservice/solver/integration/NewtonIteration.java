@@ -184,18 +184,34 @@ final class NewtonIteration {
     if (!passes || !rules.heedsRoundOff()) {
       return passes;
     }
-    boolean solved;
-    if (iteration > 1) {
-      solved = remainder.reduced(equations, hGamma, differences, norm);
-    } else if (familiar(size)) {
-      solved = remainder.usual(equations, hGamma, norm, rate);
-    } else {
-      solved = remainder.negligible(equations, hGamma, differences, norm, ACCURACY);
+    return iteration == 1
+        ? believed(size, equations, hGamma, differences, norm)
+        : reduced(equations, hGamma, differences, norm);
+  }
+
+  private boolean believed(
+      double size,
+      StepEquations equations,
+      double hGamma,
+      BackwardDifferences differences,
+      ErrorNorm norm) {
+    if (!familiar(size)) {
+      return remainder.negligible(equations, hGamma, differences, norm, ACCURACY);
     }
-    if (solved) {
-      remainder.remember();
+    boolean usual = remainder.usual(equations, hGamma, norm, rate);
+    if (usual) {
+      remainder.believed();
     }
-    return solved;
+    return usual;
+  }
+
+  private boolean reduced(
+      StepEquations equations, double hGamma, BackwardDifferences differences, ErrorNorm norm) {
+    boolean reduced = remainder.reduced(equations, hGamma, differences, norm);
+    if (reduced) {
+      remainder.measured();
+    }
+    return reduced;
   }
 
   private boolean firstPasses(double size, boolean small) {
@@ -232,9 +248,6 @@ final class NewtonIteration {
   }
 
   private void learnRate(double size) {
-    if (!rateKnown) {
-      remainder.forget();
-    }
     rate = Math.max(rateKnown ? MEMORY * rate : 0, size / lastSize);
     rateKnown = true;
     measuredSize = lastSize;

@@ -7,20 +7,20 @@ import java.util.Arrays;
  *
  * <p>Nothing else shows that a matrix has become wrong while all changes stay tiny: where a body
  * sticks by a steep law of friction a small change of its velocity solves anything; once it has
- * broken loose the law is flat, and nothing is solved any more. A remainder like those of the steps
- * before needs no second look; to have one at every large remainder would cost a quarter more
- * evaluations on stiff chemistry. A remainder that grows slowly can still escape.
+ * broken loose the law is flat, and nothing is solved any more. To have a second look at every
+ * large remainder would cost a quarter more evaluations on stiff chemistry. So one no larger than
+ * the smallest since the rate of convergence was measured needs none: the matrix that mended that
+ * one mends this one, if it mends most of anything. Of a larger one the rate is taken to have grown
+ * in proportion, as it does for what the equations curve; it may only leave little. Steps held
+ * equal raise a remainder slowly, so comparing it with the step before would let it grow unnoticed.
  */
 final class Remainder {
-  /** Growth from step to step by which a remainder is usual. */
-  private static final double USUAL_GROWTH = 2;
-
-  /** Share of a remainder that is remembered from step to step. */
-  private static final double MEMORY = 0.5;
+  /** Growth over the smallest one by which a remainder is no larger. */
+  private static final double SAME = 2;
 
   /**
-   * What may be left, in units of the tolerance and as if nothing were stiff: after a first change
-   * by the rate known, and before a last change, which mends most of it.
+   * What may be left, in units of the tolerance and as if nothing were stiff: after a first change,
+   * as far as the rate tells, and before a last change, which mends most of it.
    */
   private static final double EXPECTED = 30;
 
@@ -36,14 +36,18 @@ final class Remainder {
 
   private final double[] first;
 
-  /** Magnitudes usual before a first change; 0 if none are known. */
+  /** Smallest magnitudes before a first change since the rate was measured, length n. */
   private final double[] usual;
+
+  /** What a first change is expected to leave, length n. */
+  private final double[] expected;
 
   Remainder(int dimension) {
     last = new double[dimension];
     before = new double[dimension];
     first = new double[dimension];
     usual = new double[dimension];
+    expected = new double[dimension];
   }
 
   /** Begins an iteration. */
@@ -69,8 +73,19 @@ final class Remainder {
    * @param rate at which it is expected to fall
    */
   boolean usual(StepEquations equations, double hGamma, ErrorNorm norm, double rate) {
-    double little = EXPECTED * (1 - rate) / rate;
-    return equations.better(hGamma, usual, USUAL_GROWTH, last, norm, little);
+    boolean mending = rate <= REDUCED;
+    for (int l = 0; l < usual.length; l++) {
+      double size = Math.abs(last[l]);
+      boolean same = mending && size <= SAME * usual[l];
+      expected[l] = same || size == 0 ? 0 : last[l] * share(rate, size / usual[l]);
+    }
+    return equations.better(hGamma, usual, 0, expected, norm, EXPECTED);
+  }
+
+  /** Returns the share of what is left that a first change leaves, given its growth. */
+  private static double share(double rate, double growth) {
+    double grown = rate * Math.max(1, growth);
+    return grown < 0.5 ? grown / (1 - grown) : 1;
   }
 
   /** Returns whether the change before the last did what it should, as far as rounding let it. */
@@ -95,16 +110,18 @@ final class Remainder {
         || equations.leftByRounding(hGamma, differences);
   }
 
-  /** Takes what was left before the first change for usual: the step is solved. */
-  void remember() {
+  /** Takes note that the rate was measured for what was left before the first change. */
+  void measured() {
     for (int l = 0; l < usual.length; l++) {
-      usual[l] = Math.max(MEMORY * usual[l], Math.abs(first[l]));
+      usual[l] = Math.abs(first[l]);
     }
   }
 
-  /** Forgets what is usual: that was by other factors. */
-  void forget() {
-    Arrays.fill(usual, 0);
+  /** Takes note that the first change was believed. */
+  void believed() {
+    for (int l = 0; l < usual.length; l++) {
+      usual[l] = Math.min(usual[l], Math.abs(first[l]));
+    }
   }
 
   /** Carries what is usual over. */

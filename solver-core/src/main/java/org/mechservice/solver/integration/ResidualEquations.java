@@ -21,7 +21,8 @@ final class ResidualEquations extends StepEquations {
   /** Part of a step in which nothing is stiff. */
   private static final double SHORT = 0x1p-40;
 
-  private static final double GOLDEN_RATIO = 0.6180339887498949;
+  /** Likewise; longer, for the difference of two changes that are alike. */
+  private static final double SHORT_BESIDE_RELATIONS = 0x1p-30;
 
   private final Residual residual;
   private final ResidualLinearisation linearisation;
@@ -283,9 +284,6 @@ final class ResidualEquations extends StepEquations {
     return true;
   }
 
-  /**
-   * {@inheritDoc} Algebraic components are in no test: of systems that have any nothing is said.
-   */
   @Override
   boolean better(
       double hGamma, double[] before, double part, double[] left, ErrorNorm norm, double small) {
@@ -295,7 +293,7 @@ final class ResidualEquations extends StepEquations {
       unsolved[l] = row ? 0 : left[l];
       better &= row || left[l] == 0;
     }
-    return better || manifold().anyAlgebraic() || slight(hGamma, norm, small);
+    return better || slight(hGamma, norm, small);
   }
 
   /**
@@ -303,13 +301,50 @@ final class ResidualEquations extends StepEquations {
    * nothing is in a step that is short enough; true where that cannot be said. The factors stay.
    */
   private boolean slight(double hGamma, ErrorNorm norm, double small) {
-    boolean regular = linearisation.factor(SHORT * hGamma);
-    if (regular) {
-      System.arraycopy(unsolved, 0, ahead, 0, ahead.length);
-      linearisation.solve(SHORT * hGamma, ahead);
+    if (manifold().anyAlgebraic()) {
+      boolean slight = slightBesideRelations(hGamma, norm, small);
+      linearisation.factor(hGamma);
+      return slight;
     }
+    double shortHGamma = SHORT * hGamma;
+    System.arraycopy(unsolved, 0, ahead, 0, ahead.length);
+    if (linearisation.solveUnstiff(ahead)) {
+      for (int l = 0; l < ahead.length; l++) {
+        ahead[l] *= linearisation.algebraic(l) ? 1 : shortHGamma;
+      }
+      return norm.of(ahead) <= SHORT * small;
+    }
+    boolean slight = !solveUnsolved(shortHGamma, ahead) || norm.of(ahead) <= SHORT * small;
     linearisation.factor(hGamma);
-    return !regular || norm.of(ahead) <= SHORT * small;
+    return slight;
+  }
+
+  /**
+   * Relations between states, as the rates of loops are, are mended by the same change however
+   * short the step: this change is told from that by what half the step needs. Both have to be
+   * small.
+   */
+  private boolean slightBesideRelations(double hGamma, ErrorNorm norm, double small) {
+    double step = SHORT_BESIDE_RELATIONS * hGamma;
+    if (!solveUnsolved(step, ahead) || !solveUnsolved(step / 2, moved)) {
+      return true;
+    }
+    for (int l = 0; l < ahead.length; l++) {
+      double ofStep = 2 * (ahead[l] - moved[l]);
+      moved[l] = ahead[l] - ofStep;
+      ahead[l] = ofStep;
+    }
+    return norm.of(ahead) <= SHORT_BESIDE_RELATIONS * small && norm.of(moved) <= small;
+  }
+
+  /** Returns whether the matrix of a step is regular; if so, solves with it for what is left. */
+  private boolean solveUnsolved(double hGamma, double[] change) {
+    if (!linearisation.factor(hGamma)) {
+      return false;
+    }
+    System.arraycopy(unsolved, 0, change, 0, change.length);
+    linearisation.solve(hGamma, change);
+    return true;
   }
 
   /** {@inheritDoc} What rounding makes of F shows where y is moved by some rounding errors. */
@@ -317,8 +352,7 @@ final class ResidualEquations extends StepEquations {
   boolean leftByRounding(double hGamma, BackwardDifferences differences) {
     double[] y = differences.corrected();
     for (int l = 0; l < y.length; l++) {
-      // Parts of either sign, no two alike, so that differences of components move, too.
-      ahead[l] = y[l] + ROUNDOFF_OF_TERMS * (1 - 2 * ((l + 1) * GOLDEN_RATIO % 1)) * y[l];
+      ahead[l] = movedByRounding(y, l);
     }
     residual.evaluateAlways(evaluatedTime, ahead, iterateSlope, moved);
     for (int l = 0; l < y.length; l++) {
@@ -368,7 +402,10 @@ final class ResidualEquations extends StepEquations {
   IterationRules rules(Mode mode) {
     asPublished = mode == Mode.FAITHFUL;
     linearisation.watchForJumps(!asPublished);
-    return asPublished ? IterationRules.PUBLISHED : IterationRules.LEARNING;
+    if (asPublished) {
+      return IterationRules.PUBLISHED;
+    }
+    return linearisation.allDifferential() ? IterationRules.TRUSTING : IterationRules.LEARNING;
   }
 
   @Override

@@ -16,6 +16,8 @@ abstract class StepEquations {
    */
   static final double ROUNDOFF_OF_TERMS = 1e4 * Math.ulp(1.0);
 
+  private static final double GOLDEN_RATIO = 0.6180339887498949;
+
   private final Manifold manifold;
   private final MatrixDrift drift;
   private final StepFactors factors;
@@ -125,6 +127,14 @@ abstract class StepEquations {
    */
   abstract boolean better(
       double hGamma, double[] before, double part, double[] left, ErrorNorm norm, double small);
+
+  /**
+   * Returns a component moved by some rounding errors: of either sign and no two by like parts, so
+   * that differences of components move, too.
+   */
+  static double movedByRounding(double[] y, int l) {
+    return y[l] + ROUNDOFF_OF_TERMS * (1 - 2 * ((l + 1) * GOLDEN_RATIO % 1)) * y[l];
+  }
 
   /** Returns whether what {@link #better} found left over last is made of rounding errors. */
   abstract boolean leftByRounding(double hGamma, BackwardDifferences differences);
