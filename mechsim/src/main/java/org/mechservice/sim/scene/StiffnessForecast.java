@@ -58,7 +58,9 @@ public final class StiffnessForecast {
             "joint \"%s\" moves too fast%s: at the start it %s; to %s s, the end in the file, the run"
                 + " will take some %.0e steps; %s",
             motion.joint().name(),
-            motion.isDamped() ? " for " + settings.integrator() + ", the integrator of the file" : "",
+            motion.isDamped()
+                ? " for " + settings.integrator() + ", the integrator of the file"
+                : "",
             motion.text(),
             ShortestDecimal.format(settings.tEnd()),
             steps(motion, settings),
