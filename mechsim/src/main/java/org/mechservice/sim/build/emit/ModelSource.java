@@ -23,7 +23,10 @@ final class ModelSource {
           + " D, kn, kf: its element on the joint's axis and its column there over D; u: joint"
           + " force less f, n along the axis; dalpha, da: what joint accelerations add. The origin"
           + " of a computing frame is the joint's point on the body, its z axis lies along the"
-          + " joint; R, X take it to the parent's, where the joint is at r.";
+          + " joint; R, X take it to the parent's, where the joint is at r. q, v of a"
+          + " joint: coordinate and rate. T, U: kinetic and potential energy of the bodies so far;"
+          + " v, g of a body: velocity of the origin and gravity in the frame's axes, fall: gravity"
+          + " times the way to it. SI units: kg, m, s, rad, N, J.";
 
   private final ModelPlan plan;
   private final SourceLines source = new SourceLines();
@@ -42,7 +45,7 @@ final class ModelSource {
     if (slots > 0) {
       source.line("private final double[] w = new double[" + slots + "];");
     }
-    if (plan.hasParameters()) {
+    if (plan.takesNumbers()) {
       source.line("private final double[] p;");
     }
     plan.power().ifPresent(p -> source.line("private final double[] power = new double[2];"));
@@ -65,8 +68,8 @@ final class ModelSource {
 
   private void construct() {
     List<String> arguments = plan.base().arguments();
-    if (!arguments.isEmpty() || plan.hasParameters()) {
-      String given = plan.hasParameters() ? "double[] p" : "";
+    if (!arguments.isEmpty() || plan.takesNumbers()) {
+      String given = plan.takesNumbers() ? "double[] p" : "";
       source.blank().open("public " + plan.simpleName() + "(" + given + ")");
     }
     if (!arguments.isEmpty()) {
@@ -75,10 +78,10 @@ final class ModelSource {
               .map(JavaText::literal)
               .collect(Collectors.joining(", ", "super(", ");")));
     }
-    if (plan.hasParameters()) {
+    if (plan.takesNumbers()) {
       source.line("this.p = p;");
     }
-    if (!arguments.isEmpty() || plan.hasParameters()) {
+    if (!arguments.isEmpty() || plan.takesNumbers()) {
       source.close();
     }
   }
