@@ -3,13 +3,14 @@ package org.mechservice.mechml.resolve;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.mechservice.mechml.SimulationSettings;
+import org.mechservice.mechml.SimulationTask;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.document.Limits;
 import org.mechservice.mechml.unit.Quantity;
-import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -179,9 +180,12 @@ final class MechanismReader {
             parameters()));
   }
 
-  /** Reports driven joints whose positions jump along a run of the mechanism. */
-  void checkMotions(Mechanism mechanism, RunSettings run) {
-    MotionCheck.of(links, mechanism.motionJumps(run.tStart(), run.tEnd()), diagnostics);
+  /** Reports driven joints that nothing could follow in a simulation. */
+  void checkMotions(Mechanism mechanism, SimulationSettings settings) {
+    boolean moves =
+        settings.task() instanceof SimulationTask.Dynamic
+            || settings.task() instanceof SimulationTask.InverseDynamic;
+    MotionCheck.of(links, mechanism, settings.run(), moves, diagnostics);
   }
 
   private List<ForceElement> forces() {

@@ -55,7 +55,7 @@ public final class ModelResolver {
     List<SimulationSettings> settings = simulations.read(blocks);
     int chosen = simulations.choose(blocks, options.simulation());
     diagnostics.throwIfErrors();
-    reader.orElseThrow().checkMotions(mechanism.orElseThrow(), settings.get(chosen).run());
+    reader.orElseThrow().checkMotions(mechanism.orElseThrow(), settings.get(chosen));
     diagnostics.throwIfErrors();
     return new MechmlModel(
         mechanism.get(),

@@ -4,14 +4,25 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
-import org.mechservice.mechml.document.Element;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Tape;
+import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.MotionJump;
+import org.mechservice.solver.mechanism.PrescribedMotion;
+import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
 
-/** Refuses prescribed motions whose position jumps: no mechanism can follow, whatever the force. */
+/**
+ * Refuses prescribed motions that no mechanism can follow, whatever the force: whose position
+ * jumps, or whose position, velocity or acceleration is not finite where the run starts.
+ */
 final class MotionCheck {
   private static final MathContext DIGITS = new MathContext(6);
 
@@ -20,24 +31,89 @@ final class MotionCheck {
 
   private MotionCheck() {}
 
-  /** Reports the first jump of each driven joint. */
-  static void of(List<JointLink> links, List<MotionJump> jumps, Diagnostics diagnostics) {
+  /**
+   * Reports the first jump of each driven joint, or what is not finite at its start.
+   *
+   * @param links the joints of the file
+   * @param mechanism what was read
+   * @param run start and end
+   * @param moves whether accelerations count: that of a mechanism at rest or of geometry alone does
+   *     not
+   */
+  static void of(
+      List<JointLink> links,
+      Mechanism mechanism,
+      RunSettings run,
+      boolean moves,
+      Diagnostics diagnostics) {
     Set<String> told = new HashSet<>();
-    for (MotionJump jump : jumps) {
+    for (MotionJump jump : mechanism.motionJumps(run.tStart(), run.tEnd())) {
       if (jump.ofPosition() && told.add(jump.joint())) {
-        links.stream()
-            .filter(link -> link.element().required("name").equals(jump.joint()))
-            .flatMap(link -> link.start().stream())
-            .findFirst()
-            .ifPresent(
-                element ->
-                    diagnostics.error(
-                        MessageCode.MOTION_JUMPS, element.place(), text(element, jump)));
+        report(links, jump.joint(), text(jump), diagnostics);
+      }
+    }
+    for (PrescribedMotion motion : mechanism.motions()) {
+      String joint = mechanism.joints().get(motion.joint()).name();
+      if (!told.contains(joint)) {
+        atStart(mechanism, motion.coordinates(), run.tStart(), moves)
+            .ifPresent(text -> report(links, joint, text, diagnostics));
+      }
+    }
+    for (LoopClosure closure : mechanism.closures()) {
+      if (closure instanceof JointClosure cut && !told.contains(cut.name())) {
+        atStart(mechanism, cut.motion(), run.tStart(), moves)
+            .ifPresent(text -> report(links, cut.name(), text, diagnostics));
       }
     }
   }
 
-  private static String text(Element element, MotionJump jump) {
+  private static void report(
+      List<JointLink> links, String joint, String text, Diagnostics diagnostics) {
+    links.stream()
+        .filter(link -> link.element().required("name").equals(joint))
+        .flatMap(link -> link.start().stream())
+        .findFirst()
+        .ifPresent(
+            element ->
+                diagnostics.error(
+                    MessageCode.MOTION_JUMPS,
+                    element.place(),
+                    Phrase.of("%s: %s", element.label(), text)));
+  }
+
+  private static Optional<String> atStart(
+      Mechanism mechanism, List<Expression> coordinates, double t, boolean moves) {
+    Tape tape = new Tape(coordinates);
+    TapeEvaluation motion = new TapeEvaluation(tape);
+    for (int i = 0; i < tape.leaves().size(); i++) {
+      if (tape.leaves().get(i) instanceof Expression.ParameterValue parameter) {
+        motion.setLeaf(i, mechanism.parameters().get(parameter.index()).value(), 0, 0);
+      } else {
+        motion.setLeaf(i, t, 1, 0);
+      }
+    }
+    motion.derivatives();
+    motion.rates();
+    for (int i = 0; i < coordinates.size(); i++) {
+      String missing =
+          !Double.isFinite(motion.value(i))
+              ? "position"
+              : !Double.isFinite(motion.rate(i))
+                  ? "velocity"
+                  : moves && !Double.isFinite(motion.secondRate(i)) ? "acceleration" : "";
+      if (!missing.isEmpty()) {
+        return Optional.of(
+            Phrase.of(
+                "the %s of the motion driven has no finite value at the start, t = %s s; write a"
+                    + " motion that begins with a finite one, as t^2 or smoothStep(t/0.1) does, or"
+                    + " let the run begin later",
+                missing, number(t)));
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static String text(MotionJump jump) {
     String what =
         Math.abs(jump.size()) < POLE
             ? Phrase.of(
@@ -46,9 +122,8 @@ final class MotionCheck {
                 number(jump.time()), number(jump.size()))
             : Phrase.of("the motion driven has no finite value near t = %s s", number(jump.time()));
     return Phrase.of(
-        "%s: %s; write a motion that takes time, as smoothStep((t-1)/0.1) does in place of"
-            + " step(t-1)",
-        element.label(), what);
+        "%s; write a motion that takes time, as smoothStep((t-1)/0.1) does in place of step(t-1)",
+        what);
   }
 
   /** Returns six digits of a number, without zeros behind them. */

@@ -6,7 +6,6 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
-import org.mechservice.sim.build.emit.ValuesPlan;
 import org.mechservice.sim.build.emit.WrittenClass;
 
 /**
@@ -16,7 +15,7 @@ import org.mechservice.sim.build.emit.WrittenClass;
 public final class GeneratedModel {
   private final WrittenClass written;
   private final Optional<CompactClass> columns;
-  private final Optional<ValuesPlan> values;
+  private final Optional<WrittenClass> values;
   private final String modelName;
   private final String formulation;
   private final String formulationReason;
@@ -38,7 +37,7 @@ public final class GeneratedModel {
   GeneratedModel(
       WrittenClass written,
       Optional<CompactClass> columns,
-      Optional<ValuesPlan> values,
+      Optional<WrittenClass> values,
       String modelName,
       String formulation,
       String formulationReason,

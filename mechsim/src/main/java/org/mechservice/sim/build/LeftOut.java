@@ -5,7 +5,9 @@ import java.util.List;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.dynamics.Link;
 import org.mechservice.sim.build.dynamics.Links;
+import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.kinematics.LinkKind;
@@ -36,6 +38,7 @@ final class LeftOut {
       MechmlModel model, Links links, BuildOptions options, Program derivative) {
     LeftOut leftOut = new LeftOut();
     leftOut.language(links.mechanism(), links);
+    leftOut.rotations(links, options, derivative);
     leftOut.author(model);
     leftOut.scene(links.mechanism());
     leftOut.frames(links);
@@ -54,12 +57,6 @@ final class LeftOut {
     if (mechanism.closures().isEmpty()) {
       add("loop closures and constraints", "the joints form a tree");
     }
-    if (!moves(links, LinkKind.BALL)) {
-      add("quaternions", "no joint is spherical or free");
-    }
-    if (!moves(links, LinkKind.TURN) && !moves(links, LinkKind.SCREW)) {
-      add("sines and cosines", "no joint turns");
-    }
     if (!moves(links, LinkKind.SLIDE)) {
       add("sliding joints", "no joint slides");
     }
@@ -72,6 +69,35 @@ final class LeftOut {
     if (mechanism.forces().isEmpty()) {
       add("force elements", "the scene has no forces but gravity");
     }
+  }
+
+  /** Poses have quaternions whatever the joints are, formulas may have sines. */
+  private void rotations(Links links, BuildOptions options, Program derivative) {
+    if (!moves(links, LinkKind.BALL) && !options.columns().contains(ColumnGroup.BODIES)) {
+      add("quaternions", "no joint is spherical or free");
+    }
+    boolean turns = moves(links, LinkKind.TURN) || moves(links, LinkKind.SCREW);
+    if (!turns && !hasAngles(derivative)) {
+      add("sines and cosines", "no joint turns");
+    }
+  }
+
+  private static boolean hasAngles(Program program) {
+    int[] uses = program.uses();
+    for (int id = 0; id < uses.length; id++) {
+      Scalar node = program.expressions().node(id);
+      boolean angle =
+          switch (node.operation()) {
+            case SINE, COSINE -> true;
+            case FUNCTION ->
+                node.function() == MathFunction.SIN || node.function() == MathFunction.COS;
+            default -> false;
+          };
+      if (angle && uses[id] > 0) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private void author(MechmlModel model) {

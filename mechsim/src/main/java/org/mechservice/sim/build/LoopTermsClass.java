@@ -42,7 +42,7 @@ final class LoopTermsClass {
             : Optional.empty();
     return new TermsClass(
         mechanism.name(),
-        !mechanism.parameters().isEmpty() || ModelClass.hasUserForces(mechanism),
+        ModelClass.hasUserForces(mechanism),
         links.positionCount() + links.velocityCount() + CountedAngles.of(mechanism).size(),
         links.velocityCount(),
         loops,

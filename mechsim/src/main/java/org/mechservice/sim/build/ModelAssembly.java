@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.build.dynamics.ResidualDerivatives;
@@ -13,7 +14,6 @@ import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.ModelPlan;
 import org.mechservice.sim.build.emit.TermsClass;
 import org.mechservice.sim.build.emit.TermsPlan;
-import org.mechservice.sim.build.emit.ValuesPlan;
 import org.mechservice.sim.build.emit.WrittenClass;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
@@ -22,6 +22,7 @@ import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.StartRole;
 
 /**
  * Puts a model together, its formulation chosen: code where code is written for it, and data in its
@@ -61,7 +62,7 @@ final class ModelAssembly {
   GeneratedModel analysis(AnalysisTask task) {
     Set<ColumnGroup> further = DataColumns.of(model, options, false);
     further.add(ColumnGroup.JOINTS);
-    CompactClass data = data(further, "", Optional.empty(), Optional.of(task));
+    CompactClass data = data(further, Optional.empty(), Optional.empty(), Optional.of(task));
     return ofData(data, choice);
   }
 
@@ -71,7 +72,7 @@ final class ModelAssembly {
             ? "compact form, as asked for"
             : "compact form, since no code is generated yet for " + String.join(", ", beyond);
     Set<ColumnGroup> further = DataColumns.of(model, options, mechanism.closures().isEmpty());
-    CompactClass data = data(further, "", Optional.empty(), Optional.empty());
+    CompactClass data = data(further, Optional.empty(), Optional.empty(), Optional.empty());
     return ofData(data, choice.because("; " + form));
   }
 
@@ -89,14 +90,29 @@ final class ModelAssembly {
           closed.findings().stream()
               .filter(finding -> !finding.kind().isWarning())
               .map(finding -> finding.note().text())
-              .collect(Collectors.joining(" ")));
+              .collect(Collectors.joining(" ", "", " " + wayToClose())));
     }
+  }
+
+  /** Driven and fixed joints are what assembly must leave alone: often one too many. */
+  private String wayToClose() {
+    String held =
+        IntStream.range(0, mechanism.joints().size())
+            .filter(j -> mechanism.isDriven(j) || mechanism.startRoles().get(j) == StartRole.FIXED)
+            .mapToObj(j -> "\"" + mechanism.joints().get(j).name() + "\"")
+            .collect(Collectors.joining(", "));
+    return held.isEmpty()
+        ? "Check the lengths in this loop, and start nearer to a position that closes it."
+        : "Check the lengths in this loop, start nearer to a position that closes it, or let joints"
+            + " move that are driven or fixed: "
+            + held
+            + ".";
   }
 
   private GeneratedModel assembled(
       WrittenClass written,
       Optional<CompactClass> beside,
-      Optional<ValuesPlan> values,
+      Optional<WrittenClass> values,
       FormulationChoice reason,
       int operations,
       List<Omission> leftOut,
@@ -115,19 +131,19 @@ final class ModelAssembly {
 
   /**
    * @param further columns that are computed from the data
-   * @param generated simple name of the class the data are beside; empty if they are the model
+   * @param generated the class the data are beside; none if they are the model
    * @param values what its events watch and assign, and its outputs, if they are code
    */
   private CompactClass data(
       Set<ColumnGroup> further,
-      String generated,
-      Optional<ValuesPlan> values,
+      Optional<WrittenClass> generated,
+      Optional<WrittenClass> values,
       Optional<AnalysisTask> task) {
     return new CompactClass(
         DataColumns.data(model, options, choice, further),
         BuiltColumns.labels(further),
         generated,
-        values.map(ValuesPlan::simpleName).orElse(""),
+        values,
         task);
   }
 
@@ -163,7 +179,7 @@ final class ModelAssembly {
     Optional<CompactClass> beside =
         further.isEmpty() && !needsData(model.watchedMechanism())
             ? Optional.empty()
-            : Optional.of(data(further, written.simpleName(), values.plan(), Optional.empty()));
+            : Optional.of(data(further, Optional.of(written), values.plan(), Optional.empty()));
     return assembled(
         written,
         beside,
@@ -198,7 +214,7 @@ final class ModelAssembly {
 
   /** Returns the model with these terms, whatever they cost. */
   GeneratedModel looped(Links links, TermsClass terms) {
-    TermsPlan written = TermsPlan.of(terms, options.form());
+    WrittenClass written = TermsPlan.of(terms, options.form());
     int operations = terms.equations().operationCount();
     int ofDerivatives = terms.derivatives().map(Program::operationCount).orElse(0);
     List<String> tooLarge = tooLarge(written, operations + ofDerivatives);
@@ -212,7 +228,7 @@ final class ModelAssembly {
     ValuesClass.Derived values = ValuesClass.derive(model, links, options);
     return assembled(
         written,
-        Optional.of(data(further, written.simpleName(), values.plan(), Optional.empty())),
+        Optional.of(data(further, Optional.of(written), values.plan(), Optional.empty())),
         values.plan(),
         choice.callingForcesOf(mechanism),
         operations,

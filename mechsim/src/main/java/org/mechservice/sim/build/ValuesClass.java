@@ -6,6 +6,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.build.dynamics.PowerEquations;
 import org.mechservice.sim.build.emit.ValuesPlan;
+import org.mechservice.sim.build.emit.WrittenClass;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.closure.CountedAngles;
@@ -34,7 +35,7 @@ final class ValuesClass {
    * @param plan their class, if there is one
    * @param fromData why they are left to the data, if they are
    */
-  record Derived(Optional<ValuesPlan> plan, Optional<String> fromData) {
+  record Derived(Optional<WrittenClass> plan, Optional<String> fromData) {
     private static Derived leftToData(String why) {
       return new Derived(Optional.empty(), Optional.of(why));
     }
@@ -85,13 +86,8 @@ final class ValuesClass {
     }
     return new Derived(
         Optional.of(
-            new ValuesPlan(
-                model.mechanism().name(),
-                !model.mechanism().parameters().isEmpty(),
-                triggers,
-                assignments,
-                outputs,
-                options.form())),
+            ValuesPlan.of(
+                model.mechanism().name(), triggers, assignments, outputs, options.form())),
         Optional.empty());
   }
 

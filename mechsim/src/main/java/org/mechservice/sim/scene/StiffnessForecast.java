@@ -55,10 +55,10 @@ public final class StiffnessForecast {
         "N-019",
         String.format(
             Locale.ROOT,
-            "joint \"%s\" moves too fast%s: at the start it %s; to %s s the run will"
-                + " take some %.0e steps; %s",
+            "joint \"%s\" moves too fast%s: at the start it %s; to %s s, the end in the file, the run"
+                + " will take some %.0e steps; %s",
             motion.joint().name(),
-            motion.isDamped() ? " for integrator " + settings.integrator() : "",
+            motion.isDamped() ? " for " + settings.integrator() + ", the integrator of the file" : "",
             motion.text(),
             ShortestDecimal.format(settings.tEnd()),
             steps(motion, settings),

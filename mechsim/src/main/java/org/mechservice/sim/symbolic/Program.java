@@ -27,9 +27,16 @@ public final class Program {
    * @param firstNode first node that arose in it
    * @param outputs what it puts out, in order
    * @param guards what it checks, in order
+   * @param readsAnew whether its code reads what it needs again, though what stands before it in
+   *     the same method has read it too
    */
   public record Section(
-      String title, String subject, int firstNode, List<Output> outputs, List<Guard> guards) {}
+      String title,
+      String subject,
+      int firstNode,
+      List<Output> outputs,
+      List<Guard> guards,
+      boolean readsAnew) {}
 
   /**
    * A value put out.
@@ -84,8 +91,22 @@ public final class Program {
 
   /** Opens a section. */
   public void section(String title, String subject) {
+    open(title, subject, false);
+  }
+
+  /**
+   * Opens a section that is one of many alike, whose code reads what it needs anew. A compiler
+   * cannot read before the values are put out that stand before, so it does not mix the sections:
+   * that would take it more values at a time than there are registers.
+   */
+  public void step(String title, String subject) {
+    open(title, subject, true);
+  }
+
+  private void open(String title, String subject, boolean readsAnew) {
     sections.add(
-        new Section(title, subject, expressions.size(), new ArrayList<>(), new ArrayList<>()));
+        new Section(
+            title, subject, expressions.size(), new ArrayList<>(), new ArrayList<>(), readsAnew));
   }
 
   /**

@@ -51,8 +51,9 @@ final class Simplification {
       return sum(b, a);
     }
     if (a.isConstant()) {
-      if (b.is(ADD) && b.first().isConstant(-a.value())) {
-        return b.second();
+      if (beginsWithConstant(b)) {
+        Scalar both = expressions.constant(a.value() + b.first().value());
+        return b.is(ADD) ? sum(both, b.second()) : difference(both, b.second());
       }
       Scalar opposite = expressions.constant(-a.value());
       if (expressions.knows(SUBTRACT, opposite, b)) {
@@ -91,6 +92,10 @@ final class Simplification {
       return sum(expressions.constant(-b.value()), a);
     }
     if (a.isConstant()) {
+      if (beginsWithConstant(b)) {
+        Scalar both = expressions.constant(a.value() - b.first().value());
+        return b.is(ADD) ? difference(both, b.second()) : sum(both, b.second());
+      }
       Scalar opposite = expressions.constant(-a.value());
       if (expressions.knows(ADD, opposite, b)) {
         return negation(expressions.binary(ADD, opposite, b));
@@ -112,6 +117,11 @@ final class Simplification {
       return negation(expressions.binary(SUBTRACT, b, a));
     }
     return expressions.binary(SUBTRACT, a, b);
+  }
+
+  /** Returns whether a value is c + x or c − x with a constant c. */
+  private static boolean beginsWithConstant(Scalar node) {
+    return (node.is(ADD) || node.is(SUBTRACT)) && node.first().isConstant();
   }
 
   static Scalar product(Scalar a, Scalar b) {

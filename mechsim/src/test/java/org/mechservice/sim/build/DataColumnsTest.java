@@ -18,6 +18,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.jar.Packing;
 import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.ExtendedModel;
+import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
@@ -25,12 +27,14 @@ import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.simulation.RuntimeSolver;
 import org.mechservice.solver.standalone.Launcher;
 
 /** Columns that no code is generated for travel as data with the models that asked for them. */
 class DataColumnsTest {
   private static final RunSettings SETTINGS = new RunSettings(0, 0.2, 0.1, "DE", 1e-6, 1e-6);
+  private static final long SEED = 2;
   private static final String ANALYSIS = "solver/analysis/";
 
   private static CompiledModel pendulum(boolean compact, ColumnGroup... columns) {
@@ -75,6 +79,23 @@ class DataColumnsTest {
     for (int i = 0; i < plain.size(); i++) {
       assertThat(Arrays.copyOf(extended.get(i), without.size())).containsExactly(plain.get(i));
     }
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void valuesOfForcesAreColumnsAlsoWhereSomethingHappensAlongTheRun(boolean compact) {
+    Mechanism pushed = RandomForces.on(RandomTrees.driven(SEED, 4), SEED);
+    assertThat(forceColumns(RandomEvents.on(pushed, SEED), compact))
+        .isEqualTo(forceColumns(Scenes.model(pushed), compact))
+        .isNotEmpty();
+  }
+
+  private static List<Variable> forceColumns(MechmlModel model, boolean compact) {
+    BuildOptions options =
+        new BuildOptions("DTR", "auto", compact, Set.of(ColumnGroup.FORCES), SETTINGS);
+    Model built =
+        ModelFactory.compile(model, options, ModelFactory.generate(model, options)).newInstance();
+    return ExtendedModel.columnsOf(built).columns(ColumnGroup.FORCES);
   }
 
   @Test

@@ -19,12 +19,17 @@ import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.Root;
+import org.mechservice.solver.mechanism.StartRole;
+import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
@@ -230,5 +235,33 @@ class GeneratedSourceTest {
         .contains("inertia of bodies i1, i2")
         .doesNotContain("test for singular joints");
     assertThat(gimbal.source()).contains("if (");
+  }
+
+  @Test
+  void nothingIsCalledLeftOutThatColumnsOrFormulasBringIn() {
+    Mechanism cart = cart("cart", "cart", "bob", "slide", "hinge");
+    assertThat(ModelFactory.generate(Scenes.model(cart), WITH_BODIES).leftOut())
+        .extracting(Omission::what)
+        .doesNotContain("quaternions");
+    Joint slide = joint("slide", "P", Mechanism.ROOT, 0, new Vector3(1, 0, 0));
+    Expression wave = new Expression.Call(Function.SIN, List.of(new Expression.Time()));
+    Mechanism pushed =
+        new Mechanism(
+            "pushed",
+            cart.root(),
+            cart.gravity(),
+            cart.bodies().subList(0, 1),
+            List.of(slide),
+            List.of(),
+            List.of(StartRole.PREFERRED),
+            List.of(),
+            List.of(new JointForce("push", new JointCoordinate(0, 0), wave, Origin.NONE)),
+            List.of());
+    GeneratedModel generated = ModelFactory.generate(Scenes.model(pushed), LEAN);
+    assertThat(generated.source()).contains("SinCos.sinCos(t");
+    assertThat(generated.leftOut())
+        .extracting(Omission::what)
+        .contains("quaternions")
+        .doesNotContain("sines and cosines");
   }
 }

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.dynamics.Links;
-import org.mechservice.sim.build.emit.ValuesPlan;
+import org.mechservice.sim.build.emit.WrittenClass;
 import org.mechservice.sim.build.javac.ModelClassLoader;
 import org.mechservice.sim.build.javac.ModelCompiler;
 import org.mechservice.solver.api.ColumnGroup;
@@ -108,7 +108,7 @@ class GeneratedValuesTest {
   @Test
   void theClassFileHasTheBitsOfTheCompiledSource() {
     MechmlModel file = RandomEvents.on(RandomTrees.ofAllJoints(1, 5), 1);
-    ValuesPlan plan =
+    WrittenClass plan =
         ValuesClass.derive(file, Links.of(file.mechanism()), options(false)).plan().orElseThrow();
     String name = "org.mechservice.model." + plan.simpleName();
     Map<String, byte[]> written = Map.of(name, plan.classFile());

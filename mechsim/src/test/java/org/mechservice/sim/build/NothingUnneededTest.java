@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
@@ -13,6 +14,7 @@ import org.mechservice.mechml.MechmlReader;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.spatial.Vector3;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.ClassVisitor;
@@ -148,6 +150,35 @@ class NothingUnneededTest {
     assertThat(heavy.numbers).contains(GRAVITY);
     assertThat(light.numbers).doesNotContain(GRAVITY);
     assertThat(light.numbers.size()).isLessThan(heavy.numbers.size());
+  }
+
+  /** The parameter is there to be set; the equations do not have it. */
+  @Test
+  void aClassThatReadsNoParameterIsGivenNone() throws Exception {
+    Mechanism pendulum = example(PENDULUM).mechanism();
+    Mechanism tuned =
+        new Mechanism(
+            pendulum.name(),
+            pendulum.root(),
+            pendulum.gravity(),
+            pendulum.bodies(),
+            pendulum.joints(),
+            pendulum.motions(),
+            pendulum.startRoles(),
+            List.of(),
+            List.of(),
+            List.of(new Parameter("k", 1, "1")));
+    BuildOptions options = new BuildOptions("DTR", Set.of(), Scenes.SETTINGS);
+    MechmlModel model = Scenes.model(tuned);
+    CompiledModel compiled =
+        ModelFactory.compile(model, options, ModelFactory.generate(model, options));
+    Inventory inventory = new Inventory();
+    String equations = compiled.generated().sourceName();
+    new ClassReader(Objects.requireNonNull(compiled.classFiles().get(equations)))
+        .accept(inventory, 0);
+    assertThat(inventory.fields).containsExactly("w");
+    assertThat(compiled.describing().parameters()).hasSize(1);
+    assertThat(compiled.newInstance().description().name()).isEqualTo(pendulum.name());
   }
 
   private static Mechanism weightless(Mechanism m) {

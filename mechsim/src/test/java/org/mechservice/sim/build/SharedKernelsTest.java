@@ -26,6 +26,7 @@ import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.dynamics.TreeStepModel;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** Code in which bodies that are alike share methods, against the same written out. */
@@ -113,14 +114,19 @@ class SharedKernelsTest {
   @MethodSource("scenes")
   void theClassFileHasTheBitsOfTheCompiledSource(Mechanism mechanism) {
     MechmlModel file = Scenes.model(mechanism);
-    BuildOptions options = options("DTR", CodeForm.SHARED);
-    GeneratedModel generated = ModelFactory.generate(file, options);
-    Model direct = ModelFactory.compile(file, options, generated).newInstance();
-    Model source = ModelFactory.compileSource(file, options, generated).newInstance();
-    assertThat(everything(source, mechanism)).containsExactly(everything(direct, mechanism));
+    for (String formulation : new String[] {"DTR", "RR-JF"}) {
+      BuildOptions options = options(formulation, CodeForm.SHARED);
+      GeneratedModel generated = ModelFactory.generate(file, options);
+      Model direct = ModelFactory.compile(file, options, generated).newInstance();
+      Model source = ModelFactory.compileSource(file, options, generated).newInstance();
+      assertThat(everything(source, mechanism)).containsExactly(everything(direct, mechanism));
+    }
   }
 
-  /** Start, derivative, result, residual, energies and poses as bits, one after the other. */
+  /**
+   * Start, derivative, result, residual, its derivatives, energies and poses as bits, one after the
+   * other.
+   */
   private static long[] everything(Model model, Mechanism mechanism) {
     double[] start = new double[model.description().stateCount()];
     model.initialState(start);
@@ -141,11 +147,15 @@ class SharedKernelsTest {
     if (model instanceof ResidualModel implicit) {
       implicit.residual(TIME, y, yDot, residual);
     }
+    double[] derivatives = new double[3 * y.length * y.length];
+    if (model instanceof TreeStepModel steps) {
+      steps.derivatives(TIME, y, yDot, derivatives);
+    }
     ((Energies) model).energy(TIME, y, energy);
     if (model instanceof BodyPoses places) {
       places.poses(TIME, y, poses);
     }
-    return Stream.of(yDot, result, residual, energy, poses)
+    return Stream.of(yDot, result, residual, derivatives, energy, poses)
         .flatMapToDouble(Arrays::stream)
         .toArray();
   }
@@ -171,6 +181,20 @@ class SharedKernelsTest {
     String code = generated(Chains.ofEqualLinks(60), CodeForm.SHARED).code();
     String longer = generated(Chains.ofEqualLinks(120), CodeForm.SHARED).code();
     assertThat(methods(code)).isEqualTo(methods(longer)).isLessThan(25);
+  }
+
+  /** Every step on the way from a link to the root is like those of other links. */
+  @Test
+  void equalLinksTakeTheSameStepsOfDerivativesInAChainOfAnyLength() {
+    assertThat(methodsOfDerivatives(Chains.ofEqualLinks(20)))
+        .isEqualTo(methodsOfDerivatives(Chains.ofEqualLinks(30)))
+        .isLessThan(70);
+  }
+
+  private static int methodsOfDerivatives(Mechanism chain) {
+    MechmlModel file = Scenes.model(chain);
+    String code = ModelFactory.generate(file, options("RR-JF", CodeForm.SHARED)).code();
+    return methods(code.replaceAll(".*derivatives ", "derivative "));
   }
 
   private static int methods(String code) {

@@ -80,8 +80,7 @@ class UserCodeContractTest {
       String dynamic = new String(PushedCart.file(), StandardCharsets.UTF_8);
       String linear = dynamic.replaceFirst("(?s)<dynamic>.*</dynamic>", "<linearize/>");
       byte[] file = linear.getBytes(StandardCharsets.UTF_8);
-      session.loadModel(
-          new ModelFile("pushed.xml", file), source(PushedCart.harmlessSource()));
+      session.loadModel(new ModelFile("pushed.xml", file), source(PushedCart.harmlessSource()));
       IMechSimRemote run = session.createSimulation(AS_IN_FILE, null);
       run.start();
       List<double[]> rows = HostedClient.rows(run.openResults(HostedClient.ALL), 100);

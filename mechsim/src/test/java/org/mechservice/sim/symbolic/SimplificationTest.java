@@ -24,6 +24,16 @@ class SimplificationTest {
   }
 
   @Test
+  void constantsOfOneSumAreAddedUp() {
+    Scalar two = expressions.constant(2);
+    assertThat(two.plus(x.plus(one))).isSameAs(x.plus(expressions.constant(3)));
+    assertThat(two.plus(one.minus(x))).isSameAs(expressions.constant(3).minus(x));
+    assertThat(two.minus(x.plus(one))).isSameAs(one.minus(x));
+    assertThat(two.minus(one.minus(x))).isSameAs(one.plus(x));
+    assertThat(x.plus(two).minus(two)).isSameAs(x);
+  }
+
+  @Test
   void zeroAndOneDisappear() {
     assertThat(x.plus(zero)).isSameAs(x);
     assertThat(zero.minus(x)).isSameAs(x.negated());

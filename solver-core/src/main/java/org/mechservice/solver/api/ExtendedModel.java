@@ -27,6 +27,6 @@ public record ExtendedModel(Model model, ResultColumns columns) implements Model
     if (model instanceof ExtendedModel extended) {
       return extended.columns();
     }
-    return model instanceof ResultColumns own ? own : ResultColumns.NONE;
+    return WatchedModel.bare(model) instanceof ResultColumns own ? own : ResultColumns.NONE;
   }
 }

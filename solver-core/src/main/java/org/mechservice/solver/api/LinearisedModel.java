@@ -26,6 +26,16 @@ public interface LinearisedModel extends ResidualModel {
    */
   void solve(double[] r);
 
+  /**
+   * Solves ∂F/∂y' d = r; the last factors stay.
+   *
+   * @param r right-hand side at entry, d at return
+   * @return false, with r as it was, if ∂F/∂y' is singular or not kept by itself
+   */
+  default boolean solveForDerivative(double[] r) {
+    return false;
+  }
+
   /** Returns the unknown at whose column the last {@link #factor} failed. */
   int singularUnknown();
 }

@@ -138,8 +138,7 @@ final class Completion {
     remember(y);
     boolean positionsChosen = ofPositions.choose(positions.matrix, nq);
     boolean velocitiesChosen = ofVelocities.choose(loops.jacobian, loops.width());
-    watch.begin(t);
-    return positionsChosen && velocitiesChosen;
+    return watch.begin(t) && positionsChosen && velocitiesChosen;
   }
 
   private void differentiate(double[] y) {

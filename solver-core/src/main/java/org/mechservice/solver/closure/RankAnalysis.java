@@ -31,7 +31,10 @@ public final class RankAnalysis {
   /** What lies beyond the gap is smaller than this part of the largest. */
   private static final double NEGLIGIBLE = 1e-8;
 
-  /** A row smaller than this part of what it could be is zero. */
+  /**
+   * A row smaller than this part of what it could be is zero: than what its products would add up
+   * to, or than a change by the mechanism's size with every coordinate changed by its unit.
+   */
   private static final double NOTHING = 1e-11;
 
   /** Moves from the assembled state, rad or lengths of the mechanism, and their number. */
@@ -124,17 +127,20 @@ public final class RankAnalysis {
     for (int row = 0; row < m; row++) {
       double size = 0;
       double bound = 0;
+      double largest = 0;
       for (int j = 0; j < n; j++) {
         double perMass = 1 / Math.sqrt(Math.max(dense[j * n + j], Double.MIN_NORMAL));
         double element = loops.jacobian[row * loops.width() + j];
         scaled[row * n + j] = regular ? element : element * perMass;
         size = Math.hypot(size, element * perMass);
+        largest = Math.max(largest, Math.abs(element) * units.velocities[j]);
         bound = Math.hypot(bound, bounds[row * loops.width() + j] * perMass);
       }
       if (regular) {
         open.massMatrix().halfSolve(scaled, row * n);
       }
-      scaleToUnit(scaled, row, size > NOTHING * bound);
+      boolean moves = largest > NOTHING * loops.size(row);
+      scaleToUnit(scaled, row, moves && size > NOTHING * bound);
     }
     return scaled;
   }

@@ -20,6 +20,15 @@ final class SingularWatch {
   /** Closeness at which a singular position lies behind: the next one is another. */
   private static final double CLEAR = 5 * NEAR;
 
+  /**
+   * Smallest pivot at which the start is a singular position: in units of the mechanism, where
+   * pivots are about 1, this is rounding.
+   */
+  private static final double NOTHING = 1e-11;
+
+  /** Stands for {@link #closest} as long as a run that began in a singular position is near it. */
+  private static final double LEAVING = -1;
+
   /** Above this closeness at both ends of a step there is nothing in between. */
   private static final double LOOK_BETWEEN = 0.3;
 
@@ -91,10 +100,19 @@ final class SingularWatch {
     largest = state[next];
   }
 
-  /** Takes the state a run begins with, in which the partition has chosen. */
-  void begin(double t) {
-    largest = partition.bestPivot();
-    keep(t, 1);
+  /**
+   * Takes the state a run begins with, in which the partition has chosen.
+   *
+   * @return whether it is no singular position; what is said of one at the start is not said again
+   *     when the run leaves it
+   */
+  boolean begin(double t) {
+    double pivot = partition.bestPivot();
+    boolean regular = pivot > NOTHING;
+    largest = regular ? pivot : 1;
+    closest = regular ? 1 : LEAVING;
+    keep(t, regular ? 1 : 0);
+    return regular;
   }
 
   /** Takes note of whether the loops could be closed at a state tried, where they are placed. */
@@ -144,7 +162,7 @@ final class SingularWatch {
     remember(closeness, t);
     double s = closenessBefore / (closenessBefore + closeness);
     double timeOfLast = timeBefore;
-    boolean look = Math.min(closeness, closenessBefore) < LOOK_BETWEEN;
+    boolean look = closest >= 0 && Math.min(closeness, closenessBefore) < LOOK_BETWEEN;
     for (int i = 0; look && i < between.length; i++) {
       between[i] = (1 - s) * before[i] + s * partition.scaled()[i];
     }
@@ -165,7 +183,7 @@ final class SingularWatch {
   }
 
   private void report() {
-    if (closest < NEAR) {
+    if (closest >= 0 && closest < NEAR) {
       String equation = loops.name(closestRow);
       notes.accept(
           new LoopFinding(LoopFinding.Kind.SINGULAR_PASSED, equation, closest, "1", closestTime));

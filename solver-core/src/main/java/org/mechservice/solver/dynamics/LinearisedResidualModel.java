@@ -88,6 +88,11 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
   }
 
   @Override
+  public boolean solveForDerivative(double[] r) {
+    return iteration.solveForDerivative(r);
+  }
+
+  @Override
   public int singularUnknown() {
     return iteration.singularUnknown();
   }

@@ -42,6 +42,13 @@ public final class TreeIteration {
   private final double[] turned = new double[4];
   private double hGamma;
 
+  /** M, and its factors from when they are first asked for until the next derivatives. */
+  private final TreeSquare inertia;
+
+  private final TreeLu ofInertia;
+  private boolean inertiaFactored;
+  private boolean inertiaRegular;
+
   /** Velocity in whose column the last factorisation left no pivot. */
   private int singular;
 
@@ -75,6 +82,8 @@ public final class TreeIteration {
     balls = BallColumns.all(coordinates, pattern);
     matrix = new TreeSquare(pattern);
     lu = new TreeLu(pattern);
+    inertia = new TreeSquare(pattern);
+    ofInertia = new TreeLu(pattern);
     q = new double[coordinates.positionCount()];
     v = new double[coordinates.velocityCount()];
     tangent = new double[v.length];
@@ -85,6 +94,7 @@ public final class TreeIteration {
   public void setState(double[] y) {
     System.arraycopy(y, 0, q, 0, q.length);
     System.arraycopy(y, q.length, v, 0, v.length);
+    inertiaFactored = false;
   }
 
   /** Returns what there is to be said of the factors so far. */
@@ -159,6 +169,28 @@ public final class TreeIteration {
   public void solve(double[] r) {
     lu.solve(reduce(r));
     expand(r);
+  }
+
+  /**
+   * Solves ∂F/∂y' [Δq'; Δv'] = r, that is M Δv' = r_v; the factors of the last matrix stay.
+   *
+   * @param r right-hand side at entry, solution at return
+   * @return false, with r as it was, if M is singular
+   */
+  public boolean solveForDerivative(double[] r) {
+    if (!inertiaFactored) {
+      System.arraycopy(mass.diagonal(), 0, inertia.diagonal, 0, inertia.diagonal.length);
+      System.arraycopy(mass.lower(), 0, inertia.lower, 0, inertia.lower.length);
+      System.arraycopy(mass.upper(), 0, inertia.upper, 0, inertia.upper.length);
+      inertiaRegular = ofInertia.factor(inertia) == TreeLu.NONSINGULAR;
+      inertiaFactored = true;
+    }
+    if (inertiaRegular) {
+      System.arraycopy(r, q.length, rightSide, 0, v.length);
+      ofInertia.solve(rightSide);
+      System.arraycopy(rightSide, 0, r, q.length, v.length);
+    }
+    return inertiaRegular;
   }
 
   /**

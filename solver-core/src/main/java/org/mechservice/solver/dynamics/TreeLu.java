@@ -28,17 +28,51 @@ public final class TreeLu {
   private final double[] rowSize;
 
   private final double[] work;
+
+  /**
+   * The lower factor by columns: where each begins, one more at the end, the row of each element,
+   * where it stands by rows, and itself.
+   */
+  private final int[] columnStart;
+
+  private final int[] row;
+  private final int[] elementByRows;
+  private final double[] lowerByColumns;
+
   private boolean onTree;
   private long denseFactorizations;
 
   /** Makes a workspace for matrices of a pattern. */
   public TreeLu(TreePattern pattern) {
     this.pattern = pattern;
+    int n = pattern.size;
     factors = new TreeSquare(pattern);
-    dense = new DenseLu(pattern.size);
-    full = new double[pattern.size * pattern.size];
-    rowSize = new double[pattern.size];
-    work = new double[pattern.size];
+    dense = new DenseLu(n);
+    full = new double[n * n];
+    rowSize = new double[n];
+    work = new double[n];
+    columnStart = new int[n + 1];
+    row = new int[pattern.column.length];
+    elementByRows = new int[pattern.column.length];
+    lowerByColumns = new double[pattern.column.length];
+    orderByColumns();
+  }
+
+  private void orderByColumns() {
+    for (int k : pattern.column) {
+      columnStart[k + 1]++;
+    }
+    for (int k = 0; k < pattern.size; k++) {
+      columnStart[k + 1] += columnStart[k];
+    }
+    int[] next = columnStart.clone();
+    for (int i = 0; i < pattern.size; i++) {
+      for (int e = pattern.rowStart[i]; e < pattern.rowStart[i + 1]; e++) {
+        int at = next[pattern.column[e]]++;
+        row[at] = i;
+        elementByRows[at] = e;
+      }
+    }
   }
 
   /** Returns how often a matrix had to be factored as a dense one. */
@@ -59,6 +93,10 @@ public final class TreeLu {
     formRowSizes(matrix);
     onTree = eliminateOnTree();
     if (onTree) {
+      double[] lower = factors.lower;
+      for (int f = 0; f < lowerByColumns.length; f++) {
+        lowerByColumns[f] = lower[elementByRows[f]];
+      }
       return NONSINGULAR;
     }
     denseFactorizations++;
@@ -67,16 +105,26 @@ public final class TreeLu {
   }
 
   private void formRowSizes(TreeSquare matrix) {
-    for (int k = 0; k < pattern.size; k++) {
-      rowSize[k] = Math.abs(matrix.diagonal[k]);
+    double[] sizes = rowSize;
+    int[] column = pattern.column;
+    for (int k = 0; k < sizes.length; k++) {
+      sizes[k] = Math.abs(matrix.diagonal[k]);
     }
-    for (int k = 0; k < pattern.size; k++) {
-      for (int e = pattern.rowStart[k]; e < pattern.rowStart[k + 1]; e++) {
-        int i = pattern.column[e];
-        rowSize[k] = Math.max(rowSize[k], Math.abs(matrix.lower[e]));
-        rowSize[i] = Math.max(rowSize[i], Math.abs(matrix.upper[e]));
+    int e = 0;
+    for (int k = 0; k < sizes.length; k++) {
+      double size = sizes[k];
+      for (int end = pattern.rowStart[k + 1]; e < end; e++) {
+        size = larger(size, Math.abs(matrix.lower[e]));
+        int i = column[e];
+        sizes[i] = larger(sizes[i], Math.abs(matrix.upper[e]));
       }
+      sizes[k] = size;
     }
+  }
+
+  /** Returns the larger of two sizes; if one of them is not a number, it is that. */
+  private static double larger(double a, double b) {
+    return a >= b || Double.isNaN(a) ? a : b;
   }
 
   private boolean eliminateOnTree() {
@@ -114,41 +162,46 @@ public final class TreeLu {
       } else {
         subtractScattered(start, e, pattern.rowStart[i], l, lower[e] * perPivot);
       }
-    }
-    for (int e = start; e < pattern.rowStart[k + 1]; e++) {
-      upper[e] *= perPivot;
+      upper[e] = l;
     }
     return true;
   }
 
   private double largestOfRow(int k) {
+    double[] lower = factors.lower;
     double largest = Math.abs(factors.diagonal[k]);
     for (int e = pattern.rowStart[k]; e < pattern.rowStart[k + 1]; e++) {
-      largest = Math.max(largest, Math.abs(factors.lower[e]));
+      largest = larger(largest, Math.abs(lower[e]));
     }
     return largest;
   }
 
   private void subtractPrefix(int from, int to, int shift, double l, double u) {
+    double[] lower = factors.lower;
+    double[] upper = factors.upper;
     for (int f = from; f < to; f++) {
-      factors.lower[f + shift] -= l * factors.lower[f];
-      factors.upper[f + shift] -= factors.upper[f] * u;
+      lower[f + shift] -= l * lower[f];
+      upper[f + shift] -= upper[f] * u;
     }
   }
 
   private void subtractScattered(int from, int to, int target, double l, double u) {
+    double[] lower = factors.lower;
+    double[] upper = factors.upper;
+    int[] column = pattern.column;
     int t = target;
     for (int f = from; f < to; f++) {
-      while (pattern.column[t] != pattern.column[f]) {
+      while (column[t] != column[f]) {
         t++;
       }
-      factors.lower[t] -= l * factors.lower[f];
-      factors.upper[t] -= factors.upper[f] * u;
+      lower[t] -= l * lower[f];
+      upper[t] -= upper[f] * u;
     }
   }
 
   /**
-   * Solves A x = b with the last factors.
+   * Solves A x = b with the last factors. Both triangles are run through by columns, so that no sum
+   * has to wait for its last term.
    *
    * @param b right-hand side in the order of the state, length n; overwritten with x
    */
@@ -157,22 +210,32 @@ public final class TreeLu {
       dense.solve(b);
       return;
     }
-    int n = pattern.size;
-    for (int k = 0; k < n; k++) {
-      work[k] = b[pattern.velocityAt[k]];
+    double[] x = work;
+    int[] velocityAt = pattern.velocityAt;
+    for (int k = 0; k < x.length; k++) {
+      x[k] = b[velocityAt[k]];
     }
-    for (int k = n - 1; k >= 0; k--) {
-      for (int e = pattern.rowStart[k]; e < pattern.rowStart[k + 1]; e++) {
-        work[pattern.column[e]] -= factors.upper[e] * work[k];
+    substituteInwards(x);
+    double[] diagonal = factors.diagonal;
+    int f = 0;
+    for (int k = 0; k < x.length; k++) {
+      double value = x[k] / diagonal[k];
+      b[velocityAt[k]] = value;
+      for (int end = columnStart[k + 1]; f < end; f++) {
+        x[row[f]] -= lowerByColumns[f] * value;
       }
     }
-    for (int k = 0; k < n; k++) {
-      double sum = work[k];
-      for (int e = pattern.rowStart[k]; e < pattern.rowStart[k + 1]; e++) {
-        sum -= factors.lower[e] * work[pattern.column[e]];
+  }
+
+  private void substituteInwards(double[] x) {
+    double[] upper = factors.upper;
+    int[] column = pattern.column;
+    int e = upper.length - 1;
+    for (int k = x.length - 1; k > 0; k--) {
+      double value = x[k];
+      for (int start = pattern.rowStart[k]; e >= start; e--) {
+        x[column[e]] -= upper[e] * value;
       }
-      work[k] = sum / factors.diagonal[k];
-      b[pattern.velocityAt[k]] = work[k];
     }
   }
 }

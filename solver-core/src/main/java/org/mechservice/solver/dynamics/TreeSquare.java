@@ -17,12 +17,19 @@ public final class TreeSquare implements TreeElements {
   /** Element (column, row) for each column of a row in the pattern. */
   final double[] upper;
 
+  /** A vector and its product with the matrix, by place. */
+  private final double[] placed;
+
+  private final double[] product;
+
   /** Makes a matrix of zeros. */
   public TreeSquare(TreePattern pattern) {
     this.pattern = pattern;
     diagonal = new double[pattern.size];
     lower = new double[pattern.column.length];
     upper = new double[pattern.column.length];
+    placed = new double[pattern.size];
+    product = new double[pattern.size];
   }
 
   @Override
@@ -146,16 +153,26 @@ public final class TreeSquare implements TreeElements {
    * @param y in the order of the state from {@code yAt}; added to
    */
   public void addProduct(double factor, double[] x, int xAt, double[] y, int yAt) {
-    for (int row = 0; row < pattern.size; row++) {
-      int i = pattern.velocityAt[row];
-      double xi = factor * x[xAt + i];
-      double sum = diagonal[row] * xi;
-      for (int e = pattern.rowStart[row]; e < pattern.rowStart[row + 1]; e++) {
-        int j = pattern.velocityAt[pattern.column[e]];
-        sum += lower[e] * factor * x[xAt + j];
-        y[yAt + j] += upper[e] * xi;
+    int[] velocityAt = pattern.velocityAt;
+    int[] column = pattern.column;
+    double[] in = placed;
+    double[] out = product;
+    for (int place = 0; place < in.length; place++) {
+      in[place] = factor * x[xAt + velocityAt[place]];
+    }
+    int e = 0;
+    for (int row = 0; row < in.length; row++) {
+      double own = in[row];
+      double sum = diagonal[row] * own;
+      for (int end = pattern.rowStart[row + 1]; e < end; e++) {
+        int place = column[e];
+        sum += lower[e] * in[place];
+        out[place] += upper[e] * own;
       }
-      y[yAt + i] += sum;
+      out[row] = sum;
+    }
+    for (int place = 0; place < out.length; place++) {
+      y[yAt + velocityAt[place]] += out[place];
     }
   }
 

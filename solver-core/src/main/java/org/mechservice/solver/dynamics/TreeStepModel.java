@@ -110,6 +110,11 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
   }
 
   @Override
+  public final boolean solveForDerivative(double[] r) {
+    return iteration.solveForDerivative(r);
+  }
+
+  @Override
   public final int singularUnknown() {
     return iteration.singularUnknown();
   }

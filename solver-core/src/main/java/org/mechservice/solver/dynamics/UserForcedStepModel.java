@@ -84,6 +84,11 @@ final class UserForcedStepModel extends UserForcedResidualModel
   }
 
   @Override
+  public boolean solveForDerivative(double[] r) {
+    return iteration.solveForDerivative(r);
+  }
+
+  @Override
   public int singularUnknown() {
     return iteration.singularUnknown();
   }

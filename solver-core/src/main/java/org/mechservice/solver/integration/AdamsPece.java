@@ -165,7 +165,7 @@ abstract class AdamsPece extends SteppingIntegrator {
     if (roundOff(history.state()) > 0.5) {
       return fail(Cause.TOLERANCE_TOO_TIGHT, norm.largest(history.state()));
     }
-    while (progress.tries() < settings.maxSteps()) {
+    while (progress.mayTry(settings.maxSteps(), tEnd)) {
       prepare();
       Attempt attempt = tryStep();
       if (attempt == Attempt.STOPPED) {

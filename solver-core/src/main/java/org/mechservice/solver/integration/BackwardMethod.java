@@ -163,7 +163,7 @@ abstract class BackwardMethod extends SteppingIntegrator {
 
   /** Tries steps until one is accepted. */
   private StepResult advance() {
-    while (progress.tries() < settings.maxSteps()) {
+    while (progress.mayTry(settings.maxSteps(), step.end())) {
       Attempt attempt = step.attempt();
       if (attempt == Attempt.STOPPED) {
         return StepResult.STOPPED;

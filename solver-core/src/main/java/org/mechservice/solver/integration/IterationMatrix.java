@@ -45,6 +45,11 @@ final class IterationMatrix {
         : new DenseLu(dimension);
   }
 
+  /** Returns how matrices are stored. */
+  MatrixLayout layout() {
+    return layout;
+  }
+
   /** Factors I − hγ J; returns whether it is regular. */
   boolean factorExplicit(double hGamma, double[] jacobian) {
     for (int i = 0; i < matrix.length; i++) {

@@ -31,6 +31,16 @@ public interface LinearisedSystem extends ResidualSystem {
   void solve(double[] r);
 
   /**
+   * Solves ∂F/∂y' d = r; the last factors stay.
+   *
+   * @param r right-hand side at entry, d at return
+   * @return false, with r as it was, if ∂F/∂y' is singular or not kept by itself
+   */
+  default boolean solveForDerivative(double[] r) {
+    return false;
+  }
+
+  /**
    * Returns an estimate of the reciprocal condition of the matrix factored last, free of the units
    * of the equations, for the diagnosis of a failure; 1 if nothing is known of it.
    */

@@ -73,8 +73,22 @@ final class OwnLinearisation implements ResidualLinearisation {
   }
 
   @Override
+  public boolean solveUnstiff(double[] r) {
+    boolean solved = !manifold.anyAlgebraic() && system.solveForDerivative(r);
+    if (solved && manifold.completes()) {
+      manifold.clearPassive(r);
+    }
+    return solved;
+  }
+
+  @Override
   public boolean algebraic(int component) {
     return manifold.algebraic(component);
+  }
+
+  @Override
+  public boolean allDifferential() {
+    return !manifold.anyAlgebraic();
   }
 
   @Override

@@ -15,6 +15,12 @@ final class Progress {
    */
   private static final int NOT_FINITE_TRIES_AT_ONE_PLACE = 100;
 
+  /** Tries after which is looked whether the end can be reached, a power of two. */
+  private static final long LOOK = 1 << 20;
+
+  /** Steps that nobody waits for: days to months. */
+  private static final double ENDLESS = 1e11;
+
   private final RecentSteps recentSteps = new RecentSteps();
   private final StepLimits limits = new StepLimits();
   private Optional<IntegrationFailure> failure = Optional.empty();
@@ -192,9 +198,19 @@ final class Progress {
     return limits.list();
   }
 
-  /** Returns the number of steps tried. */
-  long tries() {
-    return steps + rejectedSteps;
+  /**
+   * Returns whether another step may be tried: not after as many as are allowed, and not when after
+   * a million of them neither their mean nor the last one is long enough to come to the end.
+   *
+   * @param end of the problem
+   */
+  boolean mayTry(long allowed, double end) {
+    long tries = steps + rejectedSteps;
+    if (tries == 0 || (tries & (LOOK - 1)) != 0) {
+      return tries < allowed;
+    }
+    double way = Math.max(Math.abs(stepSize), Math.abs(time - start) / tries);
+    return tries < allowed && Math.abs(end - time) <= ENDLESS * way;
   }
 
   IntegrationFailure failure() {

@@ -350,7 +350,10 @@ final class ResidualEquations extends StepEquations {
   IterationRules rules(Mode mode) {
     asPublished = mode == Mode.FAITHFUL;
     linearisation.watchForJumps(!asPublished);
-    return asPublished ? IterationRules.PUBLISHED : IterationRules.LEARNING;
+    if (asPublished) {
+      return IterationRules.PUBLISHED;
+    }
+    return linearisation.allDifferential() ? IterationRules.TRUSTING : IterationRules.LEARNING;
   }
 
   @Override

@@ -40,8 +40,20 @@ interface ResidualLinearisation {
    */
   void solve(double hGamma, double[] residual);
 
+  /**
+   * Solves as in a step so short that nothing is stiff; the last factors stay.
+   *
+   * @param residual −F at entry. At return y', or what y is to change by where it has no derivative
+   *     in F
+   * @return false, with the residual as it was, if that does not determine the solution
+   */
+  boolean solveUnstiff(double[] residual);
+
   /** Returns whether a component's derivative does not appear in F. */
   boolean algebraic(int component);
+
+  /** Returns whether it is known before anything is formed that F has the derivatives of all. */
+  boolean allDifferential();
 
   /** Returns the component at whose column the last factorisation failed. */
   int singularComponent();

@@ -6,9 +6,9 @@ import java.util.Arrays;
  * Tells what is slight of what is left of the equations F = 0 of a step: small changes of the state
  * would solve it if nothing were stiff, as nothing is in a step that is short enough.
  *
- * <p>To find out takes factors of another matrix, and then again those of the step's own. But what
- * has to change grows in proportion to what is left, so one answer holds for what is left later, by
- * rows, until step, derivatives or tolerances change.
+ * <p>Beside algebraic equations, to find out takes factors of other matrices, and then again those
+ * of the step's own. But what has to change grows in proportion to what is left, so one answer holds
+ * for what is left later, by rows, until step, derivatives or tolerances change.
  */
 final class SlightRemainder {
   /** Part of the step in which nothing is stiff. */
@@ -65,6 +65,9 @@ final class SlightRemainder {
    * @param small norm of a change that is small
    */
   boolean is(double[] left, double hGamma, ErrorNorm norm, double small) {
+    if (!manifold.anyAlgebraic() && solveUnstiff(left, SHORT * hGamma)) {
+      return norm.of(change) <= SHORT * small;
+    }
     boolean known = hGamma == unitHGamma && weightsAsKnown(norm);
     if (known && covered(left, small)) {
       return true;
@@ -81,6 +84,15 @@ final class SlightRemainder {
       learn(left, size);
     }
     return size <= small;
+  }
+
+  private boolean solveUnstiff(double[] left, double hGamma) {
+    System.arraycopy(left, 0, change, 0, change.length);
+    boolean solved = linearisation.solveUnstiff(change);
+    for (int l = 0; solved && l < change.length; l++) {
+      change[l] *= linearisation.algebraic(l) ? 1 : hGamma;
+    }
+    return solved;
   }
 
   private boolean weightsAsKnown(ErrorNorm norm) {

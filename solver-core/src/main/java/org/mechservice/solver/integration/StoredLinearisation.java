@@ -1,6 +1,7 @@
 package org.mechservice.solver.integration;
 
 import java.util.Arrays;
+import java.util.Optional;
 import org.mechservice.solver.linear.EquilibratedSolver;
 import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.linear.MatrixLayout;
@@ -34,6 +35,12 @@ final class StoredLinearisation implements ResidualLinearisation {
   private final JacobianDifferences inStep;
   private final IterationMatrix matrix;
 
+  /** That of hγ = 0, from when it is first asked for. */
+  private Optional<IterationMatrix> unstiff = Optional.empty();
+
+  private boolean unstiffFactored;
+  private boolean unstiffRegular;
+
   /** Sizes of y and of y' that are negligible, length n. */
   private final double[] smallSizes;
 
@@ -66,8 +73,8 @@ final class StoredLinearisation implements ResidualLinearisation {
     this.smallSizes = smallSizes;
     smallSlopes = smallSizes.clone();
     Manifold manifold = residual.manifold();
-    LinearSolver solver = new EquilibratedSolver(IterationMatrix.solverFor(system, n));
-    MatrixLayout layout = solver.layout();
+    matrix = newMatrix(system, manifold);
+    MatrixLayout layout = matrix.layout();
     ColumnGroups groups = ColumnGroups.of(system, layout);
     fy = new KeptJacobian(layout);
     fyDot = new KeptJacobian(layout);
@@ -76,9 +83,13 @@ final class StoredLinearisation implements ResidualLinearisation {
         new JacobianDifferences(layout, groups, smallSlopes, manifold, SHARE_OF_DERIVATIVE);
     inStep = new JacobianDifferences(layout, groups, smallSizes, manifold, SHARE_OF_STATE);
     alongStep = new AlongStep(n);
-    matrix = new IterationMatrix(solver, manifold);
     magnitude = new double[n];
     algebraic = new boolean[n];
+  }
+
+  private static IterationMatrix newMatrix(ResidualSystem system, Manifold manifold) {
+    LinearSolver solver = IterationMatrix.solverFor(system, manifold.dimension());
+    return new IterationMatrix(new EquilibratedSolver(solver), manifold);
   }
 
   @Override
@@ -103,6 +114,7 @@ final class StoredLinearisation implements ResidualLinearisation {
     if (attempt == Attempt.PASSED) {
       fy.subtractInForming(1 / hGamma, fyDot);
       fy.replace();
+      unstiffFactored = false;
     }
     return attempt;
   }
@@ -132,6 +144,7 @@ final class StoredLinearisation implements ResidualLinearisation {
     if (attempt == Attempt.PASSED) {
       fy.replace();
       fyDot.replace();
+      unstiffFactored = false;
       takeNote(y, yDot);
     }
     return attempt;
@@ -202,8 +215,30 @@ final class StoredLinearisation implements ResidualLinearisation {
   }
 
   @Override
+  public boolean solveUnstiff(double[] r) {
+    if (unstiff.isEmpty()) {
+      unstiff = Optional.of(newMatrix(system, residual.manifold()));
+    }
+    IterationMatrix limit = unstiff.get();
+    if (!unstiffFactored) {
+      unstiffRegular = limit.factorResidual(0, fy.values(), fyDot.values(), algebraic);
+      unstiffFactored = true;
+    }
+    if (unstiffRegular) {
+      limit.solve(r);
+    }
+    return unstiffRegular;
+  }
+
+  @Override
   public boolean algebraic(int component) {
     return algebraic[component];
+  }
+
+  /** {@inheritDoc} Only a column that is zero tells, unless all is declared. */
+  @Override
+  public boolean allDifferential() {
+    return false;
   }
 
   @Override
@@ -239,6 +274,7 @@ final class StoredLinearisation implements ResidualLinearisation {
       algebraic[l] = state.flag(algebraic[l]);
     }
     formed = state.flag(formed);
+    unstiffFactored &= !state.restoring();
     if (state.restoring() && formed) {
       inState.knowMagnitude(magnitude);
       inDerivative.knowMagnitude(magnitude);

@@ -107,10 +107,11 @@ final class FailureText {
       case TOO_MANY_STEPS ->
           failure(
               "N-005",
-              "The number of steps allowed is used up.",
+              "The steps allowed are used up: the end is more than 1e11 steps away.",
               failure,
               state(model, failure.worstComponent()),
-              "Loosen the tolerances or shorten the interval.");
+              "Lower the stiffness or frequency that acts on this joint, give it damping and take"
+                  + " ode15s, allow longer steps, or end the run earlier.");
     };
   }
 

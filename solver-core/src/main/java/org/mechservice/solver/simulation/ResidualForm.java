@@ -72,6 +72,11 @@ public final class ResidualForm implements EquationForm {
     }
 
     @Override
+    public boolean solveForDerivative(double[] r) {
+      return model.solveForDerivative(r);
+    }
+
+    @Override
     public int singularComponent() {
       return model.singularUnknown();
     }

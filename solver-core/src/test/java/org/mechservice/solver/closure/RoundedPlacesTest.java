@@ -8,6 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.expression.BodyPoint;
@@ -75,6 +76,28 @@ class RoundedPlacesTest {
       assertThat(far.get(row)[POSITION]).isCloseTo(near.get(row)[POSITION], within(1e-6));
       assertThat(far.get(row)[VELOCITY]).isCloseTo(near.get(row)[VELOCITY], within(1e-5));
     }
+  }
+
+  /**
+   * Cranks of 1 and 2 m, 6 m apart and stretched towards a rod of 3 m: all that their gradients are
+   * made of is the rounding of π.
+   */
+  @ParameterizedTest
+  @CsvSource({"DSR, ode113", "DSR, ode15s", "RR-JF, ode15sR", "DSR penalty, switching"})
+  void stretchedLinkageEndsWithTheNameOfItsConstraint(String formulation, String integrator) {
+    Mechanism stretched =
+        Linkages.mechanism(
+            "stretched",
+            List.of(
+                Linkages.bar("left", Vector3.ZERO, Linkages.X, 1),
+                Linkages.bar("right", Vector3.ZERO, Linkages.X.times(2), 1)),
+            List.of(hinge(0, Vector3.ZERO, 0), hinge(1, new Vector3(6, 0, 0), Math.PI)),
+            List.of(rod(new BodyPoint(0, Linkages.X), 2, 3)));
+    RunSettings settings = SceneRun.settings(1, 0.1, integrator, 1e-8);
+    Outcome outcome = LoopModels.run(stretched, formulation, settings).report.outcome();
+    Failure failure = ((Outcome.Failed) outcome).failure();
+    assertThat(failure.code()).isEqualTo("N-023");
+    assertThat(failure.part()).contains("rod");
   }
 
   @Test

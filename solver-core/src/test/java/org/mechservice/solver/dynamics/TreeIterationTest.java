@@ -2,6 +2,7 @@ package org.mechservice.solver.dynamics;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Arrays;
 import java.util.Random;
 import java.util.stream.LongStream;
 import org.apache.commons.math3.linear.ArrayRealVector;
@@ -23,6 +24,7 @@ class TreeIterationTest {
     final TreeIteration iteration;
     final double hGamma;
     final RealMatrix whole;
+    final RealMatrix mass;
 
     Step(long seed, double hGamma) {
       this.hGamma = hGamma;
@@ -44,18 +46,15 @@ class TreeIterationTest {
       iteration = new TreeIteration(at.tree, pattern, jacobian);
       iteration.setState(at.y);
       assertThat(iteration.factor(hGamma)).isTrue();
+      double[] m = new double[at.nv * at.nv];
+      jacobian.mass().toDense(m);
+      mass = WholeStep.square(m, at.nv);
       whole = whole(jacobian);
     }
 
     private RealMatrix whole(ResidualJacobian jacobian) {
-      double[] m = new double[at.nv * at.nv];
-      jacobian.mass().toDense(m);
       return new WholeStep(at.coordinates, at.y)
-          .matrix(
-              WholeStep.square(m, at.nv),
-              dense(jacobian.byVelocity()),
-              dense(jacobian.byPosition()),
-              hGamma);
+          .matrix(mass, dense(jacobian.byVelocity()), dense(jacobian.byPosition()), hGamma);
     }
 
     private RealMatrix dense(TreeSquare square) {
@@ -97,5 +96,30 @@ class TreeIterationTest {
       double size = step.whole.getFrobeniusNorm() * Evaluation.norm(d) + Evaluation.norm(r);
       assertThat(error.getNorm()).isLessThanOrEqualTo(1e-12 * size);
     }
+  }
+
+  @MethodSource("seeds")
+  @ParameterizedTest
+  void derivativesAreSolvedForWithTheMassesAloneAndTheFactorsStay(long seed) {
+    Step step = new Step(seed, 0.1);
+    int nq = step.at.nq;
+    double[] r = new Random(seed).doubles(step.at.y.length, -1, 1).toArray();
+    double[] before = r.clone();
+    step.iteration.solve(before);
+    double[] d = r.clone();
+    assertThat(step.iteration.solveForDerivative(d)).isTrue();
+    double[] after = r.clone();
+    step.iteration.solve(after);
+    assertThat(after).isEqualTo(before);
+    assertThat(Arrays.copyOf(d, nq)).isEqualTo(Arrays.copyOf(r, nq));
+    if (step.at.nv == 0) {
+      return;
+    }
+    double[] solution = Arrays.copyOfRange(d, nq, d.length);
+    double[] right = Arrays.copyOfRange(r, nq, d.length);
+    RealVector error =
+        step.mass.operate(new ArrayRealVector(solution)).subtract(new ArrayRealVector(right));
+    double size = step.mass.getFrobeniusNorm() * Evaluation.norm(solution) + Evaluation.norm(right);
+    assertThat(error.getNorm()).isLessThanOrEqualTo(1e-12 * size);
   }
 }

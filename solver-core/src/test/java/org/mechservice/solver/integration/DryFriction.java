@@ -27,8 +27,7 @@ record DryFriction(double width, double belt) implements JacobianSystem {
   @Override
   public void derivative(double t, double[] y, double[] yDot) {
     yDot[0] = y[1];
-    double slip = y[1] - belt;
-    yDot[1] = -(width == 0 ? Math.signum(slip) : StrictMath.tanh(slip / width)) - y[0];
+    yDot[1] = -law(y[1]) - y[0];
   }
 
   /** Of the jump there is none. */
@@ -54,6 +53,63 @@ record DryFriction(double width, double belt) implements JacobianSystem {
     derivative(t, y, residual);
     residual[0] = yDot[0] - residual[0];
     residual[1] = yDot[1] - residual[1];
+  }
+
+  /** The same with friction as an algebraic unknown, y = [x, v, force]: of index 1. */
+  ResidualSystem withForceUnknown() {
+    return new Algebraic(3, 2) {
+      @Override
+      public void residual(double t, double[] y, double[] yDot, double[] residual) {
+        residual[0] = yDot[0] - y[1];
+        residual[1] = yDot[1] + y[0] - y[2];
+        residual[2] = y[2] + law(y[1]);
+      }
+    };
+  }
+
+  /**
+   * The same block in two halves that a loop holds together, y = [x, v, x2, v2, force, shift], in
+   * the stabilised form of index 2 (Gear, Gupta and Leimkuhler 1985). The spring pulls one half,
+   * the belt the other.
+   */
+  ResidualSystem inTwoHalves() {
+    return new Algebraic(6, 4) {
+      @Override
+      public void residual(double t, double[] y, double[] yDot, double[] residual) {
+        residual[0] = yDot[0] - y[1] + y[5];
+        residual[1] = 0.5 * yDot[1] + y[0] - y[4];
+        residual[2] = yDot[2] - y[3] - y[5];
+        residual[3] = 0.5 * yDot[3] + law(y[3]) + y[4];
+        residual[4] = y[3] - y[1];
+        residual[5] = y[2] - y[0];
+      }
+    };
+  }
+
+  private double law(double velocity) {
+    double slip = velocity - belt;
+    return width == 0 ? Math.signum(slip) : StrictMath.tanh(slip / width);
+  }
+
+  /** A system whose last components are algebraic. */
+  private abstract static class Algebraic implements ResidualSystem {
+    private final int dimension;
+    private final int firstAlgebraic;
+
+    Algebraic(int dimension, int firstAlgebraic) {
+      this.dimension = dimension;
+      this.firstAlgebraic = firstAlgebraic;
+    }
+
+    @Override
+    public final int dimension() {
+      return dimension;
+    }
+
+    @Override
+    public final Component component(int index) {
+      return index < firstAlgebraic ? Component.DIFFERENTIAL : Component.ALGEBRAIC;
+    }
   }
 
   /** The same with the derivatives of the residual. */

@@ -93,6 +93,16 @@ class SlightRemainderTest {
     }
 
     @Override
+    public boolean solveUnstiff(double[] residual) {
+      return false;
+    }
+
+    @Override
+    public boolean allDifferential() {
+      return true;
+    }
+
+    @Override
     public Attempt form(double t, double[] y, double[] yDot) {
       throw new UnsupportedOperationException();
     }

@@ -68,4 +68,32 @@ class StepLimitsTest {
 
     assertThat(run.statistics().limits().get(0).unsolved()).isPositive();
   }
+
+  /** An oscillation that would take a thousand years of steps. */
+  @Test
+  void runWhoseEndIsOutOfReachEndsAfterAMillionSteps() {
+    OdeSystem fast =
+        new OdeSystem() {
+          @Override
+          public int dimension() {
+            return 3;
+          }
+
+          @Override
+          public void derivative(double t, double[] y, double[] yDot) {
+            yDot[0] = -y[0];
+            yDot[1] = y[2];
+            yDot[2] = -1e40 * y[1];
+          }
+        };
+    IntegratorSettings settings = new IntegratorSettings(1e-4, 1e-6);
+    for (Integrator integrator :
+        List.of(new Ode113(settings), new Ode15s(settings), new Switching(settings))) {
+      Run run = Run.of(integrator, fast, 0, new double[] {1, 1, 0}, 1);
+      assertThat(run.result()).isEqualTo(StepResult.FAILED);
+      IntegrationFailure failure = integrator.failure();
+      assertThat(failure.cause()).isEqualTo(IntegrationFailure.Cause.TOO_MANY_STEPS);
+      assertThat(failure.worstComponent()).isPositive();
+    }
+  }
 }

@@ -9,6 +9,7 @@ import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarMatrix;
 import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.mechanism.Parameter;
 
 /** Coordinates of the links in one program, with their sines and cosines. */
 final class Coordinates {
@@ -35,6 +36,14 @@ final class Coordinates {
     this.byTime =
         new Differentiation(
             expressions, Map.of(expressions.input(Program.TIME), expressions.one()));
+    nameParameters(links.mechanism().parameters());
+  }
+
+  private void nameParameters(List<Parameter> parameters) {
+    for (int i = 0; i < parameters.size(); i++) {
+      String name = "p_" + Labels.sanitized(parameters.get(i).name());
+      program.named(name, expressions.input(Program.PARAMETER + i));
+    }
   }
 
   /** Returns the link's coordinate, rad or m. */

@@ -137,21 +137,21 @@ public final class ResidualDerivatives {
     ForceSlopes slopes =
         new ForceSlopes(expressions, mechanism, coordinates, places, loads, columns);
     slopes.derive();
-    Elements elements = new Elements(placing.apply(slopes), slopes);
+    ElementSums elements =
+        new ElementSums(program, places, placing.apply(slopes), slopes, massOfRods);
     new JointSweep(program, mechanism, coordinates).sweep(forces, loads);
     RigidComposite[] composites = composites(columns);
-    List<List<JointColumns.Column>> all = new ArrayList<>();
     elements.putOutBetweenBranches();
+    LinkRows rows = new LinkRows(program, mechanism, coordinates, places, elements);
     for (int i = 0; i < forces.length; i++) {
       Link link = mechanism.links().get(i);
       program.section(
           "Derivatives: "
               + link.title()
-              + ".\nM = S_j.I S_k, C = S_j.(2 B S_k + I (psi' + S')_k), K = S_j.(2 B psi'_k + I"
-              + " psi''_k + S_k x* f), and back",
+              + ".\nM = S_j.I S_k, and behind it C = S_k.(2 B S_j + I (psi' + S')_j), K = S_k.(2 B"
+              + " psi'_j + I psi''_j)",
           link.bodyLabel());
-      all.add(link.isDriven() ? List.of() : columns.of(link));
-      new LinkRows(i, all, composites[i], forces[i]).derive(elements);
+      rows.derive(link.isDriven() ? List.of() : columns.of(link), composites[i], forces[i]);
     }
   }
 
@@ -174,207 +174,5 @@ public final class ResidualDerivatives {
       }
     }
     return composites;
-  }
-
-  /** Puts elements out, with what forces and rods add. */
-  private final class Elements {
-    private final ElementPlaces at;
-    private final ForceSlopes slopes;
-
-    Elements(ElementPlaces at, ForceSlopes slopes) {
-      this.at = at;
-      this.slopes = slopes;
-    }
-
-    /** Elements that neither body of which is on the way of the other. */
-    void putOutBetweenBranches() {
-      program.section("Derivatives of forces between branches.", "forces");
-      Scalar zero = expressions.zero();
-      for (int i = 0; i < places.size(); i++) {
-        for (int j = 0; j < places.size(); j++) {
-          if (!places.isOnWay(j, i) && !places.isOnWay(i, j)) {
-            putOut(i, j, zero, zero);
-            if (i > j) {
-              putOutMass(i, j, zero);
-            }
-          }
-        }
-      }
-    }
-
-    void putOutMass(int row, int column, Scalar mass) {
-      int i = places.get(row).velocity();
-      int j = places.get(column).velocity();
-      Scalar element = mass.plus(massOfRods[Math.max(i, j)][Math.min(i, j)]);
-      if (!element.isZero()) {
-        program.output(at.mass(row, column), element);
-      }
-    }
-
-    /** Puts elements of C and K out. */
-    void putOut(int row, int column, Scalar byVelocity, Scalar byPosition) {
-      Scalar c = byVelocity.plus(slopes.byVelocity(row, column));
-      if (!c.isZero()) {
-        program.output(at.byVelocity(row, column), c);
-      }
-      Scalar k = byPosition.plus(slopes.byPosition(row, column));
-      if (!k.isZero()) {
-        program.output(at.byPosition(row, column), k);
-      }
-    }
-  }
-
-  /** The elements of a link's velocities with themselves and those on the way to the root. */
-  private final class LinkRows {
-    private final int link;
-    private final List<List<JointColumns.Column>> columns;
-    private final List<JointColumns.Column> own;
-    private final Wrench[] inertia;
-    private final Wrench[] velocity;
-    private final Wrench[] position;
-    private final ScalarVector[] change;
-    private final Wrench force;
-
-    LinkRows(
-        int link, List<List<JointColumns.Column>> columns, RigidComposite composite, Wrench force) {
-      this.link = link;
-      this.columns = columns;
-      this.own = columns.get(link);
-      this.force = force;
-      int count = own.size();
-      inertia = new Wrench[count];
-      velocity = new Wrench[count];
-      position = new Wrench[count];
-      change = new ScalarVector[count];
-      for (int k = 0; k < count; k++) {
-        JointColumns.Column column = own.get(k);
-        inertia[k] = composite.times(column.itself());
-        velocity[k] = composite.changed(column.itself()).plus(composite.times(column.both()));
-        position[k] = composite.changed(column.first()).plus(composite.times(column.second()));
-        change[k] = composite.changedBack(column.itself());
-      }
-    }
-
-    void derive(Elements elements) {
-      if (own.isEmpty()) {
-        return;
-      }
-      withItself(elements);
-      for (int k = 0; k < own.size(); k++) {
-        position[k] = position[k].plus(own.get(k).itself().cross(force));
-      }
-      for (int i = link; mechanism.links().get(i).parent() != Links.ROOT; ) {
-        Link below = mechanism.links().get(i);
-        for (int k = 0; k < own.size(); k++) {
-          inertia[k] = toParent.wrench(below, inertia[k]);
-          velocity[k] = toParent.wrench(below, velocity[k]);
-          position[k] = toParent.wrench(below, position[k]);
-          change[k] = toParent.vector(below, change[k]);
-        }
-        i = below.parent();
-        withAncestor(i, elements);
-      }
-    }
-
-    private void withItself(Elements elements) {
-      int n = own.size();
-      Block block = new Block(n, n);
-      for (int j = 0; j < n; j++) {
-        Twist s = own.get(j).itself();
-        for (int k = 0; k < n; k++) {
-          block.mass[j][k] = own.get(Math.min(j, k)).itself().dot(inertia[Math.max(j, k)]);
-          block.velocity[j][k] = s.dot(velocity[k]);
-          block.position[j][k] = s.dot(position[k]);
-        }
-      }
-      Link ball = mechanism.links().get(link);
-      block.turn(ball);
-      if (ball.isBall() && !ball.inverse()) {
-        ScalarVector f =
-            new ScalarVector(
-                own.get(0).itself().dot(force),
-                own.get(1).itself().dot(force),
-                own.get(2).itself().dot(force));
-        for (int c = 0; c < 3; c++) {
-          int next = (c + 1) % 3;
-          int last = (c + 2) % 3;
-          block.position[next][last] = block.position[next][last].plus(f.at(c));
-          block.position[last][next] = block.position[last][next].minus(f.at(c));
-        }
-      }
-      block.putOut(places.of(link), places.of(link), elements);
-      int[] at = places.of(link);
-      for (int j = 0; j < n; j++) {
-        for (int k = 0; k <= j; k++) {
-          elements.putOutMass(at[j], at[k], block.mass[j][k]);
-        }
-      }
-    }
-
-    private void withAncestor(int ancestor, Elements elements) {
-      List<JointColumns.Column> others = columns.get(ancestor);
-      Block upper = new Block(others.size(), own.size());
-      Block lower = new Block(own.size(), others.size());
-      for (int j = 0; j < others.size(); j++) {
-        JointColumns.Column other = others.get(j);
-        for (int k = 0; k < own.size(); k++) {
-          Scalar mass = other.itself().dot(inertia[k]);
-          upper.mass[j][k] = mass;
-          lower.mass[k][j] = mass;
-          upper.velocity[j][k] = other.itself().dot(velocity[k]);
-          upper.position[j][k] = other.itself().dot(position[k]);
-          lower.velocity[k][j] =
-              other.both().dot(inertia[k]).plus(other.itself().angular().dot(change[k]));
-          lower.position[k][j] =
-              other.second().dot(inertia[k]).plus(other.first().angular().dot(change[k]));
-          elements.putOutMass(places.of(link)[k], places.of(ancestor)[j], mass);
-        }
-      }
-      upper.turn(mechanism.links().get(link));
-      lower.turn(mechanism.links().get(ancestor));
-      upper.putOut(places.of(ancestor), places.of(link), elements);
-      lower.putOut(places.of(link), places.of(ancestor), elements);
-    }
-  }
-
-  /** Elements between the velocities of two links. */
-  private final class Block {
-    private final Scalar[][] mass;
-    private final Scalar[][] velocity;
-    private final Scalar[][] position;
-
-    Block(int rows, int columns) {
-      mass = new Scalar[rows][columns];
-      velocity = new Scalar[rows][columns];
-      position = new Scalar[rows][columns];
-    }
-
-    /** Adds C [ω]× + M [ω']× to the columns of a ball that turn against it. */
-    void turn(Link columns) {
-      if (!columns.isBall() || columns.inverse()) {
-        return;
-      }
-      ScalarVector omega = coordinates.ballVelocity(columns);
-      ScalarVector rate = coordinates.knownBallAcceleration(columns);
-      for (int row = 0; row < mass.length; row++) {
-        ScalarVector turned =
-            vector(velocity[row]).cross(omega).plus(vector(mass[row]).cross(rate));
-        for (int c = 0; c < 3; c++) {
-          position[row][c] = position[row][c].plus(turned.at(c));
-        }
-      }
-    }
-
-    private static ScalarVector vector(Scalar[] row) {
-      return new ScalarVector(row[0], row[1], row[2]);
-    }
-
-    void putOut(int[] rows, int[] columns, Elements elements) {
-      for (int j = 0; j < rows.length; j++) {
-        for (int k = 0; k < columns.length; k++) {
-          elements.putOut(rows[j], columns[k], velocity[j][k], position[j][k]);
-        }
-      }
-    }
   }
 }

@@ -28,17 +28,16 @@ import org.objectweb.asm.Type;
  * @param model what it holds
  * @param columns groups of columns computed from the data, beside the model, separated by commas;
  *     empty for none
- * @param generated simple name of the generated class that is extended by columns; empty if the
- *     model itself is data
- * @param values simple name of the generated class of what events watch and assign and of outputs;
- *     empty without one
+ * @param generated the generated class that is extended by columns; none if the model itself is
+ *     data
+ * @param values the generated class of what events watch and assign and of outputs, if there is one
  * @param task what is computed if the model is not integrated in time
  */
 public record CompactClass(
     CompactModel model,
     String columns,
-    String generated,
-    String values,
+    Optional<WrittenClass> generated,
+    Optional<WrittenClass> values,
     Optional<AnalysisTask> task)
     implements WrittenClass {
   private static final String TEXT = "java/lang/String";
@@ -82,7 +81,7 @@ public record CompactClass(
     SourceLines source = new SourceLines();
     source.line("package " + ModelClass.PACKAGE + ";").blank();
     source.line("import " + base().getName() + ";");
-    if (!generated.isEmpty()) {
+    if (generated.isPresent()) {
       source.line("import " + CompactModel.class.getName() + ";");
       source.line("import " + UserForceSource.class.getName() + ";");
       if (hasUserForces()) {
@@ -90,7 +89,7 @@ public record CompactClass(
         source.line("import " + UserLoads.class.getName() + ";");
       }
     }
-    if (!values.isEmpty()) {
+    if (values.isPresent()) {
       source.line("import " + Optional.class.getName() + ";");
       source.line("import " + WrittenValues.class.getName() + ";");
     }
@@ -107,27 +106,26 @@ public record CompactClass(
               .collect(Collectors.joining(", ", "super(", ");")));
       source.close().blank();
     }
-    if (!generated.isEmpty()) {
+    if (generated.isPresent()) {
       source.line("@Override");
       source.open("protected Object bare(CompactModel data, UserForceSource userForces)");
-      String code = "new " + generated + "(" + (hasParameters() ? "data.parameterValues())" : ")");
+      String code = made(generated.get());
       if (hasUserForces()) {
         source.line("double[] p = UserLoads.inputs(data.mechanism());");
         code =
             forced().getSimpleName()
                 + ".of(new "
-                + generated
+                + generated.get().simpleName()
                 + "(p), p, data.mechanism(), userForces)";
       }
       String made = hasLoops() ? "data.model(userForces, " : "data.watched(";
       source.line("return " + made + code + ", values(data));");
       source.close().blank();
     }
-    if (!values.isEmpty()) {
+    if (values.isPresent()) {
       source.line("@Override");
       source.open("protected Optional<WrittenValues> values(CompactModel data)");
-      String given = hasParameters() ? "data.parameterValues()" : "";
-      source.line("return Optional.of(new " + values + "(" + given + "));");
+      source.line("return Optional.of(" + made(values.get()) + ");");
       source.close().blank();
     }
     source.line("@Override").open("protected String[] texts()");
@@ -138,6 +136,11 @@ public record CompactClass(
     source.line("};");
     source.close();
     return source.close().toString();
+  }
+
+  private static String made(WrittenClass written) {
+    String given = written.takesNumbers() ? "data.parameterValues()" : "";
+    return "new " + written.simpleName() + "(" + given + ")";
   }
 
   /** Returns a literal of one line, whatever its length; data are not there to be read. */
@@ -166,11 +169,11 @@ public record CompactClass(
         Type.getInternalName(base()),
         null);
     constructor(file);
-    if (!generated.isEmpty()) {
-      bare(file);
+    if (generated.isPresent()) {
+      bare(file, generated.get());
     }
-    if (!values.isEmpty()) {
-      values(file);
+    if (values.isPresent()) {
+      values(file, values.get());
     }
     texts(file);
     file.visitEnd();
@@ -191,8 +194,9 @@ public record CompactClass(
     return hasLoops() ? UserForcedTerms.class : UserForcedModel.class;
   }
 
-  private boolean hasParameters() {
-    return !model.mechanism().parameters().isEmpty();
+  @Override
+  public boolean takesNumbers() {
+    return false;
   }
 
   private static String internal(String simpleName) {
@@ -209,7 +213,7 @@ public record CompactClass(
     ClassMethods.end(code, Opcodes.RETURN);
   }
 
-  private void bare(ClassWriter file) {
+  private void bare(ClassWriter file, WrittenClass equations) {
     MethodVisitor code = ClassMethods.begin(file, Opcodes.ACC_PROTECTED, "bare", BARE);
     String data = Type.getInternalName(CompactModel.class);
     String model = Type.getDescriptor(Model.class);
@@ -218,9 +222,9 @@ public record CompactClass(
       code.visitVarInsn(Opcodes.ALOAD, 2);
     }
     if (hasUserForces()) {
-      forced(code, data);
+      forced(code, data, equations);
     } else {
-      made(code, generated);
+      made(code, equations);
     }
     String given =
         hasLoops()
@@ -238,9 +242,9 @@ public record CompactClass(
     ClassMethods.end(code, Opcodes.ARETURN);
   }
 
-  private void values(ClassWriter file) {
+  private static void values(ClassWriter file, WrittenClass written) {
     MethodVisitor code = ClassMethods.begin(file, Opcodes.ACC_PROTECTED, "values", VALUES);
-    made(code, values);
+    made(code, written);
     code.visitMethodInsn(
         Opcodes.INVOKESTATIC,
         Type.getInternalName(Optional.class),
@@ -251,7 +255,7 @@ public record CompactClass(
   }
 
   /** Pushes what was generated with the forces that users have written, above what is there. */
-  private void forced(MethodVisitor code, String data) {
+  private void forced(MethodVisitor code, String data, WrittenClass equations) {
     String mechanism = Type.getDescriptor(Mechanism.class);
     String inputs = Type.getInternalName(UserLoads.class);
     String coded = Type.getDescriptor(hasLoops() ? LoopTerms.class : ExplicitModel.class);
@@ -260,10 +264,11 @@ public record CompactClass(
     code.visitMethodInsn(Opcodes.INVOKEVIRTUAL, data, "mechanism", "()" + mechanism, false);
     code.visitMethodInsn(Opcodes.INVOKESTATIC, inputs, "inputs", "(" + mechanism + ")[D", false);
     code.visitVarInsn(Opcodes.ASTORE, 3);
-    code.visitTypeInsn(Opcodes.NEW, internal(generated));
+    code.visitTypeInsn(Opcodes.NEW, internal(equations.simpleName()));
     code.visitInsn(Opcodes.DUP);
     code.visitVarInsn(Opcodes.ALOAD, 3);
-    code.visitMethodInsn(Opcodes.INVOKESPECIAL, internal(generated), "<init>", "([D)V", false);
+    code.visitMethodInsn(
+        Opcodes.INVOKESPECIAL, internal(equations.simpleName()), "<init>", "([D)V", false);
     code.visitVarInsn(Opcodes.ALOAD, 3);
     code.visitVarInsn(Opcodes.ALOAD, 1);
     code.visitMethodInsn(Opcodes.INVOKEVIRTUAL, data, "mechanism", "()" + mechanism, false);
@@ -277,10 +282,11 @@ public record CompactClass(
   }
 
   /** Pushes an instance of a generated class, above what is there. */
-  private void made(MethodVisitor code, String simpleName) {
-    code.visitTypeInsn(Opcodes.NEW, internal(simpleName));
+  private static void made(MethodVisitor code, WrittenClass written) {
+    String type = internal(written.simpleName());
+    code.visitTypeInsn(Opcodes.NEW, type);
     code.visitInsn(Opcodes.DUP);
-    if (hasParameters()) {
+    if (written.takesNumbers()) {
       code.visitVarInsn(Opcodes.ALOAD, 1);
       code.visitMethodInsn(
           Opcodes.INVOKEVIRTUAL,
@@ -289,12 +295,8 @@ public record CompactClass(
           "()[D",
           false);
     }
-    code.visitMethodInsn(
-        Opcodes.INVOKESPECIAL,
-        internal(simpleName),
-        "<init>",
-        hasParameters() ? "([D)V" : NOTHING_TO_VOID,
-        false);
+    String given = written.takesNumbers() ? "([D)V" : NOTHING_TO_VOID;
+    code.visitMethodInsn(Opcodes.INVOKESPECIAL, type, "<init>", given, false);
   }
 
   private void texts(ClassWriter file) {

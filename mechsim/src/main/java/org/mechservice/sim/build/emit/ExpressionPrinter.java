@@ -1,6 +1,7 @@
 package org.mechservice.sim.build.emit;
 
 import java.util.Map;
+import java.util.OptionalDouble;
 import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Scalar;
 
@@ -70,31 +71,22 @@ final class ExpressionPrinter {
     return switch (node.operation()) {
       case CONSTANT -> numbers.of(node.value());
       case INPUT -> input(node.index());
-      case NEGATE -> "-" + atLeast(node.first(), SIGN);
+      case NEGATE -> opposite(node.first());
       case SQUARE_ROOT -> "Math.sqrt(" + value(node.first()) + ")";
       case FUNCTION -> call(node);
       case SINE, COSINE -> throw new IllegalStateException("an angle function has a place");
-      case ADD, SUBTRACT -> sum(node, Sum.of(node, places));
-      default -> binary(node);
+      default -> binary(BinaryForm.of(node, places));
     };
   }
 
-  private String sum(Scalar node, Sum sum) {
-    return sum.opposite()
-        ? atLeast(sum.first(), SUM) + symbol(sum.operation()) + opposite(sum.second())
-        : binary(node);
-  }
-
-  /** A product or quotient without the sign of the constant it begins with. */
   private String opposite(Scalar node) {
-    if (node.isConstant()) {
-      return numbers.of(-node.value());
+    if (!BinaryForm.absorbsSign(node, places)) {
+      return "-" + atLeast(node, SIGN);
     }
-    String first = opposite(node.first());
-    boolean swap = isSwapped(node) && node.first().isConstant();
-    return swap
-        ? atLeast(node.second(), PRODUCT) + symbol(node.operation()) + first
-        : first + symbol(node.operation()) + atLeast(node.second(), SIGN);
+    OptionalDouble constant = BinaryForm.constant(node, places);
+    return constant.isPresent()
+        ? numbers.of(-constant.getAsDouble())
+        : binary(BinaryForm.ofOpposite(node, places));
   }
 
   private String call(Scalar node) {
@@ -110,26 +102,35 @@ final class ExpressionPrinter {
   /**
    * A sum or product whose second operand only is one is written the other way round: same bits.
    */
-  private String binary(Scalar node) {
-    int level = level(node.operation());
-    boolean swap = isSwapped(node);
-    Scalar first = swap ? node.second() : node.first();
-    Scalar second = swap ? node.first() : node.second();
-    return atLeast(first, level) + symbol(node.operation()) + atLeast(second, level + 1);
+  private String binary(BinaryForm form) {
+    int level = level(form.operation());
+    boolean commutes = form.operation() == Operation.ADD || form.operation() == Operation.MULTIPLY;
+    boolean swap = commutes && levelOf(form.second()) == level && levelOf(form.first()) > level;
+    BinaryForm.Term first = swap ? form.second() : form.first();
+    BinaryForm.Term second = swap ? form.first() : form.second();
+    return atLeast(first, level) + symbol(form.operation()) + atLeast(second, level + 1);
   }
 
-  private boolean isSwapped(Scalar node) {
-    int level = level(node.operation());
-    boolean commutes = node.operation() == Operation.ADD || node.operation() == Operation.MULTIPLY;
-    return commutes && levelOf(node.second()) == level && levelOf(node.first()) > level;
+  private String atLeast(BinaryForm.Term term, int level) {
+    String text = term.opposite() ? opposite(term.value()) : value(term.value());
+    return levelOf(term) < level ? "(" + text + ")" : text;
   }
 
   private String atLeast(Scalar node, int level) {
     return levelOf(node) < level ? "(" + value(node) + ")" : value(node);
   }
 
+  private int levelOf(BinaryForm.Term term) {
+    return term.opposite() ? level(term.value().operation()) : levelOf(term.value());
+  }
+
   private int levelOf(Scalar node) {
-    return places.containsKey(node) ? ATOM : level(node.operation());
+    if (places.containsKey(node)) {
+      return ATOM;
+    }
+    boolean absorbed =
+        node.operation() == Operation.NEGATE && BinaryForm.absorbsSign(node.first(), places);
+    return level(absorbed ? node.first().operation() : node.operation());
   }
 
   private static int level(Operation operation) {

@@ -105,7 +105,7 @@ final class KernelBody {
     for (Statement statement : section.statements()) {
       if (statement instanceof Statement.Load load) {
         Scalar leaf = leaf(outside(load.from()));
-        statements.add(new Statement.Load(leaf, placeOf(leaf)));
+        statements.add(new Statement.Load(leaf, placeOf(leaf), load.again()));
         local(load.value(), leaf);
       } else if (statement instanceof Statement.Define define) {
         Scalar image = operation(define.value());

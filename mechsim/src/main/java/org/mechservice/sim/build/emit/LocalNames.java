@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
+import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 
@@ -31,11 +32,14 @@ final class LocalNames {
   private final Map<String, Integer> numberOf = new HashMap<>();
   private final Set<String> given = new HashSet<>(TAKEN);
 
-  LocalNames(ProgramPlan plan) {
+  /**
+   * @param head the method that has the inputs as parameters
+   */
+  LocalNames(ProgramPlan plan, Head head) {
     Program program = plan.program();
     Usage usage = plan.usage();
     for (Scalar node : usage.given()) {
-      give(node, program.nameOf(node).orElse("in_" + node.id()));
+      give(node, program.nameOf(node).orElseGet(() -> nameOfGiven(node, usage, head)));
     }
     for (int section = 0; section < program.sections().size(); section++) {
       String subject = program.sections().get(section).subject();
@@ -48,6 +52,16 @@ final class LocalNames {
         }
       }
     }
+  }
+
+  /** An input is called after its place in its array, a sine or cosine after the angle's number. */
+  private static String nameOfGiven(Scalar node, Usage usage, Head head) {
+    if (node.operation() == Operation.INPUT) {
+      Head.Argument argument = head.argumentOf(node.index());
+      return argument.name() + "_" + (node.index() - argument.first());
+    }
+    String function = node.operation() == Operation.SINE ? "sin" : "cos";
+    return function + "_angle_" + (usage.angles().indexOf(node.first()) + 1);
   }
 
   private void numbered(Scalar node, String subject) {

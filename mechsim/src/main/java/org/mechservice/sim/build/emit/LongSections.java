@@ -124,6 +124,8 @@ final class LongSections {
       int firstNode,
       List<Program.Output> outputs,
       List<Program.Guard> guards) {
-    parts.add(new Program.Section(title, section.subject(), firstNode, outputs, guards));
+    parts.add(
+        new Program.Section(
+            title, section.subject(), firstNode, outputs, guards, section.readsAnew()));
   }
 }

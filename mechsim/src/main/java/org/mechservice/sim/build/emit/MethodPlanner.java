@@ -1,9 +1,12 @@
 package org.mechservice.sim.build.emit;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
@@ -13,31 +16,34 @@ import org.mechservice.sim.symbolic.Scalar;
  *
  * <p>A value computed in one chunk and used in a later one goes through the workspace, even if it
  * is used once. What a chunk takes from there it loads into a local variable, which gives it its
- * name again; so it does with an input that it uses more than once, lest a write to one array force
- * another to be read again.
+ * name again; so it does with an element of an array that it uses more than once, lest a write to
+ * one array force another to be read again. In a straight line, sections that read anew do so.
  */
 final class MethodPlanner {
   /** Fewer inputs than this are put out one by one. */
   private static final int SHORTEST_COPY = 3;
 
-  /** What one chunk uses of a value: how often, and in which section first. */
-  private record Use(Scalar value, int count, int firstSection) {}
+  /** What one chunk uses of a value: how often, in which section first, and where anew. */
+  private record Use(Scalar value, int count, int firstSection, SortedSet<Integer> sectionsAnew) {}
 
   private final Program program;
   private final Usage usage;
   private final int[] chunkOfSection;
+  private final boolean straight;
   private final WorkspaceSlots slots;
   private final List<List<Use>> usesOfChunk = new ArrayList<>();
 
   /**
    * @param chunkOfSection method of each section, in order; not modified
-   * @param reuse whether an element of the workspace is given again when its value is over
+   * @param straight whether it is a straight line: an element of the workspace is given again when
+   *     its value is over, and read again in sections that read anew
    */
-  MethodPlanner(Program program, Usage usage, int[] chunkOfSection, boolean reuse) {
+  MethodPlanner(Program program, Usage usage, int[] chunkOfSection, boolean straight) {
     this.program = program;
     this.usage = usage;
     this.chunkOfSection = chunkOfSection;
-    this.slots = new WorkspaceSlots(program, usage, chunkOfSection, reuse);
+    this.straight = straight;
+    this.slots = new WorkspaceSlots(program, usage, chunkOfSection, straight);
     int chunks = chunkOfSection.length == 0 ? 0 : chunkOfSection[chunkOfSection.length - 1] + 1;
     for (int chunk = 0; chunk < chunks; chunk++) {
       usesOfChunk.add(new ArrayList<>());
@@ -64,16 +70,21 @@ final class MethodPlanner {
    */
   private void collectUses(Scalar node, int[] counts, int[] firsts) {
     int uses = usage.useCount(node);
+    Map<Integer, SortedSet<Integer>> anew = new HashMap<>();
     for (int i = 0; i < uses; i++) {
       int section = usage.user(node, i);
       int chunk = chunkOfSection[section];
+      if (straight && program.sections().get(section).readsAnew()) {
+        anew.computeIfAbsent(chunk, key -> new TreeSet<>()).add(section);
+      }
       firsts[chunk] = counts[chunk] == 0 ? section : Math.min(firsts[chunk], section);
       counts[chunk]++;
     }
     for (int i = 0; i < uses; i++) {
       int chunk = chunkOfSection[usage.user(node, i)];
       if (counts[chunk] > 0) {
-        usesOfChunk.get(chunk).add(new Use(node, counts[chunk], firsts[chunk]));
+        SortedSet<Integer> sectionsAnew = anew.getOrDefault(chunk, Collections.emptySortedSet());
+        usesOfChunk.get(chunk).add(new Use(node, counts[chunk], firsts[chunk], sectionsAnew));
         counts[chunk] = 0;
       }
     }
@@ -133,18 +144,23 @@ final class MethodPlanner {
   /** Finds a place in a chunk for a value that comes from outside it. */
   private void take(Use use, Map<Scalar, Place> places, Map<Integer, List<Statement>> loads) {
     Scalar node = use.value();
-    if (node.operation() == Operation.INPUT && use.count() == 1) {
+    boolean isInput = node.operation() == Operation.INPUT;
+    if (isInput && (use.count() == 1 || node.index() == Program.TIME)) {
       places.put(node, new Place.Input(node.index()));
       return;
     }
-    Place outside =
-        node.operation() == Operation.INPUT
-            ? new Place.Input(node.index())
-            : new Place.Slot(slots.of(node));
-    loads
-        .computeIfAbsent(use.firstSection(), key -> new ArrayList<>())
-        .add(new Statement.Load(node, outside));
+    Place outside = isInput ? new Place.Input(node.index()) : new Place.Slot(slots.of(node));
+    load(use.firstSection(), new Statement.Load(node, outside, false), loads);
+    for (int section : use.sectionsAnew()) {
+      if (section != use.firstSection()) {
+        load(section, new Statement.Load(node, outside, true), loads);
+      }
+    }
     places.put(node, new Place.Local(node));
+  }
+
+  private static void load(int section, Statement.Load load, Map<Integer, List<Statement>> loads) {
+    loads.computeIfAbsent(section, key -> new ArrayList<>()).add(load);
   }
 
   private void write(

@@ -101,7 +101,7 @@ final class ModelBytes {
 
   private void constructor() {
     int slots = plan.slots();
-    String given = plan.hasParameters() ? "([D)V" : "()V";
+    String given = plan.takesNumbers() ? "([D)V" : "()V";
     MethodVisitor code = ClassMethods.beginPublic(classFile, "<init>", given);
     code.visitVarInsn(Opcodes.ALOAD, 0);
     for (String argument : plan.base().arguments()) {
@@ -116,7 +116,7 @@ final class ModelBytes {
     if (slots > 0) {
       array(code, Parameters.WORKSPACE, slots);
     }
-    if (plan.hasParameters()) {
+    if (plan.takesNumbers()) {
       String field = Head.MODEL_PARAMETERS.name();
       field(field);
       code.visitVarInsn(Opcodes.ALOAD, 0);

@@ -233,9 +233,14 @@ public final class ModelPlan implements WrittenClass {
     return new Base(TreeStepModel.class, List.of(jointTypes(), derived.tree(), derived.coupled()));
   }
 
-  /** Returns whether the class is given numbers: values of parameters, loads of user forces. */
-  boolean hasParameters() {
-    return !content.mechanism().parameters().isEmpty() || content.hasUserForces();
+  @Override
+  public boolean takesNumbers() {
+    return content.hasUserForces() || readNumbers(all());
+  }
+
+  /** Returns whether some programs compute with numbers that their class is given. */
+  static boolean readNumbers(List<Part> parts) {
+    return parts.stream().anyMatch(part -> part.plan().readsModelParameters());
   }
 
   /** Returns the interfaces the class implements beyond those of its base, in order. */

@@ -42,7 +42,7 @@ final class ModelSource {
     if (slots > 0) {
       source.line("private final double[] w = new double[" + slots + "];");
     }
-    if (plan.hasParameters()) {
+    if (plan.takesNumbers()) {
       source.line("private final double[] p;");
     }
     plan.power().ifPresent(p -> source.line("private final double[] power = new double[2];"));
@@ -65,8 +65,8 @@ final class ModelSource {
 
   private void construct() {
     List<String> arguments = plan.base().arguments();
-    if (!arguments.isEmpty() || plan.hasParameters()) {
-      String given = plan.hasParameters() ? "double[] p" : "";
+    if (!arguments.isEmpty() || plan.takesNumbers()) {
+      String given = plan.takesNumbers() ? "double[] p" : "";
       source.blank().open("public " + plan.simpleName() + "(" + given + ")");
     }
     if (!arguments.isEmpty()) {
@@ -75,10 +75,10 @@ final class ModelSource {
               .map(JavaText::literal)
               .collect(Collectors.joining(", ", "super(", ");")));
     }
-    if (plan.hasParameters()) {
+    if (plan.takesNumbers()) {
       source.line("this.p = p;");
     }
-    if (!arguments.isEmpty() || plan.hasParameters()) {
+    if (!arguments.isEmpty() || plan.takesNumbers()) {
       source.close();
     }
   }

@@ -15,7 +15,7 @@ final class ProgramPrinter {
     this.source = source;
     this.head = head;
     this.plan = plan;
-    this.names = new LocalNames(plan);
+    this.names = new LocalNames(plan, head);
     this.angleParts = plan.angleParts();
   }
 
@@ -239,7 +239,11 @@ final class ProgramPrinter {
   private void statement(Statement statement, ExpressionPrinter printer) {
     if (statement instanceof Statement.Load load) {
       source.line(
-          "double " + printer.name(load.value()) + " = " + printer.place(load.from()) + ";");
+          (load.again() ? "" : "double ")
+              + printer.name(load.value())
+              + " = "
+              + printer.place(load.from())
+              + ";");
     } else if (statement instanceof Statement.Define define) {
       source.line(
           "double "

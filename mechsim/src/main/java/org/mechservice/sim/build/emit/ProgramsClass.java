@@ -14,22 +14,30 @@ import org.objectweb.asm.Type;
  * class file are printed. Both compute the same operations in the same order, so their results have
  * the same bits.
  */
-final class ProgramsClass {
+final class ProgramsClass implements WrittenClass {
   private final String simpleName;
+  private final List<String> documentation;
   private final List<Class<?>> interfaces;
-  private final boolean hasInputs;
+  private final boolean hasUserForces;
   private final CodeForm form;
   private final ConstantTable constants = new ConstantTable();
   private final List<ModelPlan.Part> parts = new ArrayList<>();
 
   /**
+   * @param documentation lines of the class comment
    * @param interfaces what the class implements by its programs
-   * @param hasInputs whether it is given the values of parameters or loads of user forces
+   * @param hasUserForces whether it is given loads of forces that users have written
    */
-  ProgramsClass(String simpleName, List<Class<?>> interfaces, boolean hasInputs, CodeForm form) {
+  ProgramsClass(
+      String simpleName,
+      List<String> documentation,
+      List<Class<?>> interfaces,
+      boolean hasUserForces,
+      CodeForm form) {
     this.simpleName = simpleName;
+    this.documentation = List.copyOf(documentation);
     this.interfaces = List.copyOf(interfaces);
-    this.hasInputs = hasInputs;
+    this.hasUserForces = hasUserForces;
     this.form = form;
   }
 
@@ -38,24 +46,27 @@ final class ProgramsClass {
     parts.add(new ModelPlan.Part(head, Layout.plan(program, head, form, constants)));
   }
 
-  String simpleName() {
+  @Override
+  public String simpleName() {
     return simpleName;
   }
 
-  String code() {
+  @Override
+  public String code() {
     return ModelPlan.code(parts);
+  }
+
+  @Override
+  public boolean takesNumbers() {
+    return hasUserForces || ModelPlan.readNumbers(parts);
   }
 
   private int slots() {
     return parts.stream().mapToInt(part -> part.plan().slots()).max().orElse(0);
   }
 
-  /**
-   * Returns formatted source.
-   *
-   * @param documentation lines of the class comment
-   */
-  String source(List<String> documentation) {
+  @Override
+  public String source() {
     SourceLines source = new SourceLines();
     source.line("package " + ModelClass.PACKAGE + ";").blank();
     List<String> imports = new ArrayList<>();
@@ -78,7 +89,7 @@ final class ProgramsClass {
     if (slots() > 0) {
       source.line("private final double[] w = new double[" + slots() + "];");
     }
-    if (hasInputs) {
+    if (takesNumbers()) {
       source.line("private final double[] p;");
       source.blank().open("public " + simpleName + "(double[] p)");
       source.line("this.p = p;").close();
@@ -98,7 +109,8 @@ final class ProgramsClass {
     return type.getName().substring(type.getPackageName().length() + 1).replace('$', '.');
   }
 
-  byte[] classFile() {
+  @Override
+  public byte[] classFile() {
     ClassWriter file = new ClassWriter(ClassWriter.COMPUTE_MAXS);
     String name = (ModelClass.PACKAGE + "." + simpleName).replace('.', '/');
     int access = Opcodes.ACC_PUBLIC | Opcodes.ACC_FINAL | Opcodes.ACC_SUPER;
@@ -117,7 +129,7 @@ final class ProgramsClass {
   }
 
   private void constructor(ClassWriter file, String name) {
-    String given = hasInputs ? "([D)V" : "()V";
+    String given = takesNumbers() ? "([D)V" : "()V";
     MethodVisitor code = ClassMethods.beginPublic(file, "<init>", given);
     code.visitVarInsn(Opcodes.ALOAD, 0);
     code.visitMethodInsn(Opcodes.INVOKESPECIAL, "java/lang/Object", "<init>", "()V", false);
@@ -128,7 +140,7 @@ final class ProgramsClass {
       code.visitIntInsn(Opcodes.NEWARRAY, Opcodes.T_DOUBLE);
       code.visitFieldInsn(Opcodes.PUTFIELD, name, Parameters.WORKSPACE, "[D");
     }
-    if (hasInputs) {
+    if (takesNumbers()) {
       String parameters = Head.MODEL_PARAMETERS.name();
       field(file, parameters);
       code.visitVarInsn(Opcodes.ALOAD, 0);

@@ -78,7 +78,7 @@ final class SourceLines {
     int bestSum = 0;
     boolean inString = false;
     boolean escaped = false;
-    for (int i = 1; i < Math.min(line.length() - 1, limit + 1); i++) {
+    for (int i = 0; i < Math.min(line.length() - 1, limit + 1); i++) {
       char c = line.charAt(i);
       inString ^= code && c == '"' && !escaped;
       escaped = c == '\\' && !escaped;

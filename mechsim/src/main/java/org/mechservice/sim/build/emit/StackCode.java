@@ -2,6 +2,7 @@ package org.mechservice.sim.build.emit;
 
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Scalar;
@@ -107,24 +108,27 @@ final class StackCode {
     }
   }
 
-  private void sum(Sum sum) {
-    value(sum.first());
-    if (sum.opposite()) {
-      opposite(sum.second());
-    } else {
-      value(sum.second());
-    }
-    machine.operate(sum.operation());
+  private void binary(BinaryForm form) {
+    term(form.first());
+    term(form.second());
+    machine.operate(form.operation());
   }
 
-  /** A product or quotient without the sign of the constant it begins with. */
-  private void opposite(Scalar node) {
-    if (node.isConstant()) {
-      machine.pushConstant(-node.value());
+  private void term(BinaryForm.Term term) {
+    if (term.opposite()) {
+      opposite(term.value());
     } else {
-      opposite(node.first());
-      value(node.second());
-      machine.operate(node.operation());
+      value(term.value());
+    }
+  }
+
+  /** The opposite of a value that takes up the sign. */
+  private void opposite(Scalar node) {
+    OptionalDouble constant = BinaryForm.constant(node, method.places());
+    if (constant.isPresent()) {
+      machine.pushConstant(-constant.getAsDouble());
+    } else {
+      binary(BinaryForm.ofOpposite(node, method.places()));
     }
   }
 
@@ -156,7 +160,8 @@ final class StackCode {
       case CONSTANT -> machine.pushConstant(node.value());
       case INPUT -> machine.pushInput(node.index());
       case SINE, COSINE -> throw new IllegalStateException("an angle function has a place");
-      case ADD, SUBTRACT -> sum(Sum.of(node, method.places()));
+      case ADD, SUBTRACT, MULTIPLY, DIVIDE -> binary(BinaryForm.of(node, method.places()));
+      case NEGATE -> negate(node.first());
       default -> {
         List<Scalar> operands = node.operands();
         for (int i = 0; i < operands.size(); i++) {
@@ -168,6 +173,15 @@ final class StackCode {
           machine.operate(node.operation());
         }
       }
+    }
+  }
+
+  private void negate(Scalar operand) {
+    if (BinaryForm.absorbsSign(operand, method.places())) {
+      opposite(operand);
+    } else {
+      value(operand);
+      machine.operate(Operation.NEGATE);
     }
   }
 }

@@ -7,8 +7,8 @@ sealed interface Statement {
   /** Says what follows; lines are separated by line feeds. */
   record Comment(String text) implements Statement {}
 
-  /** Takes a value from an input or the workspace into a local variable. */
-  record Load(Scalar value, Place from) implements Statement {}
+  /** Takes a value from an input or the workspace into a local variable, once or {@code again}. */
+  record Load(Scalar value, Place from, boolean again) implements Statement {}
 
   /** Computes a value into a local variable. */
   record Define(Scalar value) implements Statement {}

@@ -9,7 +9,7 @@ import org.mechservice.sim.symbolic.Program;
  * org.mechservice.solver.closure.LoopTerms}).
  *
  * @param modelName the model's name in its file
- * @param hasInputs whether the class is given the values of parameters or loads of user forces
+ * @param hasUserForces whether the class is given loads of forces that users have written
  * @param stateCount number of states [q; v] and counted angles
  * @param velocityCount number of v among them
  * @param loops program of the method of that name
@@ -22,7 +22,7 @@ import org.mechservice.sim.symbolic.Program;
  */
 public record TermsClass(
     String modelName,
-    boolean hasInputs,
+    boolean hasUserForces,
     int stateCount,
     int velocityCount,
     Program loops,
@@ -41,7 +41,7 @@ public record TermsClass(
   public TermsClass withoutDerivatives() {
     return new TermsClass(
         modelName,
-        hasInputs,
+        hasUserForces,
         stateCount,
         velocityCount,
         loops,

@@ -5,28 +5,33 @@ import java.util.List;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.closure.LoopTerms;
 
-/** The class of the terms of a model with loops, planned. */
-public final class TermsPlan implements WrittenClass {
+/** Plans the class of the terms of a model with loops. */
+public final class TermsPlan {
   private static final Head.Argument TIME = new Head.Argument("t", false, Program.TIME);
   private static final Head.Argument STATE = new Head.Argument("y", true, 0);
   private static final String TERMS = "terms";
 
-  private final TermsClass content;
-  private final ProgramsClass programs;
+  private TermsPlan() {}
 
-  private TermsPlan(TermsClass content, CodeForm form) {
-    this.content = content;
-    String name = JavaText.className(content.modelName());
-    programs = new ProgramsClass(name, interfaces(content), content.hasInputs(), form);
+  /** Plans a class. */
+  public static WrittenClass of(TermsClass content, CodeForm form) {
+    ProgramsClass programs =
+        new ProgramsClass(
+            JavaText.className(content.modelName()),
+            documentation(content),
+            interfaces(content),
+            content.hasUserForces(),
+            form);
     programs.add(ofState("loops", TERMS, false), content.loops());
     programs.add(ofState("equations", TERMS, true), content.equations());
     programs.add(ofState("energy", "energy", false), content.energy());
     programs.add(ofState("power", "power", false), content.power());
     content.poses().ifPresent(program -> programs.add(ofState("poses", "poses", false), program));
-    content.ofResidual().ifPresent(this::add);
+    content.ofResidual().ifPresent(given -> add(given, content, programs));
+    return programs;
   }
 
-  private void add(TermsClass.OfResidual given) {
+  private static void add(TermsClass.OfResidual given, TermsClass content, ProgramsClass programs) {
     Head.Argument accelerations = new Head.Argument("a", true, content.stateCount());
     programs.add(ofState("offset", TERMS, false), given.offset());
     programs.add(
@@ -64,27 +69,7 @@ public final class TermsPlan implements WrittenClass {
     return interfaces;
   }
 
-  /** Plans a class. */
-  public static TermsPlan of(TermsClass content, CodeForm form) {
-    return new TermsPlan(content, form);
-  }
-
-  @Override
-  public String simpleName() {
-    return programs.simpleName();
-  }
-
-  @Override
-  public String code() {
-    return programs.code();
-  }
-
-  @Override
-  public String source() {
-    return programs.source(documentation());
-  }
-
-  private List<String> documentation() {
+  private static List<String> documentation(TermsClass content) {
     List<String> lines = new ArrayList<>();
     lines.add(
         JavaText.comment(
@@ -102,10 +87,5 @@ public final class TermsPlan implements WrittenClass {
     lines.add("");
     lines.add("<p>" + ModelSource.LEGEND);
     return lines;
-  }
-
-  @Override
-  public byte[] classFile() {
-    return programs.classFile();
   }
 }

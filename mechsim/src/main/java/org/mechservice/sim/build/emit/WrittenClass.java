@@ -1,12 +1,18 @@
 package org.mechservice.sim.build.emit;
 
 /** A model's class, ready to be written as Java source or as a class file. Immutable. */
-public sealed interface WrittenClass permits ModelPlan, TermsPlan, ValuesPlan, CompactClass {
+public sealed interface WrittenClass permits ModelPlan, ProgramsClass, CompactClass {
   /** Returns the class's simple name. */
   String simpleName();
 
   /** Returns how the class computes, with the operations of its programs, for people. */
   String code();
+
+  /**
+   * Returns whether its constructor is given numbers, because it computes with some: values of
+   * parameters, loads of forces that users have written.
+   */
+  boolean takesNumbers();
 
   /** Returns the formatted source. */
   String source();

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
@@ -85,5 +86,37 @@ class LayoutTest {
     ConstantTable table = new ConstantTable();
     Layout.plan(program(ALIKE, 400), HEAD, CodeForm.AUTO, table);
     assertThat(table.isEmpty()).isTrue();
+  }
+
+  /** Sections that need the same sine, with what each puts out before the next. */
+  private static Program ofOneAngle(boolean steps) {
+    Program program = new Program();
+    for (int i = 0; i < 3; i++) {
+      Expressions expressions = program.expressions();
+      if (steps) {
+        program.step("", "s");
+      } else {
+        program.section("", "s");
+      }
+      program.output(i, expressions.sine(expressions.input(9)).times(expressions.input(i)));
+    }
+    return program;
+  }
+
+  private static List<Boolean> loads(ProgramPlan plan) {
+    return plan.methods().get(0).statements().stream()
+        .flatMap(statement -> statement instanceof Statement.Load load ? Stream.of(load) : null)
+        .map(Statement.Load::again)
+        .toList();
+  }
+
+  @Test
+  void everyStepReadsWhatItNeedsAnew() {
+    assertThat(loads(Planner.plan(ofOneAngle(true)))).containsExactly(false, true, true);
+  }
+
+  @Test
+  void otherSectionsOfAMethodReadAValueOnce() {
+    assertThat(loads(Planner.plan(ofOneAngle(false)))).containsExactly(false);
   }
 }
