@@ -1,12 +1,17 @@
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.JointVariables;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.api.WatchedModel;
 
 /** Integrates a model by the classical Runge-Kutta method; give its class, the end, the steps. */
 public final class Embedding {
   public static void main(String[] arguments) throws Exception {
-    ExplicitModel model =
-        (ExplicitModel) Class.forName(arguments[0]).getConstructor().newInstance();
+    Object built = Class.forName(arguments[0]).getConstructor().newInstance();
+    Model whole = ExtendedModel.bare(ModelSource.of(built));
+    ExplicitModel model = (ExplicitModel) WatchedModel.bare(whole);
     double h = Double.parseDouble(arguments[1]) / Integer.parseInt(arguments[2]);
     double[] y = new double[model.description().stateCount()];
     double[] energy = new double[2];
@@ -15,11 +20,12 @@ public final class Embedding {
     for (int step = 0; step < Integer.parseInt(arguments[2]); step++) {
       double[] start = y.clone();
       for (int stage = 1; stage <= 4; stage++) {
+        double later = stage == 1 ? 0 : stage == 4 ? h : h / 2;
         double[] at = start.clone();
         for (int i = 0; i < y.length; i++) {
-          at[i] += (stage == 1 ? 0 : stage == 4 ? h : h / 2) * k[stage - 1][i];
+          at[i] += later * k[stage - 1][i];
         }
-        model.derivative(step * h, at, k[stage]);
+        model.derivative(step * h + later, at, k[stage]);
         for (int i = 0; i < y.length; i++) {
           y[i] += (stage == 1 || stage == 4 ? h / 6 : h / 3) * k[stage][i];
         }

@@ -18,24 +18,7 @@ class EmbeddingIT {
   /** The reference has the angles at 0.5 s in its second row. */
   @Test
   void aProgramOfTheUsersOwnIntegratesThePendulum() throws Exception {
-    Terminal terminal = new Terminal(directory);
-    terminal.mech("build", WorkingTree.PENDULUM.toString(), "-o", "p.jar").orFail();
-    Path solver = Path.of(Model.class.getProtectionDomain().getCodeSource().getLocation().toURI());
-
-    List<String> printed =
-        terminal
-            .run(
-                "java",
-                "-cp",
-                solver + File.pathSeparator + directory.resolve("p.jar"),
-                WorkingTree.TOP.resolve("examples/embedding/Embedding.java").toString(),
-                "org.mechservice.model.FiveBarPendulum",
-                "0.5",
-                "500")
-            .orFail()
-            .stdout()
-            .lines()
-            .toList();
+    List<String> printed = run(WorkingTree.PENDULUM, "FiveBarPendulum", "0.5", "500");
 
     Path reference = WorkingTree.TOP.resolve("examples/pendulum/reference.csv");
     String[] expected = Files.readAllLines(reference).get(2).split(",", -1);
@@ -47,5 +30,48 @@ class EmbeddingIT {
       assertThat(Double.parseDouble(line[1]))
           .isCloseTo(Double.parseDouble(expected[i + 1]), within(1e-10));
     }
+  }
+
+  /** A push of t newtons on 1 kg: t³/6 m, which a method of fourth order has to rounding. */
+  @Test
+  void timeAndClassesOfUsersAreForTheProgramAsForTheService() throws Exception {
+    List<String> printed = run(element("force"), "forceWithData", "0.5", "50");
+    assertThat(printed.get(0)).startsWith("slide.q ");
+    assertThat(number(printed.get(0))).isCloseTo(0.125 / 6, within(1e-15));
+  }
+
+  /** Events and tunable parameters stand beside the code as data. */
+  @Test
+  void aModelWithDataBesideItsCodeIsAModelToo() throws Exception {
+    List<String> printed = run(element("event"), "eventWithData", "0.5", "50");
+    // From 4.905 m: g t²/2 down.
+    assertThat(number(printed.get(0))).isCloseTo(4.905 - 9.81 / 8, within(1e-12));
+  }
+
+  private static double number(String line) {
+    return Double.parseDouble(line.substring(line.indexOf(' ') + 1));
+  }
+
+  private static Path element(String name) {
+    return WorkingTree.TOP.resolve("examples/elements").resolve(name + ".xml");
+  }
+
+  private List<String> run(Path scene, String model, String end, String steps) throws Exception {
+    Terminal terminal = new Terminal(directory);
+    terminal.mech("build", scene.toString(), "-o", "p.jar").orFail();
+    Path solver = Path.of(Model.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+    return terminal
+        .run(
+            "java",
+            "-cp",
+            solver + File.pathSeparator + directory.resolve("p.jar"),
+            WorkingTree.TOP.resolve("examples/embedding/Embedding.java").toString(),
+            "org.mechservice.model." + model,
+            end,
+            steps)
+        .orFail()
+        .stdout()
+        .lines()
+        .toList();
   }
 }

@@ -6,9 +6,10 @@ import java.util.Arrays;
  * Tells what is slight of what is left of the equations F = 0 of a step: small changes of the state
  * would solve it if nothing were stiff, as nothing is in a step that is short enough.
  *
- * <p>Beside algebraic equations, to find out takes factors of other matrices, and then again those
- * of the step's own. But what has to change grows in proportion to what is left, so one answer holds
- * for what is left later, by rows, until step, derivatives or tolerances change.
+ * <p>Without relations between states the factors of ∂F/∂y' tell, which are kept as long as the
+ * derivatives. Otherwise, to find out takes factors of another matrix, and then again those of the
+ * step's own. But what has to change grows in proportion to what is left, so one answer holds for
+ * what is left later, by rows, until step, derivatives or tolerances change.
  */
 final class SlightRemainder {
   /** Part of the step in which nothing is stiff. */
@@ -86,13 +87,16 @@ final class SlightRemainder {
     return size <= small;
   }
 
+  /** Solves by the factors of ∂F/∂y'; returns false if there are none. */
   private boolean solveUnstiff(double[] left, double hGamma) {
     System.arraycopy(left, 0, change, 0, change.length);
-    boolean solved = linearisation.solveUnstiff(change);
-    for (int l = 0; solved && l < change.length; l++) {
+    if (!linearisation.solveUnstiff(change)) {
+      return false;
+    }
+    for (int l = 0; l < change.length; l++) {
       change[l] *= linearisation.algebraic(l) ? 1 : hGamma;
     }
-    return solved;
+    return true;
   }
 
   private boolean weightsAsKnown(ErrorNorm norm) {

@@ -73,10 +73,19 @@ class SlightRemainderTest {
     assertThat(linearisation.factorisations).isGreaterThan(factorisations);
   }
 
+  @Test
+  void keptFactorsOfTheDerivativeTellTheSameAndLeaveThoseOfTheStep() {
+    linearisation.keepsDerivative = true;
+    assertThat(isSlight(0.11, 0, 1)).isFalse();
+    assertThat(isSlight(0.09, 0, 1)).isTrue();
+    assertThat(linearisation.factorisations).isZero();
+  }
+
   /** ∂F/∂y = 1e6 I, ∂F/∂y' = I; the rest is of no use here. */
   private static final class Counted implements ResidualLinearisation {
     private int factorisations;
     private double factored;
+    private boolean keepsDerivative;
 
     @Override
     public boolean factor(double hGamma) {
@@ -90,16 +99,6 @@ class SlightRemainderTest {
       for (int l = 0; l < residual.length; l++) {
         residual[l] *= hGamma / (1 + hGamma * STIFFNESS);
       }
-    }
-
-    @Override
-    public boolean solveUnstiff(double[] residual) {
-      return false;
-    }
-
-    @Override
-    public boolean allDifferential() {
-      return true;
     }
 
     @Override
@@ -127,8 +126,18 @@ class SlightRemainderTest {
     public void abandon() {}
 
     @Override
+    public boolean solveUnstiff(double[] residual) {
+      return keepsDerivative;
+    }
+
+    @Override
     public boolean algebraic(int component) {
       return false;
+    }
+
+    @Override
+    public boolean allDifferential() {
+      return true;
     }
 
     @Override

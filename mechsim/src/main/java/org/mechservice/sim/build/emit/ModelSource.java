@@ -23,7 +23,10 @@ final class ModelSource {
           + " D, kn, kf: its element on the joint's axis and its column there over D; u: joint"
           + " force less f, n along the axis; dalpha, da: what joint accelerations add. The origin"
           + " of a computing frame is the joint's point on the body, its z axis lies along the"
-          + " joint; R, X take it to the parent's, where the joint is at r.";
+          + " joint; R, X take it to the parent's, where the joint is at r. q, v of a"
+          + " joint: coordinate and rate. T, U: kinetic and potential energy of the bodies so far;"
+          + " v, g of a body: velocity of the origin and gravity in the frame's axes, fall: gravity"
+          + " times the way to it. SI units: kg, m, s, rad, N, J.";
 
   private final ModelPlan plan;
   private final SourceLines source = new SourceLines();
