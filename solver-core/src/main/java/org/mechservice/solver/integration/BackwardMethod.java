@@ -52,7 +52,10 @@ abstract class BackwardMethod extends SteppingIntegrator {
   private StepEquations explicit(OdeSystem system, double t0, double tEnd) {
     RightHandSide rightHandSide = new RightHandSide(system, settings.stop());
     rightHandSide.breakpoints().begin(system, t0, tEnd);
-    return new ExplicitEquations(rightHandSide, settings.smallSizes(system.dimension()));
+    // Other pivots round otherwise than those of the programs published.
+    boolean condensing = settings.mode() != Mode.FAITHFUL;
+    double[] smallSizes = settings.smallSizes(system.dimension());
+    return new ExplicitEquations(rightHandSide, smallSizes, condensing);
   }
 
   /** Begins a problem. */

@@ -3,6 +3,7 @@ package org.mechservice.solver.integration;
 import java.util.Arrays;
 import org.mechservice.solver.integration.IntegrationFailure.Cause;
 import org.mechservice.solver.integration.IntegratorSettings.Mode;
+import org.mechservice.solver.linear.CondensedLu;
 import org.mechservice.solver.linear.LinearSolver;
 
 /**
@@ -45,12 +46,17 @@ final class ExplicitEquations extends StepEquations {
 
   /**
    * @param smallSizes size below which a component is negligible; not modified
+   * @param condensing whether equations like q' = v are put into the others before these are solved
    * @throws IllegalArgumentException if the problem's band is wider than its matrix
    */
-  ExplicitEquations(RightHandSide rightHandSide, double[] smallSizes) {
+  ExplicitEquations(RightHandSide rightHandSide, double[] smallSizes, boolean condensing) {
     super(new Manifold(rightHandSide.system()), MatrixDrift.none());
     this.rightHandSide = rightHandSide;
-    LinearSolver solver = IterationMatrix.solverFor(rightHandSide.system(), smallSizes.length);
+    OdeSystem system = rightHandSide.system();
+    LinearSolver solver =
+        condensing && !(system instanceof BandedSystem)
+            ? new CondensedLu(smallSizes.length)
+            : IterationMatrix.solverFor(system, smallSizes.length);
     jacobian = new KeptJacobian(solver.layout());
     differencing =
         new JacobianDifferences(

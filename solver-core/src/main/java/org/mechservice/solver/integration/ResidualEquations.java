@@ -18,15 +18,10 @@ final class ResidualEquations extends StepEquations {
   private static final double FIRST_STEP_PART = 0.1;
   private static final double FIRST_STEP_SHARE = 1e-3;
 
-  /** Part of a step in which nothing is stiff. */
-  private static final double SHORT = 0x1p-40;
-
-  /** Likewise; longer, for the difference of two changes that are alike. */
-  private static final double SHORT_BESIDE_RELATIONS = 0x1p-30;
-
   private final Residual residual;
   private final ResidualLinearisation linearisation;
   private final ConsistentStart start;
+  private final SlightRemainder slight;
 
   /** Whether both derivatives are formed every time. */
   private boolean asPublished;
@@ -91,6 +86,7 @@ final class ResidualEquations extends StepEquations {
     valueAtStart = new double[n];
     unsolved = new double[n];
     moved = new double[n];
+    slight = new SlightRemainder(linearisation, residual.manifold());
   }
 
   Residual residual() {
@@ -146,11 +142,13 @@ final class ResidualEquations extends StepEquations {
 
   @Override
   Attempt formDerivatives(double t, double[] y) {
+    slight.forget();
     return linearisation.form(t, y, slope);
   }
 
   @Override
   Attempt formAhead(double t, double hGamma, BackwardDifferences differences) {
+    slight.forget();
     for (int l = 0; l < ahead.length; l++) {
       ahead[l] = differences.psi[l] / hGamma;
     }
@@ -164,6 +162,7 @@ final class ResidualEquations extends StepEquations {
 
   @Override
   Attempt formMatrix(double t, double[] y, double hGamma) {
+    slight.forget();
     return linearisation.formMatrix(t, y, slope, hGamma);
   }
 
@@ -293,58 +292,7 @@ final class ResidualEquations extends StepEquations {
       unsolved[l] = row ? 0 : left[l];
       better &= row || left[l] == 0;
     }
-    return better || slight(hGamma, norm, small);
-  }
-
-  /**
-   * Returns whether what is left would be solved by a small change of y if nothing were stiff, as
-   * nothing is in a step that is short enough; true where that cannot be said. The factors stay.
-   */
-  private boolean slight(double hGamma, ErrorNorm norm, double small) {
-    if (manifold().anyAlgebraic()) {
-      boolean slight = slightBesideRelations(hGamma, norm, small);
-      linearisation.factor(hGamma);
-      return slight;
-    }
-    double shortHGamma = SHORT * hGamma;
-    System.arraycopy(unsolved, 0, ahead, 0, ahead.length);
-    if (linearisation.solveUnstiff(ahead)) {
-      for (int l = 0; l < ahead.length; l++) {
-        ahead[l] *= linearisation.algebraic(l) ? 1 : shortHGamma;
-      }
-      return norm.of(ahead) <= SHORT * small;
-    }
-    boolean slight = !solveUnsolved(shortHGamma, ahead) || norm.of(ahead) <= SHORT * small;
-    linearisation.factor(hGamma);
-    return slight;
-  }
-
-  /**
-   * Relations between states, as the rates of loops are, are mended by the same change however
-   * short the step: this change is told from that by what half the step needs. Both have to be
-   * small.
-   */
-  private boolean slightBesideRelations(double hGamma, ErrorNorm norm, double small) {
-    double step = SHORT_BESIDE_RELATIONS * hGamma;
-    if (!solveUnsolved(step, ahead) || !solveUnsolved(step / 2, moved)) {
-      return true;
-    }
-    for (int l = 0; l < ahead.length; l++) {
-      double ofStep = 2 * (ahead[l] - moved[l]);
-      moved[l] = ahead[l] - ofStep;
-      ahead[l] = ofStep;
-    }
-    return norm.of(ahead) <= SHORT_BESIDE_RELATIONS * small && norm.of(moved) <= small;
-  }
-
-  /** Returns whether the matrix of a step is regular; if so, solves with it for what is left. */
-  private boolean solveUnsolved(double hGamma, double[] change) {
-    if (!linearisation.factor(hGamma)) {
-      return false;
-    }
-    System.arraycopy(unsolved, 0, change, 0, change.length);
-    linearisation.solve(hGamma, change);
-    return true;
+    return better || slight.is(unsolved, hGamma, norm, small);
   }
 
   /** {@inheritDoc} What rounding makes of F shows where y is moved by some rounding errors. */
@@ -433,5 +381,6 @@ final class ResidualEquations extends StepEquations {
     residual.transfer(state);
     state.numbers(slope);
     linearisation.transfer(state);
+    slight.transfer(state);
   }
 }

@@ -32,7 +32,7 @@ abstract class StepEquations {
 
   /** Stands in until a problem is given. */
   static StepEquations none() {
-    return new ExplicitEquations(RightHandSide.none(), new double[0]);
+    return new ExplicitEquations(RightHandSide.none(), new double[0], false);
   }
 
   final Manifold manifold() {

@@ -16,6 +16,7 @@ import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
@@ -44,7 +45,11 @@ class SingularPositionTest {
     "8, DSR penalty, DE, 1e-6",
     "2, DSR penalty, ode15s, 1e-6",
     "3, RR, ode15sR, 1e-6",
-    "8, RR-JF, ode15sR, 1e-6"
+    "8, RR-JF, ode15sR, 1e-6",
+    "1, RR penalty, ode15sR, 1e-4",
+    "4, RR penalty, ode15sR, 1e-6",
+    "2, RR-JF penalty, ode15sR, 1e-8",
+    "8, RR-JF penalty, ode15sR, 1e-6"
   })
   void windowsInARowStayParallelogramsAndEveryPassageIsNoted(
       int count, String formulation, String integrator, double tolerance) {
@@ -67,6 +72,28 @@ class SingularPositionTest {
     double start = energy(count, 0, 1);
     double end = energy(count, last[1], last[2 + 2 * count]);
     assertThat(end).isCloseTo(start, within(1e4 * tolerance * count * 9.81));
+  }
+
+  /** Crank and rod of equal length: each passage through the line has another branch. */
+  @ParameterizedTest
+  @CsvSource({
+    "DSR, ode15s",
+    "DSR penalty, ode15s",
+    "RR, ode15sR",
+    "RR-JF, ode15sR",
+    "RR penalty, ode15sR",
+    "RR-JF penalty, ode15sR"
+  })
+  void sliderCrankInLineStaysOnItsBranchInEveryClosure(String formulation, String integrator) {
+    Mechanism crank = SharedScene.named("slider_crank_singular").mechanism();
+    for (double tolerance : new double[] {1e-3, 1e-5, 1e-7}) {
+      RunSettings settings = SceneRun.settings(5, 0.01, integrator, tolerance);
+      SceneRun run = LoopModels.run(crank, formulation, settings);
+      assertThat(run.report.outcome()).isInstanceOf(Outcome.Completed.class);
+      assertThat(run.rows)
+          .allSatisfy(row -> assertThat(row[2]).isCloseTo(-2 * row[1], within(1e-9)));
+      assertThat(passages(run)).hasSize(6).allMatch(Note::warning);
+    }
   }
 
   @ParameterizedTest

@@ -1,0 +1,147 @@
+package org.mechservice.solver.closure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.stream.LongStream;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.closure.JumpingLoops.Law;
+import org.mechservice.solver.closure.JumpingLoops.Side;
+
+/**
+ * A closed loop in which a force jumps, or is too steep for any step, moves as it should up to
+ * where the run is refused; hardly a run slides along the jump, or sticks where it should have
+ * broken loose.
+ */
+class UndeclaredJumpInLoopTest {
+  /** Tolerances by which a run of some hundred steps may err. */
+  private static final double STEPS = 1000;
+
+  /** What friction does within the width of its law, in widths. */
+  private static final double WIDTHS = 100;
+
+  private static final int ROWS = 50;
+
+  /** Loops in which runs went wrong before what is left of their equations was looked at. */
+  private static final long[] SLID = {34, 37, 44, 53};
+
+  private static final long[] STUCK = {17, 35, 42, 50, 71, 118};
+
+  /** Multipliers or not, loops stick and break loose when they should. */
+  @ParameterizedTest
+  @CsvSource({"RR penalty, ode15sR", "RR-JF penalty, ode15sR"})
+  void loopsWithMultipliersBreakLooseInTime(String formulation, String integrator) {
+    assertThat(wrong(Law.STEEP, formulation, integrator, LongStream.of(STUCK))).isEmpty();
+  }
+
+  /** What a jump has made of a Jacobian does not excuse what it leaves unsolved. */
+  @ParameterizedTest
+  @CsvSource({
+    "DSR, ode15s",
+    "DSR penalty, ode15s",
+    "RR penalty, ode15sR",
+    "RR-JF penalty, ode15sR"
+  })
+  void noLoopSlidesAlongTheSignOfAVelocity(String formulation, String integrator) {
+    assertThat(wrong(Law.SIGN, formulation, integrator, LongStream.of(SLID))).isEmpty();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"RR, ode15sR", "RR-JF, ode15sR", "RR penalty, ode15sR", "RR-JF penalty, ode15sR"})
+  void jumpsInTimeAndInPlaceAreFollowed(String formulation, String integrator) {
+    assertThat(wrong(Law.BANG_BANG, formulation, integrator, LongStream.range(0, 4))).isEmpty();
+    assertThat(wrong(Law.STAIRS, formulation, integrator, LongStream.range(0, 4))).isEmpty();
+  }
+
+  /** At most one run in {@code rarely} is wrong; 0: none. */
+  @Tag("soak")
+  @ParameterizedTest
+  @CsvSource({
+    "DSR, ode15s, 20",
+    "DSR penalty, ode15s, 20",
+    "RR, ode15sR, 20",
+    "RR-JF, ode15sR, 20",
+    "RR penalty, ode15sR, 0",
+    "RR-JF penalty, ode15sR, 0"
+  })
+  void inTheLongRunLoopsRarelyGoWrong(String formulation, String integrator, int rarely) {
+    int runs = 60;
+    for (Law law : Law.values()) {
+      List<String> wrong = wrong(law, formulation, integrator, LongStream.range(0, runs));
+      boolean steep = law == Law.STEEP && rarely > 0;
+      assertThat(wrong).hasSizeLessThanOrEqualTo(steep ? runs / rarely : 0);
+    }
+  }
+
+  private static List<String> wrong(
+      Law law, String formulation, String integrator, LongStream seeds) {
+    return seeds
+        .mapToObj(seed -> wrong(law, seed, formulation, integrator))
+        .flatMap(Optional::stream)
+        .toList();
+  }
+
+  /** Describes a run that errs by more than its tolerances, and its motion, explain. */
+  private static Optional<String> wrong(Law law, long seed, String formulation, String integrator) {
+    Random random = new Random((1000 + seed) * 0x9E3779B97F4A7C15L);
+    double relative = StrictMath.pow(10, -3 - 6 * random.nextDouble());
+    double absolute = relative * StrictMath.pow(10, random.nextInt(3) - 1);
+    JumpingLoops scene = new JumpingLoops(law, seed);
+    double distance = scene.end() / ROWS;
+    RunSettings settings =
+        new RunSettings(0, scene.end(), distance, integrator, relative, absolute);
+    SceneRun run = LoopModels.run(scene.mechanism(Side.OWN), formulation, settings);
+    List<double[]> exact = exact(scene);
+    double allowed = STEPS * Math.max(absolute, relative * size(exact)) + WIDTHS * scene.width();
+    double error = difference(run.rows, exact);
+    if (!(error > allowed)) {
+      return Optional.empty();
+    }
+    // Some motions amplify whatever is changed.
+    double change = 10 * Math.max(relative, absolute) + scene.width();
+    if (error <= 3 * difference(exact(new JumpingLoops(law, seed, change)), exact)) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        seed + ": " + scene + " by " + settings + " errs by " + error + ", not " + allowed);
+  }
+
+  private static List<double[]> exact(JumpingLoops scene) {
+    double distance = scene.end() / ROWS;
+    RunSettings sharp =
+        new RunSettings(0, scene.end(), distance, "ode113", 1e-12, 1e-13, 0.005, 0, 0);
+    return scene.law() == Law.STAIRS
+        ? LoopModels.run(scene.mechanism(Side.OWN), "DSR", sharp).rows
+        : new SlidingReference(scene, sharp).rows(distance, ROWS);
+  }
+
+  private static double size(List<double[]> rows) {
+    double size = 1;
+    for (double[] row : rows) {
+      for (int i = 1; i < row.length; i++) {
+        size = Math.max(size, Math.abs(row[i]));
+      }
+    }
+    return size;
+  }
+
+  /**
+   * Returns the largest difference of rows at the same time; those after a refusal are left out.
+   */
+  private static double difference(List<double[]> rows, List<double[]> exact) {
+    double difference = 0;
+    for (int r = 0; r < Math.min(rows.size(), exact.size()); r++) {
+      double[] row = rows.get(r);
+      for (int i = 1; i < row.length && Math.abs(row[0] - exact.get(r)[0]) < 1e-9; i++) {
+        double error = Math.abs(row[i] - exact.get(r)[i]);
+        difference = Math.max(difference, Double.isNaN(error) ? Double.MAX_VALUE : error);
+      }
+    }
+    return difference;
+  }
+}
