@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Objects;
 import java.util.Random;
 import java.util.stream.IntStream;
@@ -25,8 +27,15 @@ import org.mechservice.solver.api.LinearisedModel;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.dynamics.LinearisedResidualModel;
 import org.mechservice.solver.dynamics.TreeStepModel;
+import org.mechservice.solver.expression.BodyFrame;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.mechanism.force.Bushing;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
 
 /** RR-JF of open chains in generated code, against the one driven by data. */
 class GeneratedJacobianTest {
@@ -124,6 +133,50 @@ class GeneratedJacobianTest {
       difference = Math.max(difference, Math.abs(actual[i] - expected[i]));
     }
     return difference / scale;
+  }
+
+  /** There the angle of the turn has a tip, and the turn itself has not. */
+  @Test
+  void aBushingThatDoesNotTurnYetHasDerivatives() {
+    TreeStepModel model = model(mounted(Scenes.pendulum()));
+    double[] y = new double[model.description().stateCount()];
+    double[] yDot = new double[y.length];
+    assertThat(model.derivative(0, y, yDot)).isEqualTo(ExplicitModel.REGULAR);
+    assertThat(model.linearise(0, y, yDot)).isTrue();
+    assertThat(model.factor(0.05)).isTrue();
+    double[] step = new double[y.length];
+    Arrays.fill(step, 1);
+    model.solve(step);
+    assertThat(step).doesNotContain(Double.NaN);
+  }
+
+  private static Mechanism mounted(Mechanism free) {
+    Expression[] stiffness = new Expression[36];
+    Arrays.fill(stiffness, Expression.ZERO);
+    for (int i = 0; i < 6; i++) {
+      stiffness[7 * i] = new Expression.Constant(10);
+    }
+    Bushing mount =
+        new Bushing(
+            "mount",
+            new BodyFrame(BodyPoint.ROOT, Vector3.ZERO, Rotation.IDENTITY),
+            new BodyFrame(1, Vector3.ZERO, Rotation.IDENTITY),
+            List.of(stiffness),
+            Collections.nCopies(36, Expression.ZERO),
+            Collections.nCopies(6, Expression.ZERO),
+            Bushing.Law.ENERGY,
+            Origin.NONE);
+    return new Mechanism(
+        "mounted",
+        free.root(),
+        free.gravity(),
+        free.bodies(),
+        free.joints(),
+        free.motions(),
+        free.startRoles(),
+        List.of(),
+        List.of(mount),
+        List.of());
   }
 
   /** Derivatives by difference quotients of the residual itself, of second order. */

@@ -59,13 +59,18 @@ final class BushingTerm implements ForceTerm {
                 r.at(0, 2).minus(r.at(2, 0)),
                 r.at(1, 0).minus(r.at(0, 1)))
             .times(e.constant(0.25).over(half));
-    Scalar sine = vector.dot(vector).squareRoot();
-    Scalar theta = e.function(MathFunction.ATAN2, sine, half).times(2);
-    boolean parallel = sine.isZero();
+    Scalar square = vector.dot(vector);
+    // Without a turn nothing is divided by zero, not even in slopes of what is not chosen.
+    Scalar sine = choose(square, e.zero(), e.one(), square).squareRoot();
+    Scalar turn = e.function(MathFunction.ATAN2, sine, half).times(2);
+    boolean parallel = square.isZero();
     phi =
         vector.times(
-            parallel ? e.constant(2) : choose(sine, e.zero(), e.constant(2), theta.over(sine)));
-    gamma = parallel ? e.constant(1.0 / 12) : gamma(theta, half.over(sine));
+            parallel ? e.constant(2) : choose(square, e.zero(), e.constant(2), turn.over(sine)));
+    gamma =
+        parallel
+            ? e.constant(1.0 / 12)
+            : gamma(choose(square, e.zero(), e.zero(), turn), turn, half.over(sine));
     x = joined(frames.displacement(), phi);
     rates = joined(frames.rate(), byEnergy ? turned(-0.5, frames.omega()) : frames.omega());
     g = new ArrayList<>();
@@ -83,8 +88,12 @@ final class BushingTerm implements ForceTerm {
     return e.function(MathFunction.CHOOSE, a, b, first, second);
   }
 
-  /** γ = (1 − θ/2 cot θ/2) / θ². */
-  private Scalar gamma(Scalar theta, Scalar cotangent) {
+  /**
+   * γ = (1 − θ/2 cot θ/2) / θ².
+   *
+   * @param turn θ where it is not zero
+   */
+  private Scalar gamma(Scalar theta, Scalar turn, Scalar cotangent) {
     Scalar z = theta.squared();
     Scalar series =
         e.constant(1.0 / 12)
@@ -92,7 +101,7 @@ final class BushingTerm implements ForceTerm {
                 z.times(
                     e.constant(1.0 / 720)
                         .plus(z.times(e.constant(1.0 / 30240).plus(z.times(1.0 / 1209600))))));
-    Scalar closed = e.one().minus(theta.times(0.5).times(cotangent)).over(z);
+    Scalar closed = e.one().minus(turn.times(0.5).times(cotangent)).over(turn.squared());
     return choose(theta, e.constant(SERIES), series, closed);
   }
 
