@@ -107,7 +107,8 @@ public final class ModelReport {
     List<Point> points = List.of();
     if (judge.reference().isPresent()) {
       Reference reference = judge.reference().get();
-      try (Journal journal = Journal.open(folder.resolve(csv), purpose(file) + "; " + code(candidates.get(0)));
+      try (Journal journal =
+              Journal.open(folder.resolve(csv), purpose(file) + "; " + code(candidates.get(0)));
           MethodRunner runner =
               new MethodRunner(reference, distance, judge.grid(), loops(candidates))) {
         new Campaign(runner, journal, effort, progress).run(candidates);
