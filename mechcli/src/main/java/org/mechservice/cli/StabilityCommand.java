@@ -8,6 +8,7 @@ import java.util.concurrent.Callable;
 import org.mechservice.report.stability.CaseOutcome;
 import org.mechservice.report.stability.ExtremeCase;
 import org.mechservice.report.stability.StabilityReport;
+import org.mechservice.report.stability.TimeBudget;
 import org.mechservice.report.stability.study.Bench;
 import org.mechservice.report.stability.study.Study;
 import picocli.CommandLine.Command;
@@ -42,6 +43,12 @@ final class StabilityCommand implements Callable<Integer> {
   private double limitSeconds = 5;
 
   @Option(
+      names = "--budget",
+      paramLabel = "SECONDS",
+      description = "Stop runs sooner, so that all take no longer than this; no bound unless given.")
+  private double budgetSeconds = Double.POSITIVE_INFINITY;
+
+  @Option(
       names = "--case",
       paramLabel = "NAME",
       description = "Run this case of the suite only, such as chain_1000; may be repeated.")
@@ -68,7 +75,16 @@ final class StabilityCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
+    requirePositive("--limit", limitSeconds);
+    requirePositive("--budget", budgetSeconds);
     return study.isPresent() ? measure(study.get()) : suite();
+  }
+
+  private static void requirePositive(String option, double seconds) {
+    if (!(seconds > 0)) {
+      throw new UsageException(
+          "S-041 " + option + " is " + seconds + "; it is a time in seconds, more than 0");
+    }
   }
 
   private int measure(String wanted) throws IOException {
@@ -109,7 +125,7 @@ final class StabilityCommand implements Callable<Integer> {
     try (Service service = Service.open(server);
         ProgressLine line = new ProgressLine(spec.commandLine().getErr())) {
       outcomes =
-          new StabilityReport(service.connection()::openSession, limitSeconds, line)
+          new StabilityReport(service.connection()::openSession, new TimeBudget(limitSeconds, budgetSeconds), line)
               .write(page, wantedCases());
     }
     long good = outcomes.stream().filter(CaseOutcome::asExpected).count();

@@ -9,7 +9,8 @@ import org.mechservice.report.page.PageFrame;
 final class StabilityPage {
   private StabilityPage() {}
 
-  static String of(List<CaseOutcome> outcomes, double limitSeconds) {
+  /** Returns the page, with a sentence on when runs were stopped. */
+  static String of(List<CaseOutcome> outcomes, String stopped) {
     StringBuilder html = new StringBuilder();
     html.append("<h1>Stiff, singular, huge, tiny</h1>");
     html.append(summary(outcomes));
@@ -21,11 +22,11 @@ final class StabilityPage {
     outcomes.stream().filter(o -> !o.methods().isEmpty()).forEach(o -> html.append(detail(o)));
     html.append(
         format(
-            "</section><p class=\"note\">Runs were stopped after %.3g s. Error: the largest |x −"
+            "</section><p class=\"note\">%s Error: the largest |x −"
                 + " x<sub>ref</sub>| / (1 + |x<sub>ref</sub>|) in SI units; energy: the largest"
                 + " change, work deducted, as a part of its scale. A case is judged as far as its"
                 + " reference is known to a thousandth of the bound. %s</p>",
-            limitSeconds, String.join(" · ", Machine.facts())));
+            stopped, String.join(" · ", Machine.facts())));
     return PageFrame.of("Stiff, singular, huge, tiny", html.toString());
   }
 

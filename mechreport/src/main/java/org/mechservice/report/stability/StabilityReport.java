@@ -33,16 +33,16 @@ public final class StabilityReport {
   private static final int INTERVALS = 4;
 
   private final Supplier<MechSession> sessions;
-  private final double limitSeconds;
+  private final TimeBudget budget;
   private final Progress progress;
 
   /**
    * @param sessions opens one per case
-   * @param limitSeconds after which a run is stopped, s
+   * @param budget of time, which begins when it is made
    */
-  public StabilityReport(Supplier<MechSession> sessions, double limitSeconds, Progress progress) {
+  public StabilityReport(Supplier<MechSession> sessions, TimeBudget budget, Progress progress) {
     this.sessions = sessions;
-    this.limitSeconds = limitSeconds;
+    this.budget = budget;
     this.progress = progress;
   }
 
@@ -55,15 +55,15 @@ public final class StabilityReport {
    */
   public List<CaseOutcome> write(Path page, List<ExtremeCase> suite) throws IOException {
     List<CaseOutcome> outcomes = new ArrayList<>();
-    long started = System.nanoTime();
     for (ExtremeCase wanted : suite) {
       double done = (double) outcomes.size() / suite.size();
-      double elapsed = (System.nanoTime() - started) * 1e-9;
-      progress.at(wanted.name(), done, done == 0 ? Double.NaN : elapsed * (1 - done) / done);
+      double left = done == 0 ? Double.NaN : budget.elapsed() * (1 - done) / done;
+      progress.at(wanted.name(), done, left);
+      budget.beginCase(suite.size() - outcomes.size());
       outcomes.add(run(wanted));
     }
     Files.createDirectories(page.toAbsolutePath().getParent());
-    Files.writeString(page, StabilityPage.of(outcomes, limitSeconds), StandardCharsets.UTF_8);
+    Files.writeString(page, StabilityPage.of(outcomes, budget.said()), StandardCharsets.UTF_8);
     return outcomes;
   }
 
@@ -91,7 +91,8 @@ public final class StabilityReport {
     List<MethodOutcome> outcomes = new ArrayList<>();
     try (MethodRunner runner = new MethodRunner(reference, distance, grid)) {
       for (Candidate candidate : candidates) {
-        MeasuredRun run = runner.run(candidate, wanted.tolerance(), 0, limitSeconds);
+        double limit = budget.forRun(candidates.size() - outcomes.size());
+        MeasuredRun run = runner.run(candidate, wanted.tolerance(), 0, limit);
         if (run.completed() && judge.reference().isEmpty()) {
           run = run.withoutErrors();
         }
@@ -128,7 +129,8 @@ public final class StabilityReport {
       RunGrid meeting = RunGrid.meeting(published.get().times()).orElseThrow();
       return Judge.ofBound(Optional.of(Judge.given(published.get())), meeting, wanted.bound());
     }
-    ReferenceMaker maker = new ReferenceMaker(distance, 2 * limitSeconds);
+    double limit = budget.forRun(candidates.size() + 2 * sources.size());
+    ReferenceMaker maker = new ReferenceMaker(distance, 2 * limit);
     List<ReferenceMaker.Source> all = List.copyOf(sources.values());
     ReferenceMaker.Extent extent = maker.extent(all.get(0), grid);
     Optional<Reference> made =
