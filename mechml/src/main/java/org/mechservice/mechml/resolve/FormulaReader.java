@@ -38,8 +38,9 @@ final class FormulaReader {
         return Optional.empty();
       }
       Expression formula = FormulaTranslation.of(parsed, names, role);
-      if (formula instanceof Expression.Constant constant) {
-        ValueReader.requireCalculable(unit.toSi(constant.value()));
+      if (formula instanceof Expression.Constant constant
+          && !Double.isFinite(unit.toSi(constant.value()))) {
+        throw new ExpressionException(MessageCode.EXPRESSION_VALUE, 0, "too large in SI units");
       }
       values.warnOfDegrees(text, parsed, unit);
       return Optional.of(FormulaNames.toSi(formula, unit));

@@ -26,9 +26,6 @@ import org.mechservice.solver.spatial.Vector3;
  * and comes back empty.
  */
 final class ValueReader {
-  /** Masses times squared lengths must still be numbers, far from the largest, 1.8e308. */
-  private static final double LARGEST = 1e100;
-
   private final UnitSystem units;
   private final ParameterTable parameters;
   private final Diagnostics diagnostics;
@@ -173,23 +170,14 @@ final class ValueReader {
         return OptionalDouble.empty();
       }
       double value = unit.toSi(Evaluation.of(expression, parameters));
-      requireCalculable(value);
+      if (!Double.isFinite(value)) {
+        throw new ExpressionException(MessageCode.EXPRESSION_VALUE, 0, "too large in SI units");
+      }
       warnOfDegrees(text, expression, unit);
       return OptionalDouble.of(value + 0.0);
     } catch (ExpressionException e) {
       report(text, e);
       return OptionalDouble.empty();
-    }
-  }
-
-  /** Refuses a number in SI units whose products with others would overflow. */
-  static void requireCalculable(double value) throws ExpressionException {
-    if (!(Math.abs(value) <= LARGEST)) {
-      throw new ExpressionException(
-          MessageCode.EXPRESSION_VALUE,
-          0,
-          "its size in SI units is beyond 1e100, and products with it could not be calculated;"
-              + " write a smaller number, or check the unit");
     }
   }
 
