@@ -45,7 +45,8 @@ final class StabilityCommand implements Callable<Integer> {
   @Option(
       names = "--budget",
       paramLabel = "SECONDS",
-      description = "Stop runs sooner, so that all take no longer than this; no bound unless given.")
+      description =
+          "Stop runs sooner, so that all take no longer than this; no bound unless given.")
   private double budgetSeconds = Double.POSITIVE_INFINITY;
 
   @Option(
@@ -125,7 +126,10 @@ final class StabilityCommand implements Callable<Integer> {
     try (Service service = Service.open(server);
         ProgressLine line = new ProgressLine(spec.commandLine().getErr())) {
       outcomes =
-          new StabilityReport(service.connection()::openSession, new TimeBudget(limitSeconds, budgetSeconds), line)
+          new StabilityReport(
+                  service.connection()::openSession,
+                  new TimeBudget(limitSeconds, budgetSeconds),
+                  line)
               .write(page, wantedCases());
     }
     long good = outcomes.stream().filter(CaseOutcome::asExpected).count();

@@ -27,9 +27,14 @@ final class FailureText {
    * @param singularJoint joint at which the inertia was singular in the last evaluation, or {@link
    *     ExplicitModel#REGULAR}
    * @param event the event it may lie at; empty if none can be named
+   * @param motion of the state that keeps steps short, with a space behind it; empty if not known
    */
   static Failure of(
-      IntegrationFailure failure, ModelDescription model, int singularJoint, String event) {
+      IntegrationFailure failure,
+      ModelDescription model,
+      int singularJoint,
+      String event,
+      String motion) {
     return switch (failure.cause()) {
       case NOT_FINITE ->
           singularJoint == ExplicitModel.REGULAR
@@ -49,7 +54,8 @@ final class FailureText {
               state(model, failure.worstComponent()),
               Math.ulp(failure.time()) > COARSE
                   ? "Times this large lie too far apart for steps: begin the run near t = 0."
-                  : "The motion is singular or very stiff there; take ode15s, loosen the tolerances,"
+                  : motion
+                      + "The motion is singular or very stiff there; take ode15s, loosen the tolerances,"
                       + " or check the values that act on this joint.");
       case TOLERANCE_TOO_TIGHT ->
           failure(
@@ -64,8 +70,9 @@ final class FailureText {
               "The equations of an implicit step cannot be solved at any step size.",
               failure,
               state(model, failure.worstComponent()),
-              "Look for a force that jumps or has a vertical slope there; tighten the tolerances if"
-                  + " it does not.");
+              motion
+                  + "Look for a force that jumps or has a vertical slope there; tighten the"
+                  + " tolerances if it does not.");
       case SINGULAR_MATRIX ->
           failure(
               "N-007",
@@ -110,7 +117,8 @@ final class FailureText {
               "The steps allowed are used up: the end is more than 1e11 steps away.",
               failure,
               state(model, failure.worstComponent()),
-              "Lower the stiffness or frequency that acts on this joint, give it damping and take"
+              motion
+                  + "Lower the stiffness or frequency that acts on this joint, give it damping and take"
                   + " ode15s, allow longer steps, or end the run earlier.");
     };
   }
@@ -131,6 +139,14 @@ final class FailureText {
       case NOT_COMPLETED -> "the loops could not be closed";
       case NOT_FINITE -> "something was not finite";
       case STOPPED -> "stopped";
+    };
+  }
+
+  /** Returns whether steps had become too short, or were to the last. */
+  static boolean staysShort(IntegrationFailure.Cause cause) {
+    return switch (cause) {
+      case STEP_TOO_SMALL, NO_CONVERGENCE, TOO_MANY_STEPS -> true;
+      default -> false;
     };
   }
 

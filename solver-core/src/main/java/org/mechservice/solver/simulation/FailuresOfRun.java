@@ -89,7 +89,15 @@ final class FailuresOfRun {
     Failure told =
         defect.isPresent()
             ? FailureText.of(defect.get(), failure.time(), failure.stepSize(), failure.order())
-            : FailureText.of(failure, description, equations.singularJoint(), events.part());
+            : FailureText.of(
+                failure,
+                description,
+                equations.singularJoint(),
+                events.part(),
+                FailureText.staysShort(failure.cause())
+                    ? LocalMotion.of(equations, failure.worstComponent(), integrator.time(), y)
+                        .said()
+                    : "");
     return failed(told.after(tried));
   }
 
