@@ -353,7 +353,9 @@ final class ResidualEquations extends StepEquations {
     if (asPublished) {
       return IterationRules.PUBLISHED;
     }
-    return linearisation.allDifferential() ? IterationRules.TRUSTING : IterationRules.LEARNING;
+    return linearisation.allDifferential()
+        ? IterationRules.TRUSTING_RESIDUALS
+        : IterationRules.LEARNING;
   }
 
   @Override
