@@ -156,7 +156,10 @@ class OwnLinearAlgebraTest {
     assertThat(not.factorisations).isGreaterThanOrEqualTo(kept.factorisations);
   }
 
-  /** What differs from the explicit form is only which equations are iterated. */
+  /**
+   * What differs from the explicit form is only which equations are iterated, and that a rate is
+   * trusted for a sixth less.
+   */
   @MethodSource("runs")
   @ParameterizedTest
   void iterationsAreAsFewAsInTheExplicitForm(SuiteProblem problem, double tolerance) {
@@ -171,6 +174,6 @@ class OwnLinearAlgebraTest {
     // The explicit form holds slow steps to part of the tolerance, which no residual form can.
     assertThat(digits(system, residual)).isGreaterThan(digits(system, explicit) - 0.5);
     assertThat((double) residual.statistics().solutions())
-        .isLessThanOrEqualTo(1.06 * explicit.statistics().solutions());
+        .isLessThanOrEqualTo(1.1 * explicit.statistics().solutions());
   }
 }
