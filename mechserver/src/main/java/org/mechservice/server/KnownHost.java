@@ -34,6 +34,7 @@ final class KnownHost {
   private boolean dropped;
   private String text = "";
   private long answeredAt = System.currentTimeMillis();
+  private long heardAt = System.nanoTime();
   private final Deque<Long> unanswered = new ArrayDeque<>();
   private final Deque<HostCalls.Question<?>> owed = new ArrayDeque<>();
   private volatile Runnable farewell = () -> {};
@@ -88,10 +89,17 @@ final class KnownHost {
     unanswered.removeFirstOccurrence(askedAt);
   }
 
-  /** Returns whether a question has been waiting for an answer for so long. */
+  /**
+   * Returns whether a question has been waiting for so long, and nothing was said meanwhile: one
+   * that hangs, or whose answer is still on its way, does not make silent who answers others.
+   */
   synchronized boolean owesAnAnswer(Duration since) {
     Long oldest = unanswered.peekFirst();
-    return oldest != null && System.nanoTime() - oldest >= since.toNanos();
+    if (oldest == null) {
+      return false;
+    }
+    long now = System.nanoTime();
+    return Math.min(now - oldest, now - heardAt) >= since.toNanos();
   }
 
   /** Notes what it must be told as soon as it answers again. */
@@ -136,6 +144,7 @@ final class KnownHost {
     text = "";
     lastSeen = System.currentTimeMillis();
     answeredAt = lastSeen;
+    heardAt = System.nanoTime();
     // Sessions placed before are in what it said.
     while (!placedAt.isEmpty() && placedAt.peekFirst() - askedAt < 0) {
       placedAt.removeFirst();
