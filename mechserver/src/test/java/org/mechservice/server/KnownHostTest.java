@@ -3,6 +3,7 @@ package org.mechservice.server;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.lang.reflect.Proxy;
+import java.time.Duration;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.HostInfo;
 import org.mechservice.idl.HostLoad;
@@ -52,5 +53,16 @@ class KnownHostTest {
     assertThat(host.open()).isFalse();
     host.answered(IDLE, System.nanoTime());
     assertThat(host.open()).isTrue();
+  }
+
+  /** An answer may still be on its way, or one question hang. */
+  @Test
+  void hostThatAnswersOthersOwesNoAnswerThatIsLate() throws InterruptedException {
+    Duration late = Duration.ofSeconds(1);
+    host.asked();
+    Thread.sleep(late.plusMillis(100).toMillis());
+    assertThat(host.owesAnAnswer(late)).isTrue();
+    host.answered(IDLE, System.nanoTime());
+    assertThat(host.owesAnAnswer(late)).isFalse();
   }
 }

@@ -34,8 +34,8 @@ record IterationRules(
   /**
    * For systems in residual form without algebraic components. Measured on five mechanisms at 41
    * tolerances each: a seventh fewer evaluations than by {@link #LEARNING}, the same errors on the
-   * mean of all but one, where they grow by a half. To trust as much as {@link #TRUSTING} saves
-   * another hundredth, at larger errors on four of the five.
+   * mean of all but one, where they grow by six tenths. To trust as much as {@link #TRUSTING} saves
+   * another hundredth, at larger errors on all five.
    */
   static final IterationRules TRUSTING_RESIDUALS = new IterationRules(0.25, 20, true, 0);
 

@@ -44,6 +44,15 @@ class SlightRemainderTest {
     assertThat(linearisation.factorisations).isEqualTo(factorisations);
   }
 
+  /** With other signs, what had cancelled adds up. */
+  @Test
+  void moreThanHalfOfWhatIsKnownToBeSlightIsLookedAtAnew() {
+    assertThat(isSlight(0.01, -0.01, 1)).isTrue();
+    int factorisations = linearisation.factorisations;
+    assertThat(isSlight(0.06, 0.06, 1)).isTrue();
+    assertThat(linearisation.factorisations).isGreaterThan(factorisations);
+  }
+
   @Test
   void otherRowsAreLookedAtAnew() {
     assertThat(isSlight(0.01, 0, 1)).isTrue();
