@@ -106,6 +106,13 @@ class CommandLineTest {
   }
 
   @Test
+  void emptyAddressOfAServerIsNotThisProcess() {
+    assertThat(mech("check", "m.xml", "--server", "")).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString().strip())
+        .isEqualTo("S-041 --server lacks its value; leave it out to run here");
+  }
+
+  @Test
   @EnabledOnOs(OS.LINUX)
   void buildTakesThePlaceOfNoDevice() {
     assertThat(mech("build", "m.xml", "-o", "/dev/null", "--server", "127.0.0.1:1"))
