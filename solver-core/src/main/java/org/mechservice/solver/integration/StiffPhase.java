@@ -33,7 +33,9 @@ final class StiffPhase {
 
   private double limit;
 
-  /** Where the phase began or a step ended last, and the sums up to there. */
+  /** Where the phase began, where a step ended last, and the sums up to there. */
+  private double start;
+
   private double reached;
 
   private double ofAdams;
@@ -47,6 +49,7 @@ final class StiffPhase {
    */
   void begin(double t, double adamsStep) {
     this.adamsStep = adamsStep;
+    start = t;
     reached = t;
     limit = 0;
     ofAdams = 0;
@@ -102,6 +105,11 @@ final class StiffPhase {
     return ofThis <= WORTH_A_CHANGE * ofAdams;
   }
 
+  /** Returns how long the phase was. */
+  double covered() {
+    return Math.abs(reached - start);
+  }
+
   /** Returns how long the step after a slot was. */
   private double size(int after) {
     int from = (after + time.length) % time.length;
@@ -117,6 +125,7 @@ final class StiffPhase {
     recorded = state.integer(recorded);
     adamsStep = state.number(adamsStep);
     limit = state.number(limit);
+    start = state.number(start);
     reached = state.number(reached);
     ofAdams = state.number(ofAdams);
     ofThis = state.number(ofThis);

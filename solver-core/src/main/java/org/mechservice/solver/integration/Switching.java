@@ -11,8 +11,8 @@ import java.util.List;
  * several times what one of ode113 does, which with cheap equations decides. ode15s takes over when
  * 13 of the last 16 steps were at the limit of stability, which ode113 sees in the two evaluations
  * of its steps ({@link StiffnessMonitor}), if steps of ode15s would by then be so much longer that
- * they cost at most two thirds ({@link StepForecast}), and if what is left of the run is long enough
- * to pay its start. Where the solution has only begun to get smooth, nothing is lost by waiting:
+ * they cost at most two thirds ({@link StepForecast}), and stiffness can be expected to last long
+ * enough to pay its start. Where the solution has only begun to get smooth, nothing is lost by waiting:
  * both cost the same until then. It also takes over when ode113 slides along what looks like a
  * jump: friction so steep that no step of its own tells it from one.
  *
@@ -70,6 +70,11 @@ public final class Switching implements Integrator {
   /** Whether the latest forecast speaks for ode15s. */
   private boolean worthChange;
 
+  /** Since when stability has limited the steps, and how long the last phase of ode15s was. */
+  private double limitedSince;
+
+  private double lastedBefore;
+
   /** Whether the right-hand side was found to jump where the solution slides. */
   private boolean jumps;
 
@@ -108,6 +113,7 @@ public final class Switching implements Integrator {
     jumps = false;
     neededForBackward = 1;
     neededForAdams = 1;
+    lastedBefore = 0;
     beginPhase(false);
     return result;
   }
@@ -135,6 +141,7 @@ public final class Switching implements Integrator {
     stiffPhase.watch();
     forecast.begin();
     worthChange = false;
+    limitedSince = progress.time();
   }
 
   @Override
@@ -179,6 +186,7 @@ public final class Switching implements Integrator {
     if (!adams.nearStabilityLimit()) {
       forecast.begin();
       worthChange = false;
+      limitedSince = progress.time();
       return false;
     }
     if (forecast.record(progress.time(), adams.state())) {
@@ -197,8 +205,20 @@ public final class Switching implements Integrator {
     while (longer < MUCH_LONGER && passes(2 * longer * step)) {
       longer *= 2;
     }
-    double ahead = Math.abs(tEnd - progress.time()) / forecast.meanStep();
-    return costs.paysStart(ahead, longer);
+    return costs.paysStart(stiffnessAhead() / forecast.meanStep(), longer);
+  }
+
+  /**
+   * Returns how long stiffness is expected to last. It may end anywhere before the run does; but if
+   * it has come and gone before, it is expected to last as long as then, or as long again as it has
+   * lasted already.
+   */
+  private double stiffnessAhead() {
+    double half = 0.5 * Math.abs(tEnd - progress.time());
+    if (lastedBefore == 0) {
+      return half;
+    }
+    return Math.min(half, Math.max(lastedBefore, Math.abs(progress.time() - limitedSince)));
   }
 
   private boolean passes(double step) {
@@ -235,6 +255,9 @@ public final class Switching implements Integrator {
     changes.record(t, progress.stepSize(), !stiff);
     if (!paid()) {
       demandMore();
+    }
+    if (stiff) {
+      lastedBefore = stiffPhase.covered();
     }
     beginPhase(!stiff);
     if (!stiff) {
@@ -323,6 +346,8 @@ public final class Switching implements Integrator {
     stiff = state.flag(stiff);
     changeDue = state.flag(changeDue);
     worthChange = state.flag(worthChange);
+    limitedSince = state.number(limitedSince);
+    lastedBefore = state.number(lastedBefore);
     jumps = state.flag(jumps);
     stepsOfPhase = state.integer(stepsOfPhase);
     spentBefore = state.number(spentBefore);
