@@ -244,7 +244,7 @@ final class FailureText {
   }
 
   /** Explains a row that holds a number that is not finite, although the state was accepted. */
-  static Failure notFiniteColumn(double t, String column) {
+  static Failure notFiniteColumn(double t, String column, String largestState) {
     return new Failure(
         "N-001",
         "An output is not finite.",
@@ -252,7 +252,10 @@ final class FailureText {
         0,
         0,
         "column " + column,
-        "Check masses, inertias and positions for values that are huge.");
+        "The largest state is "
+            + largestState
+            + ": check what acts on it, masses and inertias for values that are huge, or end the run"
+            + " before.");
   }
 
   private static Failure singularInertia(
