@@ -62,7 +62,7 @@ public final class Differentiation {
           known(node.first()).times(node.second()).plus(node.first().times(known(node.second())));
       case DIVIDE ->
           known(node.first()).minus(node.times(known(node.second()))).over(node.second());
-      case SQUARE_ROOT -> known(node.first()).times(0.5).over(node);
+      case SQUARE_ROOT -> known(node.first()).times(0.5).over(FunctionSlopes.awayFromZero(node));
       case SINE -> expressions.cosine(node.first()).times(known(node.first()));
       case COSINE -> expressions.sine(node.first()).times(known(node.first())).negated();
       case FUNCTION -> function(node);
@@ -70,6 +70,21 @@ public final class Differentiation {
   }
 
   private Scalar function(Scalar node) {
+    return switch (node.function()) {
+      case CHOOSE ->
+          chosen(node.first(), node.second(), node.operands().get(2), node.operands().get(3));
+      case MIN -> chosen(node.first(), node.second(), node.first(), node.second());
+      case MAX -> chosen(node.second(), node.first(), node.first(), node.second());
+      default -> bySlopes(node);
+    };
+  }
+
+  /** What is not chosen does not count, even where it has no slope. */
+  private Scalar chosen(Scalar a, Scalar b, Scalar first, Scalar second) {
+    return expressions.function(MathFunction.CHOOSE, a, b, known(first), known(second));
+  }
+
+  private Scalar bySlopes(Scalar node) {
     Scalar sum = expressions.zero();
     for (int i = 0; i < node.operands().size(); i++) {
       Scalar inner = known(node.operands().get(i));

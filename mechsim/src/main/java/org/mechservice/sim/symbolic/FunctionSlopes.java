@@ -1,7 +1,13 @@
 package org.mechservice.sim.symbolic;
 
-/** Partial derivatives of functions. Where a function jumps or has a corner, that of one side. */
+/**
+ * Partial derivatives of functions. Where a function jumps or has a corner, that of one side; where
+ * its slope is vertical, 0, so that what does not change there does not become 0 · ∞.
+ */
 final class FunctionSlopes {
+  /** From here on the slope of tanh, 4 e^(−2x), is below 1e-300 and counts as level. */
+  private static final double LEVEL = 350;
+
   private FunctionSlopes() {}
 
   /** Returns the derivative of a function by one of its arguments. */
@@ -12,38 +18,39 @@ final class FunctionSlopes {
       case ABS -> e.function(MathFunction.SIGNUM, x);
       case SIN -> e.function(MathFunction.COS, x);
       case COS -> e.function(MathFunction.SIN, x).negated();
-      case ASIN -> e.one().over(e.one().minus(x.squared()).squareRoot());
-      case ACOS -> e.one().over(e.one().minus(x.squared()).squareRoot()).negated();
+      case ASIN -> e.one().over(awayFromZero(e.one().minus(x.squared()).squareRoot()));
+      case ACOS -> e.one().over(awayFromZero(e.one().minus(x.squared()).squareRoot())).negated();
       case ATAN -> e.one().over(e.one().plus(x.squared()));
       case EXP -> node;
       case LOG -> e.one().over(x);
       case SINH -> e.function(MathFunction.COSH, x);
       case COSH -> e.function(MathFunction.SINH, x);
-      // 1/cosh² keeps its digits where 1 − tanh² has none left
-      case TANH -> e.one().over(e.function(MathFunction.COSH, x).squared());
+      case TANH -> ofTanh(e, x);
       case SIGNUM, FLOOR -> e.zero();
-      case CHOOSE -> chosen(node, argument);
       default -> ofTwo(node, argument);
     };
   }
 
+  /**
+   * 1/cosh² keeps its digits where 1 − tanh² has none left; of no angle so large that its square
+   * overflows, of which further slopes would be ∞/∞.
+   */
+  private static Scalar ofTanh(Expressions e, Scalar x) {
+    Scalar below = e.function(MathFunction.MIN, e.constant(LEVEL), x);
+    Scalar within = e.function(MathFunction.MAX, e.constant(-LEVEL), below);
+    return e.one().over(e.function(MathFunction.COSH, within).squared());
+  }
+
   private static Scalar ofTwo(Scalar node, int argument) {
-    Expressions e = node.expressions();
     Scalar x = node.first();
     Scalar y = node.second();
     Scalar other = argument == 0 ? y : x;
     return switch (node.function()) {
       case ATAN2 -> {
-        Scalar perSquare = other.over(x.squared().plus(y.squared()));
+        Scalar perSquare = other.over(awayFromZero(x.squared().plus(y.squared())));
         yield argument == 0 ? perSquare : perSquare.negated();
       }
       case HYPOT -> ofHypot(node, argument);
-      case MIN ->
-          e.function(
-              MathFunction.CHOOSE, x, y, indicator(e, argument, 0), indicator(e, argument, 1));
-      case MAX ->
-          e.function(
-              MathFunction.CHOOSE, y, x, indicator(e, argument, 0), indicator(e, argument, 1));
       case POWER -> ofPower(node, argument);
       default -> throw new IllegalArgumentException(node.function() + " has no derivative");
     };
@@ -62,27 +69,19 @@ final class FunctionSlopes {
     Scalar a = node.first();
     Scalar b = node.second();
     if (argument == 0) {
-      return b.times(e.function(MathFunction.POWER, a, b.minus(e.one())));
+      Scalar slope = b.times(e.function(MathFunction.POWER, a, b.minus(e.one())));
+      Scalar size = e.function(MathFunction.ABS, a);
+      boolean vertical = !(b.isConstant() && b.value() >= 1);
+      return vertical ? e.function(MathFunction.CHOOSE, size, e.zero(), e.zero(), slope) : slope;
     }
     Scalar base = e.function(MathFunction.CHOOSE, a, e.zero(), e.one(), a);
     return node.times(e.function(MathFunction.LOG, base));
   }
 
-  /** Only what is chosen counts. */
-  private static Scalar chosen(Scalar node, int argument) {
-    Expressions e = node.expressions();
-    if (argument < 2) {
-      return e.zero();
-    }
-    return e.function(
-        MathFunction.CHOOSE,
-        node.first(),
-        node.second(),
-        indicator(e, argument, 2),
-        indicator(e, argument, 3));
-  }
-
-  private static Scalar indicator(Expressions e, int argument, int meant) {
-    return argument == meant ? e.one() : e.zero();
+  /** Returns a divisor that is not negative, or one that leaves nothing where that is zero. */
+  static Scalar awayFromZero(Scalar divisor) {
+    Expressions e = divisor.expressions();
+    Scalar most = e.constant(Double.MAX_VALUE);
+    return e.function(MathFunction.CHOOSE, divisor, e.zero(), most, divisor);
   }
 }
