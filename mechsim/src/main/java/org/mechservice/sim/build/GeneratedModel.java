@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.WrittenClass;
@@ -72,6 +73,17 @@ public final class GeneratedModel {
   /** Returns the class that has the equations as formatted source, for people. */
   public String source() {
     return written.source();
+  }
+
+  /**
+   * Returns the sources of all its classes, that of {@link #source} first: compiled together they
+   * are the model.
+   */
+  public List<SourceFile> sources() {
+    return Stream.of(Stream.of(written), columns.stream(), values.stream())
+        .flatMap(part -> part)
+        .map(part -> new SourceFile(name(part), part.source()))
+        .toList();
   }
 
   /**
