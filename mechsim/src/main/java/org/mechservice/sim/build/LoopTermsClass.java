@@ -55,8 +55,7 @@ final class LoopTermsClass {
             ? Optional.of(PoseEquations.derive(links))
             : Optional.empty(),
         ofResidual,
-        notes(
-            choice, loops, equations, ofResidual, LeftOut.of(model, links, options, equations)));
+        notes(choice, loops, equations, ofResidual, LeftOut.of(model, links, options, equations)));
   }
 
   /** How forces of users change is added by their classes. */

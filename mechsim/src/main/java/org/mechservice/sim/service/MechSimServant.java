@@ -36,6 +36,7 @@ import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.sim.build.BuildOptions;
 import org.mechservice.sim.build.CheckReport;
 import org.mechservice.sim.build.CompiledModel;
+import org.mechservice.sim.build.GeneratedFacts;
 import org.mechservice.sim.build.GeneratedModel;
 import org.mechservice.sim.build.ModelFactory;
 import org.mechservice.sim.build.PackedJar;
@@ -275,7 +276,7 @@ final class MechSimServant implements MechSimOperations {
   }
 
   private static Diagnostic[] messages(
-      LoadedModel source, GeneratedModel generated, RunOptions asked) {
+      LoadedModel source, GeneratedFacts generated, RunOptions asked) {
     Diagnostic[] warnings = Wire.diagnostics(source.model().warnings());
     Diagnostic[] all = new Diagnostic[warnings.length + 1];
     System.arraycopy(warnings, 0, all, 0, warnings.length);

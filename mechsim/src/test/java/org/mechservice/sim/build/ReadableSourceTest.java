@@ -100,11 +100,7 @@ class ReadableSourceTest {
     assertThat(comments).contains("Left out: ").doesNotContain("loop closures and constraints (");
     assertThat(generated.leftOut())
         .allSatisfy(
-            omission ->
-                assertThat(comments)
-                    .contains(
-                        omission.what(),
-                        "(" + omission.why() + ")"))
+            omission -> assertThat(comments).contains(omission.what(), "(" + omission.why() + ")"))
         .extracting(Omission::why)
         .doesNotContain("no joint slides", "no joint turns", "no joint is spherical or free");
   }

@@ -93,7 +93,8 @@ class SessionContractTest {
       assertThat(session.generatedSource(part("1")).fileName).isEmpty();
       assertThatThrownBy(() -> session.generatedSource(part("first")))
           .isInstanceOfSatisfying(
-              InvalidOption.class, refusal -> assertThat(refusal.optionName).isEqualTo("source-part"));
+              InvalidOption.class,
+              refusal -> assertThat(refusal.optionName).isEqualTo("source-part"));
     }
   }
 
