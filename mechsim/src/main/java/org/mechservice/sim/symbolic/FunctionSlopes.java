@@ -5,6 +5,9 @@ package org.mechservice.sim.symbolic;
  * one side.
  */
 final class FunctionSlopes {
+  /** From here on the slope of tanh, 4 e^(−2x), is below 1e-300 and counts as level. */
+  private static final double LEVEL = 350;
+
   private FunctionSlopes() {}
 
   /** Returns the derivative of a function by one of its arguments. */
@@ -22,11 +25,20 @@ final class FunctionSlopes {
       case LOG -> e.one().over(x);
       case SINH -> e.function(MathFunction.COSH, x);
       case COSH -> e.function(MathFunction.SINH, x);
-      // 1/cosh² keeps its digits where 1 − tanh² has none left
-      case TANH -> e.one().over(e.function(MathFunction.COSH, x).squared());
+      case TANH -> ofTanh(e, x);
       case SIGNUM, FLOOR -> e.zero();
       default -> ofTwo(node, argument);
     };
+  }
+
+  /**
+   * 1/cosh² keeps its digits where 1 − tanh² has none left; 0 where its square may overflow, of
+   * which further slopes would be ∞/∞.
+   */
+  private static Scalar ofTanh(Expressions e, Scalar x) {
+    Scalar slope = e.one().over(e.function(MathFunction.COSH, x).squared());
+    Scalar size = e.function(MathFunction.ABS, x);
+    return e.function(MathFunction.CHOOSE, size, e.constant(LEVEL), slope, e.zero());
   }
 
   private static Scalar ofTwo(Scalar node, int argument) {

@@ -77,6 +77,6 @@ final class SmoothPart {
     } else if (n == 1.5) {
       return p.times(p.squareRoot());
     }
-    return e.function(MathFunction.EXP, e.function(MathFunction.LOG, p).times(n));
+    return e.function(MathFunction.POWER, p, e.constant(n));
   }
 }
