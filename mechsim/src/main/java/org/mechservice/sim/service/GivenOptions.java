@@ -18,6 +18,7 @@ import org.mechservice.idl.OPT_MAX_DRIFT;
 import org.mechservice.idl.OPT_REL_TOL;
 import org.mechservice.idl.OPT_SET;
 import org.mechservice.idl.OPT_SIMULATION;
+import org.mechservice.idl.OPT_SOURCE_PART;
 import org.mechservice.idl.OPT_STANDALONE;
 import org.mechservice.idl.OPT_STRICT;
 import org.mechservice.idl.OPT_TUNABLE;
@@ -40,6 +41,7 @@ final class GivenOptions {
               OPT_COLUMNS.value,
               OPT_SET.value,
               OPT_TUNABLE.value,
+              OPT_SOURCE_PART.value,
               OPT_STANDALONE.value,
               OPT_STRICT.value,
               OPT_MAX_DRIFT.value,

@@ -21,6 +21,7 @@ import org.mechservice.idl.OPT_FORMULATION;
 import org.mechservice.idl.OPT_INTEGRATOR;
 import org.mechservice.idl.OPT_MAX_DRIFT;
 import org.mechservice.idl.OPT_REL_TOL;
+import org.mechservice.idl.OPT_SOURCE_PART;
 import org.mechservice.idl.OPT_STANDALONE;
 import org.mechservice.idl.OPT_STRICT;
 import org.mechservice.idl.OPT_T_END;
@@ -104,6 +105,21 @@ record RunOptions(
         Optional.empty(),
         maxDrift(given),
         earlierIds(given));
+  }
+
+  /**
+   * Reads which class of a model is asked for, from 0.
+   *
+   * @throws InvalidOption if it is no such number
+   */
+  static int sourcePart(NameValue[] options) throws InvalidOption {
+    String text = GivenOptions.of(options).text(OPT_SOURCE_PART.value, "0");
+    if (!text.matches("[0-9]{1,3}")) {
+      throw Refusal.option(
+          OPT_SOURCE_PART.value,
+          OPT_SOURCE_PART.value + " is \"" + text + "\"; it must be a number from 0 to 999");
+    }
+    return Integer.parseInt(text);
   }
 
   private static List<String> earlierIds(GivenOptions given) throws InvalidOption {
