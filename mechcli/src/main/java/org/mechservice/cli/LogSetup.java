@@ -7,20 +7,29 @@ import ch.qos.logback.classic.encoder.JsonEncoder;
 import ch.qos.logback.classic.encoder.PatternLayoutEncoder;
 import ch.qos.logback.classic.spi.Configurator;
 import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.Appender;
 import ch.qos.logback.core.ConsoleAppender;
 import ch.qos.logback.core.FileAppender;
 import ch.qos.logback.core.OutputStreamAppender;
 import ch.qos.logback.core.encoder.Encoder;
 import ch.qos.logback.core.spi.ContextAwareBase;
+import org.mechservice.sim.service.Journal;
+import org.slf4j.LoggerFactory;
 
 /**
  * Logging of the command line: the product's warnings on standard error, one line each; everything,
  * with details, in the file that MECH_LOG names, as one JSON object per line if its name ends in
- * {@code .jsonl}. Found by logback as a service.
+ * {@code .jsonl}. What the service within a command tells its only client is left to the command,
+ * which tells its user once. A process that serves tells causes, too. Found by logback as a
+ * service.
  */
 public final class LogSetup extends ContextAwareBase implements Configurator {
   private static final String PRODUCT = "org.mechservice";
+  private static final String CONSOLE = "console";
+  private static final String EMBEDDED =
+      Journal.class.getPackageName() + "." + Service.EMBEDDED_NAME;
   private static final String SHORT = "%msg%n%nopex";
+  private static final String DETAILED = "%msg%n%ex";
   private static final String LONG = "%d{ISO8601,UTC} %-5level [%thread] %logger: %msg%n%ex";
 
   @Override
@@ -40,11 +49,30 @@ public final class LogSetup extends ContextAwareBase implements Configurator {
       return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
     }
     ConsoleAppender<ILoggingEvent> console = new ConsoleAppender<>();
+    console.setName(CONSOLE);
     console.setTarget("System.err");
     Logger product = context.getLogger(PRODUCT);
     product.addAppender(started(console, context, pattern(SHORT)));
     product.setLevel(Level.WARN);
+    context.getLogger(EMBEDDED).setLevel(Level.OFF);
     return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
+  }
+
+  /** Lets a process that serves, whose operator cannot ask again, tell why something failed. */
+  static void tellCauses() {
+    if (LoggerFactory.getILoggerFactory() instanceof LoggerContext context) {
+      tellCauses(context);
+    }
+  }
+
+  static void tellCauses(LoggerContext context) {
+    Appender<ILoggingEvent> console = context.getLogger(PRODUCT).getAppender(CONSOLE);
+    if (console instanceof OutputStreamAppender<ILoggingEvent> stream) {
+      Encoder<ILoggingEvent> encoder = pattern(DETAILED);
+      encoder.setContext(context);
+      encoder.start();
+      stream.setEncoder(encoder);
+    }
   }
 
   /** The message as people read it, not its parts. */

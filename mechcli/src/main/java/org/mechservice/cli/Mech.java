@@ -1,6 +1,6 @@
 package org.mechservice.cli;
 
-import java.io.PrintStream;
+import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -46,7 +46,14 @@ public final class Mech {
 
   /** Runs a command and ends the process with its exit status. */
   public static void main(String[] arguments) {
-    System.exit(run(utf8(System.out), utf8(System.err), arguments));
+    StandardOutput out = StandardOutput.ofProcess();
+    int status = run(utf8(out), utf8(System.err), arguments);
+    System.exit(out.trouble().map(why -> unwritten(why, status)).orElse(status));
+  }
+
+  private static int unwritten(String why, int status) {
+    System.err.println("S-042 standard output cannot be written: " + why);
+    return status == ExitStatus.DONE ? ExitStatus.BAD_INPUT : status;
   }
 
   /**
@@ -89,7 +96,7 @@ public final class Mech {
     return command.getAnnotation(Command.class).name();
   }
 
-  private static PrintWriter utf8(PrintStream stream) {
+  private static PrintWriter utf8(OutputStream stream) {
     return new PrintWriter(stream, true, StandardCharsets.UTF_8);
   }
 

@@ -1,6 +1,7 @@
 package org.mechservice.cli;
 
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -13,8 +14,8 @@ final class OutputFile {
   /**
    * Writes a file, replacing one of that name.
    *
-   * @throws IOException if it cannot be written
-   * @throws UsageException if its name is that of a folder, or its folder does not exist
+   * @throws IOException S-042 if it cannot be written
+   * @throws UsageException S-046 as {@link #requireUsable}
    */
   static void write(Path target, byte[] content) throws IOException {
     requireUsable(target);
@@ -25,6 +26,10 @@ final class OutputFile {
     try {
       Files.write(growing, content);
       Files.move(growing, file, StandardCopyOption.REPLACE_EXISTING);
+    } catch (FileSystemException e) {
+      throw e;
+    } catch (IOException e) {
+      throw new IOException("S-042 " + target + " cannot be written: " + e.getMessage(), e);
     } finally {
       Files.deleteIfExists(growing);
     }
@@ -33,13 +38,16 @@ final class OutputFile {
   /**
    * Checks a name before anything is computed for it.
    *
-   * @throws UsageException if it is that of a folder, or its folder does not exist
+   * @throws UsageException S-046 if it is that of a folder or a device, whose place no file may
+   *     take, or its folder does not exist
    */
   static void requireUsable(Path target) {
     Path file = target.toAbsolutePath();
     Path folder = file.getParent();
     if (folder == null || Files.isDirectory(file)) {
       throw new UsageException("S-046 " + target + " is a folder; name a file");
+    } else if (Files.exists(file) && !Files.isRegularFile(file)) {
+      throw new UsageException("S-046 " + target + " is a device; name a file");
     } else if (!Files.isDirectory(folder)) {
       throw new UsageException("S-046 there is no folder " + folder + " for " + target);
     }

@@ -13,12 +13,21 @@ final class ServerOption {
       description =
           "Server as host:port or URL, the next where one is gone; without it one is started within"
               + " this process.")
-  private String address = "";
+  private Optional<String> address = Optional.empty();
 
   @Mixin private TlsOption tls = new TlsOption();
 
+  /**
+   * Returns the server's address, or nothing if none is asked for.
+   *
+   * @throws UsageException S-041 if it is blank, as from a variable of a script that is not set:
+   *     the server meant is not this process
+   */
   String address() {
-    return address;
+    if (address.isPresent() && address.get().isBlank()) {
+      throw new UsageException("S-041 --server lacks its value; leave it out to run here");
+    }
+    return address.orElse("");
   }
 
   Optional<TlsIdentity> identity() {

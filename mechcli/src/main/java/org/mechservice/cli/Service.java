@@ -11,6 +11,8 @@ import org.mechservice.sim.service.HeadStart;
 
 /** The service a command asks: one on the network, or one started for this command alone. */
 final class Service implements AutoCloseable {
+  /** Name of the host within a command. */
+  static final String EMBEDDED_NAME = "embedded";
 
   private final Optional<MechServerProcess> embedded;
   private final MechConnection connection;
@@ -45,7 +47,7 @@ final class Service implements AutoCloseable {
     }
     // What the user of this process has written may run in it.
     HeadStart.begin();
-    HostOptions embedded = new HostOptions("embedded", capacity).withUserCode(true);
+    HostOptions embedded = new HostOptions(EMBEDDED_NAME, capacity).withUserCode(true);
     MechServerProcess server =
         MechServerProcess.start(new ServerSettings("127.0.0.1", 0, embedded));
     try {

@@ -15,12 +15,14 @@ final class Serving {
   private Serving() {}
 
   /**
-   * Waits until the process has ended by itself, closing it on Ctrl-C or a termination signal.
+   * Waits until the process has ended by itself, closing it on Ctrl-C or a termination signal; its
+   * log tells from then on the causes of what fails.
    *
    * @param process closed on a signal
    * @param end returns when the process has ended
    */
   static void untilEnded(AutoCloseable process, Wait end) throws InterruptedException {
+    LogSetup.tellCauses();
     Thread hook = new Thread(() -> close(process), "close-on-signal");
     Runtime.getRuntime().addShutdownHook(hook);
     try {

@@ -1,5 +1,6 @@
 package org.mechservice.cli;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -68,6 +69,10 @@ final class UsageReport {
 
   private static String expected(ArgSpec argument) {
     Class<?> type = argument.auxiliaryTypes()[0];
+    if (type == Path.class) {
+      // The only names that Linux has and Java has not.
+      return "a file name that this locale can spell (LC_ALL=C.UTF-8 can spell all)";
+    }
     if (type.isEnum()) {
       return Stream.of(type.getEnumConstants())
           .map(constant -> constant.toString().toLowerCase(Locale.ROOT))

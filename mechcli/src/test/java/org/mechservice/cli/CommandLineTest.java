@@ -9,6 +9,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -101,6 +103,28 @@ class CommandLineTest {
         .isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(err.toString())
         .startsWith("S-046 there is no folder " + target.getParent() + " for ");
+  }
+
+  @Test
+  void emptyAddressOfAServerIsNotThisProcess() {
+    assertThat(mech("check", "m.xml", "--server", "")).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString().strip())
+        .isEqualTo("S-041 --server lacks its value; leave it out to run here");
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void buildTakesThePlaceOfNoDevice() {
+    assertThat(mech("build", "m.xml", "-o", "/dev/null", "--server", "127.0.0.1:1"))
+        .isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString().strip()).isEqualTo("S-046 /dev/null is a device; name a file");
+  }
+
+  /** No system can spell a zero in a name, whatever the locale. */
+  @Test
+  void fileNameThatCannotBeSpelledIsNamed() {
+    assertThat(mech("check", "a\0b.xml")).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).startsWith("S-041 MODEL.xml takes a file name that this locale");
   }
 
   @Test

@@ -103,6 +103,20 @@ class SimulationKindsTest {
   }
 
   @Test
+  void forceThatSetsInLaterLeavesTheMatricesOfTheStartAsTheyAre() throws IOException {
+    String model = sliderCrank(false);
+    List<String> without = run(model, "matrices");
+    Path switched = folder.resolve("switched.xml");
+    Files.writeString(
+        switched,
+        Files.readString(Path.of(model))
+            .replace(
+                "</Forces>",
+                "<jointForce name=\"late\" joint=\"j_crank\" expression=\"5*step(t-1)\"/></Forces>"));
+    assertThat(run(switched.toString(), "matrices")).isEqualTo(without);
+  }
+
+  @Test
   void kinematicSimulationFollowsTheDrives() throws IOException {
     List<String> lines = run(sliderCrank(true), "geometry");
     assertThat(lines).hasSize(12);

@@ -5,9 +5,7 @@ import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.IMechSimRemote;
-import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.Variable;
@@ -66,20 +64,16 @@ public final class ReattachedRun implements AutoCloseable {
       rows.drainTo(sink, BLOCK_WAIT);
     }
     RunState state = progress().state();
-    return new RunResult(outcome(state), report(state));
+    Map<String, Object> report = report(state);
+    return new RunResult(outcome(state, report), report);
   }
 
-  private Outcome outcome(RunState state) {
+  private Outcome outcome(RunState state, Map<String, Object> report) {
     return switch (state) {
-      case FAILED -> new Outcome.Failed(failure(calls.read(simulation::failure)));
+      case FAILED -> new Outcome.Failed(ToldFailure.of(calls.read(simulation::failure), report));
       case CANCELLED -> new Outcome.Stopped();
       default -> new Outcome.Completed();
     };
-  }
-
-  private static Failure failure(FailureRecord said) {
-    return new Failure(
-        said.code, said.text, said.simTime, said.stepSize, said.stepOrder, said.part, said.advice);
   }
 
   /** A run that was cut off, or cancelled before it began, has no report. */

@@ -278,7 +278,7 @@ public final class RemoteRun implements PreparedRun {
     Map<String, Object> report = report(state);
     facts.forEach(report::putIfAbsent);
     moved.ifPresent(how -> report.put("where", "remote, host " + place.hostName() + " " + how));
-    return new RunResult(outcome(state), report);
+    return new RunResult(outcome(state, report), report);
   }
 
   private Map<String, Object> report(RunState state) {
@@ -295,20 +295,20 @@ public final class RemoteRun implements PreparedRun {
     }
   }
 
-  private Outcome outcome(RunState state) {
+  private Outcome outcome(RunState state, Map<String, Object> report) {
     return switch (state) {
-      case FAILED -> new Outcome.Failed(failure(place.calls().read(place.simulation()::failure)));
+      case FAILED ->
+          new Outcome.Failed(failure(place.calls().read(place.simulation()::failure), report));
       case CANCELLED -> new Outcome.Stopped();
       default -> new Outcome.Completed();
     };
   }
 
-  private static Failure failure(FailureRecord said) {
+  private static Failure failure(FailureRecord said, Map<String, Object> report) {
     if (OF_SETTINGS.matcher(said.code).matches()) {
       throw new InvalidOptionException(said.code, said.text, "");
     }
-    return new Failure(
-        said.code, said.text, said.simTime, said.stepSize, said.stepOrder, said.part, said.advice);
+    return ToldFailure.of(said, report);
   }
 
   /** Holds the run after its current step. */

@@ -11,7 +11,7 @@ import java.util.stream.Collectors;
  * One run of one method at one tolerance.
  *
  * @param method name of the method
- * @param tolerance relative tolerance asked for; the absolute one is a hundredth of it, SI
+ * @param tolerance relative tolerance asked for
  * @param round 0: the first, whose time is not counted; from 1: timed
  * @param cause why it did not reach the end; empty if it did
  * @param seconds processor time of the run, s

@@ -27,7 +27,7 @@ import org.mechservice.solver.api.Variable;
 
 /** Runs methods over a reference's interval and measures error and cost. */
 public final class MethodRunner implements AutoCloseable {
-  /** The absolute tolerance as a part of the relative one (per SI unit). */
+  /** The absolute tolerance as a part of the relative one (per SI unit), unless said otherwise. */
   public static final double ABSOLUTE_PART = 0.01;
 
   private static final long LOOK_MILLIS = 20;
@@ -39,6 +39,7 @@ public final class MethodRunner implements AutoCloseable {
   private final StateDistance distance;
   private final RunGrid grid;
   private final Optional<LoopForces> loops;
+  private final double absolutePart;
   private final ScheduledExecutorService watch =
       Executors.newSingleThreadScheduledExecutor(
           task -> {
@@ -51,7 +52,16 @@ public final class MethodRunner implements AutoCloseable {
    * @param grid output times; they meet those of the reference
    */
   public MethodRunner(Reference reference, StateDistance distance, RunGrid grid) {
-    this(reference, distance, grid, Optional.empty());
+    this(reference, distance, grid, Optional.empty(), ABSOLUTE_PART);
+  }
+
+  /**
+   * @param grid output times; they meet those of the reference
+   * @param absolutePart the absolute tolerance as a part of the relative one (per SI unit)
+   */
+  public MethodRunner(
+      Reference reference, StateDistance distance, RunGrid grid, double absolutePart) {
+    this(reference, distance, grid, Optional.empty(), absolutePart);
   }
 
   /**
@@ -60,10 +70,20 @@ public final class MethodRunner implements AutoCloseable {
    */
   public MethodRunner(
       Reference reference, StateDistance distance, RunGrid grid, Optional<LoopForces> loops) {
+    this(reference, distance, grid, loops, ABSOLUTE_PART);
+  }
+
+  private MethodRunner(
+      Reference reference,
+      StateDistance distance,
+      RunGrid grid,
+      Optional<LoopForces> loops,
+      double absolutePart) {
     this.reference = reference;
     this.distance = distance;
     this.grid = grid;
     this.loops = loops;
+    this.absolutePart = absolutePart;
   }
 
   /**
@@ -124,7 +144,7 @@ public final class MethodRunner implements AutoCloseable {
 
   /** The largest step is the scene's: it may be what lets a method see a force at all. */
   private RunSettings settings(Candidate candidate, Model model, double tolerance) {
-    double absolute = tolerance * ABSOLUTE_PART;
+    double absolute = tolerance * absolutePart;
     return new RunSettings(
         grid.start(),
         reference.end(),

@@ -11,14 +11,27 @@ import org.mechservice.report.measure.MethodRunner;
 import org.mechservice.report.measure.Point;
 import org.mechservice.report.method.Candidate;
 
-/** What the explicit method costs over what the implicit one costs, at the same error. */
-final class EqualErrors {
+/**
+ * What the explicit method costs over what the implicit one costs, at the same error.
+ *
+ * @param absolutePart the absolute tolerances of the runs as a part of the relative ones
+ * @param ratios one for each error
+ */
+record EqualErrors(double absolutePart, List<Ratio> ratios) {
+  /**
+   * Errors are |x − x_ref| / (1 + |x_ref|): with absolute tolerances as large as the relative ones
+   * a run weighs what it does as it will be judged.
+   */
+  static final double AS_JUDGED = 1;
+
   private static final double[] ERRORS = {1e-4, 1e-6};
   private static final double[] TOLERANCES = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
   private static final int WARM_UP = 10;
   private static final int REPEATS = 11;
 
-  private EqualErrors() {}
+  EqualErrors {
+    ratios = List.copyOf(ratios);
+  }
 
   /**
    * Costs of the explicit method in those of the implicit one; NaN where one does not reach the
@@ -30,9 +43,17 @@ final class EqualErrors {
    */
   record Ratio(double error, double evaluations, double seconds) {}
 
-  /** Runs both methods in turns at several tolerances. */
-  static List<Ratio> of(
-      MethodRunner runner, Candidate explicit, Candidate implicit, double limitSeconds) {
+  /**
+   * Runs both methods in turns at several tolerances.
+   *
+   * @param runner with that part
+   */
+  static EqualErrors of(
+      double absolutePart,
+      MethodRunner runner,
+      Candidate explicit,
+      Candidate implicit,
+      double limitSeconds) {
     List<MeasuredRun> first = new ArrayList<>();
     List<MeasuredRun> second = new ArrayList<>();
     for (int round = -WARM_UP; round <= REPEATS; round++) {
@@ -47,14 +68,16 @@ final class EqualErrors {
     }
     List<Point> slow = Point.of(first);
     List<Point> fast = Point.of(second);
-    return Arrays.stream(ERRORS)
-        .mapToObj(
-            error ->
-                new Ratio(
-                    error,
-                    ratio(slow, fast, error, point -> (double) point.first().evaluations()),
-                    ratio(slow, fast, error, Point::seconds)))
-        .toList();
+    List<Ratio> ratios =
+        Arrays.stream(ERRORS)
+            .mapToObj(
+                error ->
+                    new Ratio(
+                        error,
+                        ratio(slow, fast, error, point -> (double) point.first().evaluations()),
+                        ratio(slow, fast, error, Point::seconds)))
+            .toList();
+    return new EqualErrors(absolutePart, ratios);
   }
 
   private static double ratio(

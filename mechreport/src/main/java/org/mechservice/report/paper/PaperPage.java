@@ -58,16 +58,20 @@ final class PaperPage {
             ratio(stiff.explicit().run().evaluations(), stiff.implicit().run().evaluations()),
             stiff.explicit().run().evaluations(),
             stiff.implicit().run().evaluations()));
-    for (EqualErrors.Ratio ratio : stiff.ratios()) {
-      if (Double.isNaN(ratio.seconds())) {
-        continue;
-      }
+    for (int i = 0; i < EQUAL_ERRORS; i++) {
+      EqualErrors.Ratio judged = stiff.equalErrors().get(0).ratios().get(i);
+      EqualErrors.Ratio tighter = stiff.equalErrors().get(1).ratios().get(i);
       html.append(
           format(
               "<p>Driver with C = K/100 at equal error %s: the implicit method needs <b>%s</b>"
                   + " times fewer evaluations of the forces and <b>%s</b> times less time (paper: 25"
-                  + " times less time at one tolerance).</p>",
-              power(ratio.error()), known(ratio.evaluations()), known(ratio.seconds())));
+                  + " times less time at one tolerance); %s and %s times with absolute tolerances of"
+                  + " a hundredth of the relative ones.</p>",
+              power(judged.error()),
+              known(judged.evaluations()),
+              known(judged.seconds()),
+              known(tighter.evaluations()),
+              known(tighter.seconds())));
     }
     html.append("<p>").append(crossoverSentence(sweep)).append("</p>");
     return html.append("</section>").toString();
@@ -196,17 +200,30 @@ final class PaperPage {
       html.append("<th>").append(scene.label).append(": evaluations<th>time");
     }
     for (int i = 0; i < EQUAL_ERRORS; i++) {
-      html.append("<tr><td>");
-      html.append(power(runs.values().iterator().next().ratios().get(i).error()));
-      for (PaperReport.RunPair pair : runs.values()) {
-        EqualErrors.Ratio ratio = pair.ratios().get(i);
-        html.append("<td>").append(known(ratio.evaluations()));
-        html.append("<td>").append(known(ratio.seconds()));
-      }
+      html.append(equalErrorRow(runs, 0, i)).append(equalErrorRow(runs, 1, i));
     }
-    return html.append("</table></div><p class=\"note\">–: one of the two does not reach the")
-        .append(" error.</p></section>")
+    return html.append("</table></div><p class=\"note\">Errors are |x − x<sub>ref</sub>| / (1 +")
+        .append(" |x<sub>ref</sub>|), the largest of all output times. With absolute tolerances as")
+        .append(" large as the relative ones (atol = rtol, SI) a run weighs its errors as they are")
+        .append(" judged. –: one of the two does not reach the error.</p></section>")
         .toString();
+  }
+
+  private static String equalErrorRow(
+      Map<PaperFigures.Scene, PaperReport.RunPair> runs, int weighing, int error) {
+    EqualErrors first = runs.values().iterator().next().equalErrors().get(weighing);
+    StringBuilder row = new StringBuilder("<tr><td>");
+    row.append(power(first.ratios().get(error).error()));
+    row.append(
+        first.absolutePart() == EqualErrors.AS_JUDGED
+            ? ", atol = rtol"
+            : format(", atol = rtol / %.0f", 1 / first.absolutePart()));
+    for (PaperReport.RunPair pair : runs.values()) {
+      EqualErrors.Ratio ratio = pair.equalErrors().get(weighing).ratios().get(error);
+      row.append("<td>").append(known(ratio.evaluations()));
+      row.append("<td>").append(known(ratio.seconds()));
+    }
+    return row.toString();
   }
 
   private static String quartiles(PaperReport.Timed timed) {

@@ -48,6 +48,10 @@ public final class PaperReport {
 
   private static final double LIMIT_SECONDS = 60;
 
+  private static final double[] ABSOLUTE_PARTS = {
+    EqualErrors.AS_JUDGED, MethodRunner.ABSOLUTE_PART
+  };
+
   private static final double[] DAMPING = {0, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2};
 
   private final Supplier<MechSession> sessions;
@@ -144,11 +148,12 @@ public final class PaperReport {
    *
    * @param explicit DTR with DE
    * @param implicit RR-JF with ode15sR
-   * @param ratios of their costs at equal errors; none where no error is known
+   * @param equalErrors ratios of their costs by how the tolerances weigh; none where no error is
+   *     known
    */
-  record RunPair(Timed explicit, Timed implicit, List<EqualErrors.Ratio> ratios) {
+  record RunPair(Timed explicit, Timed implicit, List<EqualErrors> equalErrors) {
     RunPair {
-      ratios = List.copyOf(ratios);
+      equalErrors = List.copyOf(equalErrors);
     }
   }
 
@@ -174,15 +179,19 @@ public final class PaperReport {
       session.loadModel("model.xml", text.getBytes(StandardCharsets.UTF_8));
       Candidate explicit = candidate(session, EXPLICIT);
       Candidate implicit = candidate(session, IMPLICIT);
-      try (MethodRunner runner = runner(explicit)) {
+      RunPair pair;
+      try (MethodRunner runner = runner(explicit, MethodRunner.ABSOLUTE_PART)) {
         progress.at("runs of the " + label, 0.4, Double.NaN);
-        RunPair pair = interleaved(runner, explicit, implicit);
-        progress.at("equal errors of the " + label, 0.45, Double.NaN);
-        return new RunPair(
-            pair.explicit(),
-            pair.implicit(),
-            EqualErrors.of(runner, explicit, implicit, LIMIT_SECONDS));
+        pair = interleaved(runner, explicit, implicit);
       }
+      progress.at("equal errors of the " + label, 0.45, Double.NaN);
+      List<EqualErrors> equal = new ArrayList<>();
+      for (double part : ABSOLUTE_PARTS) {
+        try (MethodRunner runner = runner(explicit, part)) {
+          equal.add(EqualErrors.of(part, runner, explicit, implicit, LIMIT_SECONDS));
+        }
+      }
+      return new RunPair(pair.explicit(), pair.implicit(), equal);
     }
   }
 
@@ -191,7 +200,7 @@ public final class PaperReport {
     return new Candidate(method, model::newModel, model.solver());
   }
 
-  private static MethodRunner runner(Candidate candidate) {
+  private static MethodRunner runner(Candidate candidate, double absolutePart) {
     ExplicitModel model = candidate.equations();
     StateDistance distance = new StateDistance(model.description());
     double[] start = new double[model.description().stateCount()];
@@ -200,7 +209,7 @@ public final class PaperReport {
     PublishedReference published =
         PublishedReference.of(model.description().name(), start, end, distance).orElseThrow();
     Judge judge = Judge.trusting(published);
-    return new MethodRunner(judge.reference().orElseThrow(), distance, judge.grid());
+    return new MethodRunner(judge.reference().orElseThrow(), distance, judge.grid(), absolutePart);
   }
 
   private static RunPair interleaved(MethodRunner runner, Candidate explicit, Candidate implicit) {

@@ -37,8 +37,14 @@ class PaperPageTest {
     return new RunPair(
         timed(gain, 1000),
         timed(1, 500),
+        List.of(equalErrors(1, atEqualError), equalErrors(0.01, 0.5 * atEqualError)));
+  }
+
+  private static EqualErrors equalErrors(double absolutePart, double ratio) {
+    return new EqualErrors(
+        absolutePart,
         List.of(
-            new EqualErrors.Ratio(1e-4, atEqualError, atEqualError),
+            new EqualErrors.Ratio(1e-4, ratio, ratio),
             new EqualErrors.Ratio(1e-6, Double.NaN, Double.NaN)));
   }
 
@@ -78,6 +84,13 @@ class PaperPageTest {
         .contains("the <b>implicit</b> method wins by 20.0×")
         .contains("at equal error 1e-4: the implicit method needs <b>7.5</b>")
         .contains("<b>C/K = 0.0032 s</b>");
+  }
+
+  @Test
+  void equalErrorsAreToldForBothWaysToWeighTolerances() {
+    assertThat(page())
+        .contains("<tr><td>1e-4, atol = rtol<td>", "<tr><td>1e-4, atol = rtol / 100<td>")
+        .contains("3.8 and 3.8 times with absolute tolerances of a hundredth");
   }
 
   @Test

@@ -14,7 +14,7 @@ final class ForceColumns {
   static List<Variable> of(Mechanism mechanism) {
     List<Variable> columns = new ArrayList<>();
     for (ForceElement force : mechanism.forces()) {
-      for (Variable value : force.values()) {
+      for (Variable value : force.values(mechanism)) {
         columns.add(new Variable(force.name() + "." + value.name(), value.unit()));
       }
     }
@@ -29,9 +29,8 @@ final class ForceColumns {
   private static void addDriving(Joint joint, List<Variable> columns) {
     int count = joint.type().velocityCount();
     for (int i = 0; i < count; i++) {
-      String unit = joint.type().velocityUnit(i).startsWith("rad") ? "N·m" : "N";
       String name = joint.name() + ".drive" + (count == 1 ? "" : "[" + i + "]");
-      columns.add(new Variable(name, unit));
+      columns.add(new Variable(name, joint.forceUnit(i)));
     }
   }
 }

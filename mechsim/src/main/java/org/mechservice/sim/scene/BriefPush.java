@@ -29,7 +29,7 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
  *
  * <p>The accelerations of the start are evaluated at many times, the state being held. Pushes that
  * begin or end with {@code step} or {@code floor} are not meant: their times are known, and steps
- * end there.
+ * end there. Of a driven joint the acceleration is what pushes others.
  */
 public final class BriefPush {
   /** Times looked at; fewer where each costs much. */
@@ -62,21 +62,20 @@ public final class BriefPush {
    *
    * @param settings of the run: start, end and largest step
    * @return what to tell the user; empty if no formula of time pushes for a short while, or steps
-   *     are bounded by less than that; nothing is said of loops and of forces written in Java
+   *     are bounded by less than that; nothing is said of forces written in Java
    */
   public static Optional<Finding> of(Mechanism mechanism, RunSettings settings) {
     boolean user = mechanism.forces().stream().anyMatch(UserForceElement.class::isInstance);
     boolean timed = formulas(mechanism).anyMatch(BriefPush::dependsOnTime);
     if (user
         || !timed
-        || !mechanism.closures().isEmpty()
         || mechanism.velocityCount() == 0
         || mechanism.velocityCount() > COST / 100
         || !(settings.tEnd() > settings.tStart())) {
       return Optional.empty();
     }
     try {
-      return new BriefPush(mechanism, settings).found();
+      return new BriefPush(opened(mechanism), settings).found();
     } catch (IllegalArgumentException e) {
       // What cannot be built is refused by name when a run is asked for.
       return Optional.empty();
@@ -84,7 +83,24 @@ public final class BriefPush {
   }
 
   private static Stream<Expression> formulas(Mechanism mechanism) {
-    return mechanism.forces().stream().flatMap(BriefPush::formulas);
+    return Stream.concat(
+        mechanism.forces().stream().flatMap(BriefPush::formulas),
+        mechanism.motions().stream().flatMap(motion -> motion.coordinates().stream()));
+  }
+
+  /** What pushes the tree for a short while pushes it so in closed loops, too. */
+  private static Mechanism opened(Mechanism closed) {
+    return new Mechanism(
+        closed.name(),
+        closed.root(),
+        closed.gravity(),
+        closed.bodies(),
+        closed.joints(),
+        closed.motions(),
+        closed.startRoles(),
+        List.of(),
+        closed.forces(),
+        closed.parameters());
   }
 
   /** Returns the formulas a force is given by. */

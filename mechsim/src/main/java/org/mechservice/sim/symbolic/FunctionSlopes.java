@@ -1,7 +1,13 @@
 package org.mechservice.sim.symbolic;
 
-/** Partial derivatives of functions. Where a function jumps or has a corner, that of one side. */
+/**
+ * Partial derivatives of functions without cases. Where a function jumps or has a corner, that of
+ * one side.
+ */
 final class FunctionSlopes {
+  /** From here on the slope of tanh, 4 e^(−2x), is below 1e-300 and counts as level. */
+  private static final double LEVEL = 350;
+
   private FunctionSlopes() {}
 
   /** Returns the derivative of a function by one of its arguments. */
@@ -19,41 +25,42 @@ final class FunctionSlopes {
       case LOG -> e.one().over(x);
       case SINH -> e.function(MathFunction.COSH, x);
       case COSH -> e.function(MathFunction.SINH, x);
-      // 1/cosh² keeps its digits where 1 − tanh² has none left
-      case TANH -> e.one().over(e.function(MathFunction.COSH, x).squared());
+      case TANH -> ofTanh(e, x);
       case SIGNUM, FLOOR -> e.zero();
-      case CHOOSE -> chosen(node, argument);
       default -> ofTwo(node, argument);
     };
   }
 
+  /**
+   * 1/cosh² keeps its digits where 1 − tanh² has none left; 0 where its square may overflow, of
+   * which further slopes would be ∞/∞.
+   */
+  private static Scalar ofTanh(Expressions e, Scalar x) {
+    Scalar slope = e.one().over(e.function(MathFunction.COSH, x).squared());
+    Scalar size = e.function(MathFunction.ABS, x);
+    return e.function(MathFunction.CHOOSE, size, e.constant(LEVEL), slope, e.zero());
+  }
+
   private static Scalar ofTwo(Scalar node, int argument) {
-    Expressions e = node.expressions();
     Scalar x = node.first();
     Scalar y = node.second();
     Scalar other = argument == 0 ? y : x;
     return switch (node.function()) {
       case ATAN2 -> {
-        Scalar perSquare = other.over(x.squared().plus(y.squared()));
+        Scalar perSquare = other.over(notZero(x.squared().plus(y.squared())));
         yield argument == 0 ? perSquare : perSquare.negated();
       }
-      case HYPOT -> ofHypot(node, argument);
-      case MIN ->
-          e.function(
-              MathFunction.CHOOSE, x, y, indicator(e, argument, 0), indicator(e, argument, 1));
-      case MAX ->
-          e.function(
-              MathFunction.CHOOSE, y, x, indicator(e, argument, 0), indicator(e, argument, 1));
+      case HYPOT -> node.operands().get(argument).over(notZero(node));
+      case PRODUCT -> other;
       case POWER -> ofPower(node, argument);
       default -> throw new IllegalArgumentException(node.function() + " has no derivative");
     };
   }
 
-  /** At the origin, where it has a cone's tip, the slope counts as 0. */
-  private static Scalar ofHypot(Scalar node, int argument) {
-    Expressions e = node.expressions();
-    Scalar length = e.function(MathFunction.CHOOSE, node, e.zero(), e.one(), node);
-    return node.operands().get(argument).over(length);
+  /** Returns 1 instead of 0: at the origin, where there is no direction, slopes count as 0. */
+  private static Scalar notZero(Scalar size) {
+    Expressions e = size.expressions();
+    return e.function(MathFunction.CHOOSE, size, e.zero(), e.one(), size);
   }
 
   /** b a^(b−1), and aᵇ ln a, which is 0 at a = 0. */
@@ -62,27 +69,11 @@ final class FunctionSlopes {
     Scalar a = node.first();
     Scalar b = node.second();
     if (argument == 0) {
-      return b.times(e.function(MathFunction.POWER, a, b.minus(e.one())));
+      // 0 · a^−1 leaves nothing, even at a = 0
+      Scalar power = e.function(MathFunction.POWER, a, b.minus(e.one()));
+      return e.function(MathFunction.PRODUCT, b, power);
     }
     Scalar base = e.function(MathFunction.CHOOSE, a, e.zero(), e.one(), a);
     return node.times(e.function(MathFunction.LOG, base));
-  }
-
-  /** Only what is chosen counts. */
-  private static Scalar chosen(Scalar node, int argument) {
-    Expressions e = node.expressions();
-    if (argument < 2) {
-      return e.zero();
-    }
-    return e.function(
-        MathFunction.CHOOSE,
-        node.first(),
-        node.second(),
-        indicator(e, argument, 2),
-        indicator(e, argument, 3));
-  }
-
-  private static Scalar indicator(Expressions e, int argument, int meant) {
-    return argument == meant ? e.one() : e.zero();
   }
 }

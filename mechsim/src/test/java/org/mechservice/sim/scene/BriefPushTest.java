@@ -57,4 +57,29 @@ class BriefPushTest {
   void whatLastsOrReturnsOrBeginsAtAKnownTimeIsNot(String formula) throws Exception {
     assertThat(of(formula, "")).isEmpty();
   }
+
+  private static Optional<Finding> of(String scene) throws MechmlException {
+    MechmlModel model = MechmlReader.read("scene.xml", scene.getBytes(StandardCharsets.UTF_8));
+    return BriefPush.of(model.mechanism(), model.settings().run());
+  }
+
+  @Test
+  void driveThatMovesForAShortWhileIsToldByTheJointItPushes() throws Exception {
+    String still = Files.readString(Path.of("../examples/extremes/kinked_drive.xml"));
+    assertThat(of(still)).isEmpty();
+    String jerk = still.replaceAll("driven=\"[^\"]*\"", "driven=\"tanh((t-0.5)*5000)\"");
+    assertThat(of(jerk))
+        .hasValueSatisfying(found -> assertThat(found.text()).contains("first at t = 0.49"));
+    String declared = still.replaceAll("driven=\"[^\"]*\"", "driven=\"smoothStep((t-0.5)*5000)\"");
+    assertThat(of(declared)).isEmpty();
+  }
+
+  @Test
+  void pushIntoLoopsIsTold() throws Exception {
+    String loops = Files.readString(Path.of("../examples/extremes/fourbars_in_row.xml"));
+    assertThat(of(loops)).isEmpty();
+    String push = "<jointForce name=\"push\" joint=\"ja\" expression=\"exp(-((t-0.5)/0.001)^2)\"/>";
+    assertThat(of(loops.replace("</Forces>", push + "</Forces>")))
+        .hasValueSatisfying(found -> assertThat(found.text()).contains("joint \"ja\""));
+  }
 }

@@ -3,7 +3,9 @@ package org.mechservice.sim.symbolic;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -52,5 +54,47 @@ class DifferentiationTest {
             .plus(x.over(y.squared().plus(e.one())))
             .minus(x.squared().plus(e.constant(3)).squareRoot().negated());
     assertSlope(value, at, 0.6);
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"TANH", "ATAN"})
+  void slopesOfWhatLevelsOffDieAwayFarOut(MathFunction function) {
+    Differentiation byX = new Differentiation(e, Map.of(x, e.one()));
+    Scalar slope = byX.of(e.function(function, x));
+    program.section("slope and its own slope", "s");
+    program.output(0, slope);
+    program.output(1, byX.of(slope));
+    double[] slopes = new double[2];
+    for (double far : new double[] {-1e200, -5e3, -500, 500, 5e3, 1e200}) {
+      program.evaluate(new double[] {far, 0}, slopes);
+      assertThat(slopes[0]).isBetween(0.0, 1e-5);
+      assertThat(slopes[1]).isCloseTo(0, within(1e-5));
+    }
+  }
+
+  /** √0 within what is constant there, or is not chosen there, would give 0 · ∞. */
+  @Test
+  void whatDoesNotChangeOrIsNotChosenAsksForNoSlope() {
+    Scalar zero = e.zero();
+    Scalar one = e.one();
+    Scalar below = e.function(MathFunction.MAX, zero, x);
+    Scalar above = e.function(MathFunction.MIN, one, x);
+    List<Scalar> level =
+        List.of(
+            below.squareRoot().markedSteep(),
+            e.function(MathFunction.POWER, below, e.constant(0.3)).markedSteep(),
+            e.function(MathFunction.CHOOSE, x, zero, one, one.over(below)),
+            e.function(MathFunction.ATAN2, below, below),
+            e.function(MathFunction.ASIN, e.function(MathFunction.MAX, above, one)).markedSteep(),
+            e.function(MathFunction.ACOS, e.function(MathFunction.MAX, above, one)).markedSteep(),
+            x.minus(x.squared().squareRoot().negated()));
+    Differentiation byX = new Differentiation(e, Map.of(x, one));
+    program.section("slopes", "s");
+    for (int i = 0; i < level.size(); i++) {
+      program.output(i, byX.of(level.get(i)));
+    }
+    double[] slopes = new double[level.size()];
+    program.evaluate(new double[] {-2, 0}, slopes);
+    assertThat(slopes).usingComparatorWithPrecision(0.0).containsOnly(0);
   }
 }

@@ -47,8 +47,9 @@ final class ForceColumns implements ColumnValues {
     JointType type = joint.type();
     int count = type.velocityCount();
     for (int i = 0; i < count; i++) {
-      String unit = type.velocityUnit(i).startsWith("rad") ? "N·m" : "N";
-      columns.add(new Variable(joint.name() + ".drive" + (count == 1 ? "" : "[" + i + "]"), unit));
+      columns.add(
+          new Variable(
+              joint.name() + ".drive" + (count == 1 ? "" : "[" + i + "]"), joint.forceUnit(i)));
     }
   }
 

@@ -12,6 +12,7 @@ import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.ResultTable;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.WatchedModel;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.force.UserForceSource;
 
@@ -117,10 +118,9 @@ final class LinearModel implements ResultTable, RunNotes {
 
   private boolean start(double t) {
     boolean open = data.mechanism().closures().isEmpty();
-    ExplicitModel model =
-        (ExplicitModel)
-            new CompactModel(data.mechanism(), "DSR", open ? "none" : "projection", data.settings())
-                .model(userForces);
+    CompactModel free =
+        new CompactModel(data.mechanism(), "DSR", open ? "none" : "projection", data.settings());
+    ExplicitModel model = (ExplicitModel) WatchedModel.bare(free.model(userForces));
     model.initialState(y);
     double[] yDot = new double[y.length];
     int result = model.derivative(t, y, yDot);

@@ -92,7 +92,8 @@ final class PrescribedModel extends FoundModel {
         "",
         "The prescribed motion leaves "
             + directions.freedom()
-            + " coordinates free, such as "
+            + (directions.freedom() == 1 ? " coordinate" : " coordinates")
+            + " free, such as "
             + free
             + ".",
         "Drive them, or simulate <dynamic>, where forces move what nothing prescribes.");

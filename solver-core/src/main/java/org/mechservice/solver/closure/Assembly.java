@@ -17,8 +17,8 @@ import org.mechservice.solver.mechanism.StartRole;
  * is to the bit. For setting up: allocates freely.
  */
 public final class Assembly {
-  /** Residual over its size below which a state is left alone. */
-  static final double CLOSED = 1e-13;
+  /** Residual over its size and beyond rounding, below which a state is left alone. */
+  private static final double CLOSED = 1e-13;
 
   /** Residual over its size above which a correction is worth a warning. */
   private static final double NOTEWORTHY = 1e-9;
@@ -40,6 +40,7 @@ public final class Assembly {
   private final TreeMotion motion;
   private final LoopEquations loops;
   private final StateCoordinates coordinates;
+  private final LoopRounding rounding;
   private final CoordinateUnits units;
   private final StartRole[] role;
   private final SingularValues singular;
@@ -55,6 +56,7 @@ public final class Assembly {
     loops = new LoopEquations(tree, true);
     Mechanism mechanism = tree.mechanism();
     coordinates = new StateCoordinates(mechanism);
+    rounding = new LoopRounding(tree, loops, coordinates);
     units = new CoordinateUnits(mechanism, loops.length());
     nq = mechanism.positionCount();
     nv = mechanism.velocityCount();
@@ -95,22 +97,24 @@ public final class Assembly {
     }
     int worst = loops.worst(loops.value);
     LoopFinding moved =
-        finding(LoopFinding.Kind.START_MOVED, worst, residual * loops.size(worst), t);
+        finding(LoopFinding.Kind.START_MOVED, worst, Math.abs(loops.value[worst]), t);
     if (closePositions(t, y)) {
       if (!(residual <= NOTEWORTHY)) {
         findings.add(moved);
       }
       return;
     }
-    double least = residual(t, y);
+    residual(t, y);
     worst = loops.worst(loops.value);
-    findings.add(finding(LoopFinding.Kind.NOT_CLOSED, worst, least * loops.size(worst), t));
+    double least = Math.abs(loops.value[worst]);
+    findings.add(finding(LoopFinding.Kind.NOT_CLOSED, worst, least, t));
   }
 
   private double residual(double t, double[] y) {
     motion.sweep(t, y);
     loops.place(motion, t);
-    return loops.largestResidual();
+    loops.differentiate(motion);
+    return rounding.excess(y);
   }
 
   /** Moves free joints alone if that is enough, else given ones too; then from other starts. */
@@ -158,7 +162,7 @@ public final class Assembly {
   private double iterate(double t, double[] y, StartRole last) {
     double merit = merit(t, y);
     double damping = 0;
-    for (int i = 0; i < ITERATIONS && loops.largestResidual() > CLOSED; i++) {
+    for (int i = 0; i < ITERATIONS && rounding.excess(y) > CLOSED; i++) {
       differentiate(last);
       double[] tried = y.clone();
       solveStep(damping);

@@ -20,15 +20,6 @@ final class Completion {
 
   private static final int ITERATIONS = 12;
 
-  /** Residual over its size that a completed position may have. */
-  private static final double CLOSED = 1e-11;
-
-  /**
-   * Rounding errors of a residual in terms of those of the coordinates and fixed points it is made
-   * of: four operations or so with each.
-   */
-  private static final double ROUNDINGS = 4;
-
   /** Residual over its size beyond which an equation left out does not follow from the others. */
   private static final double LEFT_OUT = 1e-7;
 
@@ -59,7 +50,7 @@ final class Completion {
   private final Partition ofPositions;
   private final Partition ofVelocities;
   private final CoordinateUnits units;
-  private final double farthest;
+  private final LoopRounding rounding;
   private final int nq;
   private final int nv;
   private final double[] correction;
@@ -78,7 +69,7 @@ final class Completion {
     this.work = work;
     loops = work.loops;
     units = work.units;
-    farthest = LengthScale.farthest(work.tree);
+    rounding = new LoopRounding(work.tree, loops, work.coordinates);
     StateCoordinates coordinates = work.coordinates;
     positions = new PositionEquations(loops, coordinates);
     nq = work.nq;
@@ -148,7 +139,7 @@ final class Completion {
 
   /** Overwrites dependent positions and velocities; returns false if nothing fits. */
   boolean complete(double t, double[] y) {
-    boolean done = completePositions(t, y) && completeVelocities(t, y);
+    boolean done = !watch.creeps() && completePositions(t, y) && completeVelocities(t, y);
     watch.tried(done);
     return done;
   }
@@ -264,10 +255,14 @@ final class Completion {
     }
   }
 
-  /** Returns why an equation that was left out is to be heard after all, if one is. */
-  Optional<Defect> leftOutIsOpen() {
+  /**
+   * Returns why an equation that was left out is to be heard after all, if one is.
+   *
+   * @param y the state last accepted; not modified
+   */
+  Optional<Defect> leftOutIsOpen(double[] y) {
     int worst = loops.worst(loops.value);
-    return worst < 0 || Math.abs(loops.value[worst]) <= LEFT_OUT * loops.size(worst)
+    return worst < 0 || rounding.excess(worst, y) <= LEFT_OUT
         ? Optional.empty()
         : Optional.of(LoopDefect.leftOut(loops.name(worst), loops.value[worst], loops.unit(worst)));
   }
@@ -314,27 +309,11 @@ final class Completion {
 
   private boolean keptAreClosed(double[] y) {
     for (int i = 0; i < ofVelocities.rank(); i++) {
-      int row = ofVelocities.kept[i];
-      double residual = Math.abs(loops.value[row]);
-      double allowed = CLOSED * loops.size(row);
-      if (!(residual <= allowed || residual <= allowed + rounding(row, y))) {
+      if (!(rounding.excess(ofVelocities.kept[i], y) <= LoopRounding.CLOSED)) {
         return false;
       }
     }
     return true;
-  }
-
-  /**
-   * Returns the residual that an equation may have because coordinates and fixed points are
-   * rounded: far from the origin, or after many turns, that is more than a part of the mechanism's
-   * size.
-   */
-  private double rounding(int row, double[] y) {
-    double sum = Math.ulp(farthest);
-    for (int j = 0; j < nq; j++) {
-      sum += Math.abs(positions.matrix[row * nq + j]) * Math.ulp(y[j]);
-    }
-    return ROUNDINGS * sum;
   }
 
   /**

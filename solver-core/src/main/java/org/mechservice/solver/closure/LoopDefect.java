@@ -17,7 +17,7 @@ final class LoopDefect {
             + number(closeness)
             + " of what it was.",
         "Start or drive the mechanism so that it keeps away from this position, or end the run"
-            + " before; a looser tolerance may step across.");
+            + " before; RR-JF with ode15sR, or a looser tolerance, may step across.");
   }
 
   /** The start hides equations, so that no independent coordinates can be chosen. */

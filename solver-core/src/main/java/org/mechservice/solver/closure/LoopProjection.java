@@ -12,9 +12,6 @@ final class LoopProjection {
   /** Residual over its size, or rate over the speed, below which a state is left alone. */
   private static final double CLOSED = 1e-13;
 
-  /** Residual that will do if another repetition does not reduce it. */
-  private static final double NEARLY = 1e-11;
-
   private static final int ITERATIONS = 12;
 
   /** The same from wherever an event has left the positions. */
@@ -34,6 +31,10 @@ final class LoopProjection {
 
   private final ClosedTree work;
   private final PenaltySettings settings;
+
+  /** What residuals are by rounding at the positions projected. */
+  final LoopRounding rounding;
+
   private final AugmentedEquations equations;
   private final double[] rows;
 
@@ -56,11 +57,12 @@ final class LoopProjection {
   private LoopProjection(ClosedTree work, PenaltySettings settings, boolean holds) {
     this.work = work;
     this.settings = settings;
+    rounding = new LoopRounding(work.tree, work.loops, work.coordinates);
     held = new boolean[holds ? work.nv : 0];
     int count = work.loops.count() + held.length;
     equations =
         new AugmentedEquations(
-            count, work.nv, AugmentedEquations.Factors.of(new Cholesky(work.nv)));
+            count, work.units.velocities, AugmentedEquations.Factors.of(new Cholesky(work.nv)));
     rows = new double[count * work.nv];
     none = new double[work.nv];
     offset = new double[count];
@@ -119,15 +121,15 @@ final class LoopProjection {
     double before = Double.POSITIVE_INFINITY;
     for (int i = 0; i < ITERATIONS_AFTER_JUMP; i++) {
       work.place(t, y);
-      double residual = work.loops.largestResidual();
-      if (residual <= CLOSED || (residual <= NEARLY && residual > 0.5 * before)) {
+      double residual = rounding.excess(y);
+      if (isClosed(residual, before)) {
         return true;
       }
       if (factor() >= 0) {
         return false;
       }
       before = residual;
-      solve(work.loops.value);
+      solvePositions(y);
       double largest = largestChange();
       if (!Double.isFinite(largest)) {
         return false;
@@ -141,21 +143,34 @@ final class LoopProjection {
     double before = Double.POSITIVE_INFINITY;
     for (int i = 0; i < ITERATIONS; i++) {
       work.place(t, y);
-      double residual = work.loops.largestResidual();
-      if (residual <= CLOSED || (residual <= NEARLY && residual > 0.5 * before)) {
+      double residual = rounding.excess(y);
+      if (isClosed(residual, before)) {
         return true;
       }
       if (!(residual < before) || factor() >= 0) {
         return false;
       }
       before = residual;
-      solve(work.loops.value);
+      solvePositions(y);
       if (!(largestChange() <= TOO_FAR)) {
         return false;
       }
       work.coordinates.move(y, 0, change, 0, 1);
     }
     return false;
+  }
+
+  /** Whether a residual is small, or another repetition hardly reduces it any more. */
+  private static boolean isClosed(double residual, double before) {
+    return residual <= CLOSED || (residual <= LoopRounding.CLOSED && residual > 0.5 * before);
+  }
+
+  private void solvePositions(double[] y) {
+    for (int row = 0; row < work.loops.count(); row++) {
+      double residual = work.loops.value[row] / work.loops.size(row);
+      offset[row] = LoopRounding.beyond(rounding.leftAlone(row, y), residual);
+    }
+    equations.solve(none, offset, change, 0);
   }
 
   /**
@@ -167,13 +182,13 @@ final class LoopProjection {
   boolean projectVelocities(double t, double[] y, double allowed) {
     work.place(t, y);
     double speed = Math.max(SLOWEST, work.units.speed(y, work.nq));
-    if (!(rate() > CLOSED * speed)) {
+    if (!(rate(y, speed) > CLOSED * speed)) {
       return Double.isFinite(speed);
     }
     if (factor() >= 0) {
       return false;
     }
-    solve(work.loops.rate);
+    equations.solve(none, offset, change, 0);
     if (!(largestChange() <= allowed * speed)) {
       return false;
     }
@@ -183,24 +198,26 @@ final class LoopProjection {
     return true;
   }
 
-  /** Returns the largest rate over its size, 1/s, where the work is placed. */
-  double rate() {
-    int worst = work.loops.worst(work.loops.rate);
-    return worst < 0 ? 0 : Math.abs(work.loops.rate[worst]) / work.loops.size(worst);
+  /** Takes the rates to be removed; returns the largest, 1/s. */
+  private double rate(double[] y, double speed) {
+    double largest = 0;
+    for (int row = 0; row < work.loops.count(); row++) {
+      double rate = work.loops.rate[row] / work.loops.size(row);
+      offset[row] = LoopRounding.beyond(rounding.leftAlone(row, y) * speed, rate);
+      largest = larger(Math.abs(offset[row]), largest);
+    }
+    return largest;
   }
 
-  private void solve(double[] residual) {
-    for (int row = 0; row < work.loops.count(); row++) {
-      offset[row] = residual[row] / work.loops.size(row);
-    }
-    equations.solve(none, offset, change, 0);
+  /** Returns the larger of two, the first if it is NaN. */
+  private static double larger(double part, double largest) {
+    return part > largest || Double.isNaN(part) ? part : largest;
   }
 
   private double largestChange() {
     double largest = 0;
     for (int j = 0; j < work.nv; j++) {
-      double part = Math.abs(change[j]) / work.units.velocities[j];
-      largest = part > largest || Double.isNaN(part) ? part : largest;
+      largest = larger(Math.abs(change[j]) / work.units.velocities[j], largest);
     }
     return largest;
   }

@@ -82,7 +82,7 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
 
   @Override
   public final boolean project(double t, double[] y) {
-    boolean done = projection.project(t, y);
+    boolean done = !watch.creeps() && projection.project(t, y);
     watch.tried(done);
     return done;
   }

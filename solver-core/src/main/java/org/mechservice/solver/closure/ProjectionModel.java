@@ -49,7 +49,7 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
   @Override
   public final boolean accepted(double t, double[] y) {
     boolean other = completion.accepted(t, y);
-    broken = completion.leftOutIsOpen();
+    broken = completion.leftOutIsOpen(y);
     work.accepted(t);
     if (other) {
       note(new LoopFinding(LoopFinding.Kind.CHOSEN_ANEW, independentNames(), 0, "1", t));

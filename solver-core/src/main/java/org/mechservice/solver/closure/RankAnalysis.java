@@ -112,7 +112,10 @@ public final class RankAnalysis {
     return IntStream.range(kept, m).map(elimination::row).sorted().boxed().toList();
   }
 
-  /** J M^(−1/2), its rows of unit length, or zero where nothing but rounding is left of them. */
+  /**
+   * J M^(−1/2), its rows of unit length, or zero where nothing but rounding is left of them. With
+   * bodies that only loops give inertia M has no inverse, and columns count in units.
+   */
   private double[] scaledJacobian(double t, double[] y) {
     motion.sweep(t, y);
     loops.place(motion, t);
@@ -129,7 +132,7 @@ public final class RankAnalysis {
       double bound = 0;
       double largest = 0;
       for (int j = 0; j < n; j++) {
-        double perMass = 1 / Math.sqrt(Math.max(dense[j * n + j], Double.MIN_NORMAL));
+        double perMass = regular ? 1 / Math.sqrt(dense[j * n + j]) : units.velocities[j];
         double element = loops.jacobian[row * loops.width() + j];
         scaled[row * n + j] = regular ? element : element * perMass;
         size = Math.hypot(size, element * perMass);

@@ -39,7 +39,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
 
   private static final int REPETITIONS = 3;
 
-  /** Residuals that assembly leaves, over their sizes. */
+  /** Residuals that assembly leaves, over their sizes, besides their rounding. */
   private static final double ROUNDING = 2e-13;
 
   /** Rates over the speed that change with positions moved by their rounding. */
@@ -114,7 +114,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     lambda = new double[m];
     full = new double[n * n];
     DenseLu lu = new DenseLu(n);
-    equations = new AugmentedEquations(m, n, AugmentedEquations.Factors.of(lu));
+    equations = new AugmentedEquations(m, work.units.velocities, AugmentedEquations.Factors.of(lu));
     normal = new double[m * m];
     gram = new Cholesky(m);
     right = new double[n];
@@ -176,10 +176,16 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     for (int row = 0; row < m; row++) {
       double size = work.loops.size(row);
       boolean repeats = isRepeated[row];
+      double leftAlone = projection.rounding.leftAlone(row, y);
       residual[atLambda + row] =
-          repeats ? y[atLambda + row] : beyond(RATE_ROUNDING * speed, work.loops.rate[row] / size);
+          repeats
+              ? y[atLambda + row]
+              : LoopRounding.beyond(
+                  (RATE_ROUNDING + leftAlone) * speed, work.loops.rate[row] / size);
       residual[atMu + row] =
-          repeats ? y[atMu + row] : beyond(ROUNDING, work.loops.value[row] / size);
+          repeats
+              ? y[atMu + row]
+              : LoopRounding.beyond(ROUNDING + leftAlone, work.loops.value[row] / size);
     }
     return REGULAR;
   }
@@ -199,12 +205,6 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
         Arrays.fill(j, row * n, (row + 1) * n, 0);
       }
     }
-  }
-
-  /** Returns zero for what is rounding, which a short step would blow up to multipliers. */
-  private static double beyond(double rounding, double residual) {
-    double beyond = Math.abs(residual) - rounding;
-    return beyond <= 0 ? 0 : Math.copySign(beyond, residual);
   }
 
   /** M v' + b − τ without the loops; returns false if a force has no value. */
@@ -344,10 +344,13 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
       moved[i] = state[i] + r[i];
     }
     work.placeRates(time, moved);
-    double rounding = RATE_ROUNDING * work.units.speed(moved, work.nq);
+    double speed = work.units.speed(moved, work.nq);
     for (int row = 0; row < m; row++) {
+      double leftAlone = RATE_ROUNDING + projection.rounding.leftAlone(row, moved);
       ofVelocity[row] =
-          isRepeated[row] ? 0 : beyond(rounding, work.loops.rate[row] / work.loops.size(row));
+          isRepeated[row]
+              ? 0
+              : LoopRounding.beyond(leftAlone * speed, work.loops.rate[row] / work.loops.size(row));
     }
     equations.solve(none, ofVelocity, right, 0);
     for (int k = 0; k < n; k++) {

@@ -32,6 +32,15 @@ final class SingularWatch {
   /** Above this closeness at both ends of a step there is nothing in between. */
   private static final double LOOK_BETWEEN = 0.3;
 
+  /**
+   * Closeness below which rounding, which grows with its inverse cube, shows in accelerations, and
+   * the steps in a row that come closer after which it is rounding that makes them so short: a
+   * motion that goes on steps across in one or two.
+   */
+  private static final double ROUGH = 3e-4;
+
+  private static final int CREEPING = 10_000;
+
   private final LoopEquations loops;
   private final Partition partition;
   private final Consumer<LoopFinding> notes;
@@ -57,6 +66,9 @@ final class SingularWatch {
   private int closestRow;
   private int rowBefore;
 
+  /** Steps in a row where it is rough that have come closer, or not left where the run began. */
+  private int closer;
+
   /**
    * @param partition of the velocities, which finds pivots
    * @param notes is told of singular positions passed
@@ -71,7 +83,7 @@ final class SingularWatch {
 
   /** Returns the length of what {@link #save} writes. */
   int stateLength() {
-    return before.length + 7;
+    return before.length + 8;
   }
 
   /** Writes what the next states are compared with. */
@@ -84,7 +96,8 @@ final class SingularWatch {
     state[next++] = closestTime;
     state[next++] = closestRow;
     state[next++] = rowBefore;
-    state[next] = largest;
+    state[next++] = largest;
+    state[next] = closer;
   }
 
   /** Takes up what {@link #save} wrote. */
@@ -97,7 +110,8 @@ final class SingularWatch {
     closestTime = state[next++];
     closestRow = (int) state[next++];
     rowBefore = (int) state[next++];
-    largest = state[next];
+    largest = state[next++];
+    closer = (int) state[next];
   }
 
   /**
@@ -113,6 +127,14 @@ final class SingularWatch {
     closest = regular ? 1 : LEAVING;
     keep(t, regular ? 1 : 0);
     return regular;
+  }
+
+  /**
+   * Returns whether steps creep up to a singular position and would never reach it: no further
+   * state is to be found then.
+   */
+  boolean creeps() {
+    return closer >= CREEPING;
   }
 
   /** Takes note of whether the loops could be closed at a state tried, where they are placed. */
@@ -162,6 +184,8 @@ final class SingularWatch {
     remember(closeness, t);
     double s = closenessBefore / (closenessBefore + closeness);
     double timeOfLast = timeBefore;
+    boolean draws = closeness < closenessBefore || closest == LEAVING;
+    closer = closeness < ROUGH && draws ? closer + 1 : 0;
     boolean look = closest >= 0 && Math.min(closeness, closenessBefore) < LOOK_BETWEEN;
     for (int i = 0; look && i < between.length; i++) {
       between[i] = (1 - s) * before[i] + s * partition.scaled()[i];

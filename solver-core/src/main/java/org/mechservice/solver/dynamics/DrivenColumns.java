@@ -30,8 +30,9 @@ final class DrivenColumns {
     JointType type = joint.type();
     int count = type.velocityCount();
     for (int i = 0; i < count; i++) {
-      String unit = type.velocityUnit(i).startsWith("rad") ? "N·m" : "N";
-      columns.add(new Variable(joint.name() + ".drive" + (count == 1 ? "" : "[" + i + "]"), unit));
+      columns.add(
+          new Variable(
+              joint.name() + ".drive" + (count == 1 ? "" : "[" + i + "]"), joint.forceUnit(i)));
     }
   }
 

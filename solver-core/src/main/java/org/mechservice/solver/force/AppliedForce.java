@@ -3,6 +3,7 @@ package org.mechservice.solver.force;
 import java.util.List;
 import org.mechservice.solver.api.Defects.Defect;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
 /**
@@ -17,9 +18,9 @@ abstract class AppliedForce {
     this.element = element;
   }
 
-  /** Returns the values it can put out. */
-  List<Variable> variables() {
-    return element.values();
+  /** Returns the values it can put out in the mechanism it acts in. */
+  List<Variable> variables(Mechanism mechanism) {
+    return element.values(mechanism);
   }
 
   /**

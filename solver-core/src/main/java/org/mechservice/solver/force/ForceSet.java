@@ -5,6 +5,7 @@ import java.util.List;
 import org.mechservice.solver.api.Defects.Defect;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
@@ -20,6 +21,7 @@ public final class ForceSet {
   /** What {@link #apply} returns when every force has a value. */
   public static final int REGULAR = -1;
 
+  private final Mechanism mechanism;
   private final List<String> names = new ArrayList<>();
   private final AppliedForce[] forces;
   private final int[] valueAt;
@@ -45,17 +47,17 @@ public final class ForceSet {
    *     made, or asks for what is not there
    */
   public ForceSet(TreeMotion motion, UserForceSource source) {
-    List<ForceElement> elements = motion.tree().mechanism().forces();
+    mechanism = motion.tree().mechanism();
+    List<ForceElement> elements = mechanism.forces();
     forces = new AppliedForce[elements.size()];
     valueAt = new int[forces.length + 1];
     ForceAssembly assembly = new ForceAssembly(motion, source);
     for (int i = 0; i < forces.length; i++) {
       names.add(elements.get(i).name());
       forces[i] = assembly.at(elements.get(i));
-      valueAt[i + 1] = valueAt[i] + forces[i].variables().size();
+      valueAt[i + 1] = valueAt[i] + forces[i].variables(mechanism).size();
     }
-    double[] start =
-        motion.tree().mechanism().parameters().stream().mapToDouble(Parameter::value).toArray();
+    double[] start = mechanism.parameters().stream().mapToDouble(Parameter::value).toArray();
     if (!parameters(start)) {
       Defect defect = defect();
       throw new IllegalArgumentException(
@@ -166,7 +168,7 @@ public final class ForceSet {
   public List<Variable> columns() {
     List<Variable> columns = new ArrayList<>();
     for (int i = 0; i < forces.length; i++) {
-      for (Variable value : forces[i].variables()) {
+      for (Variable value : forces[i].variables(mechanism)) {
         columns.add(new Variable(names.get(i) + "." + value.name(), value.unit()));
       }
     }

@@ -11,6 +11,7 @@ import org.mechservice.solver.api.UserForce;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /**
@@ -125,7 +126,7 @@ final class UserForceAtWork extends AppliedForce implements ForceBlocks {
   }
 
   @Override
-  List<Variable> variables() {
+  List<Variable> variables(Mechanism mechanism) {
     return variables;
   }
 

@@ -151,7 +151,8 @@ final class ConsistentStart {
 
   /** Finds the length of a first step that the slope would allow. */
   private void measure() {
-    double longest = LARGEST_SHARE_OF_INTERVAL * (tEnd - t0);
+    // a problem of no length has no scale of its own, and asks for consistent values all the same
+    double longest = LARGEST_SHARE_OF_INTERVAL * (tEnd == t0 ? 1 : tEnd - t0);
     firstStep = FirstStep.bySlope(yDot, norm, longest, relativeTolerance);
     equations.linearisation().knowRate(Math.sqrt(relativeTolerance) / firstStep);
   }

@@ -17,6 +17,11 @@ public sealed interface Joint
   /** Returns the joint's kind, which decides how many coordinates it has. */
   JointType type();
 
+  /** Returns the unit of a force that acts along a velocity, which is N·m or N. */
+  default String forceUnit(int component) {
+    return type().velocityUnit(component).startsWith("rad") ? "N·m" : "N";
+  }
+
   /**
    * Returns the same joint seen from its child: parent and child change places, the coordinates
    * keep their sense (motion of the file's body 2 relative to its body 1).

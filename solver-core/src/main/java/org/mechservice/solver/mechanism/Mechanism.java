@@ -5,6 +5,10 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.expression.ClosureCoordinate;
+import org.mechservice.solver.expression.Coordinate;
+import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.spatial.Vector3;
@@ -272,6 +276,13 @@ public final class Mechanism {
   /** Returns the cut joints and other constraints, in file order. */
   public List<LoopClosure> closures() {
     return closures;
+  }
+
+  /** Returns the joint that a coordinate belongs to, of the tree or cut. */
+  public Joint jointOf(Coordinate coordinate) {
+    return coordinate instanceof JointCoordinate inTree
+        ? joints.get(inTree.joint())
+        : ((JointClosure) closures.get(((ClosureCoordinate) coordinate).closure())).joint();
   }
 
   /** Returns the applied forces besides gravity, in file order. */

@@ -153,7 +153,13 @@ final class FailureText {
   /** Returns whether a failure can come from loops that lock, branch or stay open. */
   static boolean mayLieInLoops(IntegrationFailure.Cause cause) {
     return switch (cause) {
-      case NOT_FINITE, STEP_TOO_SMALL, NO_CONVERGENCE, SINGULAR_MATRIX, NOT_COMPLETED -> true;
+      case NOT_FINITE,
+          STEP_TOO_SMALL,
+          TOLERANCE_TOO_TIGHT,
+          NO_CONVERGENCE,
+          SINGULAR_MATRIX,
+          NOT_COMPLETED ->
+          true;
       default -> false;
     };
   }
@@ -238,7 +244,7 @@ final class FailureText {
   }
 
   /** Explains a row that holds a number that is not finite, although the state was accepted. */
-  static Failure notFiniteColumn(double t, String column) {
+  static Failure notFiniteColumn(double t, String column, String largestState) {
     return new Failure(
         "N-001",
         "An output is not finite.",
@@ -246,7 +252,10 @@ final class FailureText {
         0,
         0,
         "column " + column,
-        "Check masses, inertias and positions for values that are huge.");
+        "The largest state is "
+            + largestState
+            + ": check what acts on it, masses and inertias for values that are huge, or end the run"
+            + " before.");
   }
 
   private static Failure singularInertia(

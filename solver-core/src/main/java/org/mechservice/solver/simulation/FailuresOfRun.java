@@ -129,7 +129,7 @@ final class FailuresOfRun {
               momentum
                   .orElseThrow()
                   .failure(maxDrift.orElseThrow(), t, integrator.stepSize(), integrator.order());
-          default -> FailureText.notFiniteColumn(t, rows.columnName(column));
+          default -> FailureText.notFiniteColumn(t, rows.columnName(column), rows.largestState());
         });
   }
 

@@ -12,14 +12,18 @@ import org.mechservice.solver.api.ModelDescription;
  *
  * @param damping c, 1/s
  * @param stiffness k, 1/s²
+ * @param acceleration a where it stands, rad/s² or m/s²
  */
-record LocalMotion(double damping, double stiffness) {
+record LocalMotion(double damping, double stiffness, double acceleration) {
+  /** No mechanism of use is accelerated more, rad/s² or m/s²: that alone keeps steps short. */
+  private static final double HUGE = 1e15;
+
   /** Change of a coordinate as a part of it, and the size from which it counts, SI units. */
   private static final double INCREMENT = Math.sqrt(Math.ulp(1.0));
 
   private static final double SMALL = 1e-3;
 
-  private static final LocalMotion UNKNOWN = new LocalMotion(Double.NaN, Double.NaN);
+  private static final LocalMotion UNKNOWN = new LocalMotion(Double.NaN, Double.NaN, 0);
 
   /**
    * Returns the motion of a state, by differences; of NaN where the equations have no value there
@@ -53,7 +57,7 @@ record LocalMotion(double damping, double stiffness) {
     }
     double[] slopeFarther = slope(equations, t, moved);
     return new LocalMotion(
-        (slope[v] - slopeFaster[v]) / faster, (slope[v] - slopeFarther[v]) / farther);
+        (slope[v] - slopeFaster[v]) / faster, (slope[v] - slopeFarther[v]) / farther, slope[v]);
   }
 
   /** Returns the velocity that belongs to an unknown, by its place; −1 if none is its own. */
@@ -91,17 +95,23 @@ record LocalMotion(double damping, double stiffness) {
     return slope;
   }
 
-  /** Says it in a sentence with a space behind it; empty where nothing moves or is known. */
+  /** Says it in sentences with a space behind each; empty where nothing moves or is known. */
   String said() {
+    return Math.abs(acceleration) > HUGE
+        ? ofItself() + "Its acceleration is " + rounded(acceleration) + " in SI units there. "
+        : ofItself();
+  }
+
+  private String ofItself() {
     double discriminant = damping * damping - 4 * stiffness;
     String rate;
     if (discriminant < 0) {
       double natural = Math.sqrt(stiffness);
       rate =
           "swings at "
-              + (float) (natural / (2 * Math.PI))
+              + rounded(natural / (2 * Math.PI))
               + " Hz, damping ratio "
-              + (float) (damping / (2 * natural));
+              + rounded(damping / (2 * natural));
     } else {
       double root = Math.sqrt(discriminant);
       double growth = (root - damping) / 2;
@@ -111,9 +121,15 @@ record LocalMotion(double damping, double stiffness) {
       }
       rate =
           growth > 0
-              ? "grows at " + (float) growth + " 1/s"
-              : "decays at " + (float) decay + " 1/s";
+              ? "grows at " + rounded(growth) + " 1/s"
+              : "decays at " + rounded(decay) + " 1/s";
     }
     return "By itself it " + rate + " there. ";
+  }
+
+  /** Returns a number to seven digits, or to all of them if it is too large for that. */
+  private static String rounded(double number) {
+    float seven = (float) number;
+    return Float.isInfinite(seven) ? Double.toString(number) : Float.toString(seven);
   }
 }

@@ -129,6 +129,19 @@ final class RowWriter {
     return layout.columns().get(column).name();
   }
 
+  /** Returns the column of the state that is largest in the row written last, and its value. */
+  String largestState() {
+    int largest = 0;
+    double most = 0;
+    for (int i = 1; i <= yDot.length; i++) {
+      if (Math.abs(row[i]) > most) {
+        largest = i;
+        most = Math.abs(row[i]);
+      }
+    }
+    return columnName(largest) + ", " + row[largest];
+  }
+
   /** Returns how many rows were put out. */
   long rows() {
     return rows;

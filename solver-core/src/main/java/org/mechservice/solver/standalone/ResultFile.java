@@ -38,13 +38,14 @@ public final class ResultFile implements ResultSink, Closeable {
    * Opens the file under its temporary name.
    *
    * @param target name the results will have
-   * @throws IOException if the folder does not exist or cannot be written to
+   * @throws IOException if the folder does not exist or cannot be written to, or the name is that
+   *     of a folder or a device, whose place no file may take
    */
   public ResultFile(Path target) throws IOException {
     this.target = target.toAbsolutePath();
     Path folder = this.target.getParent();
-    if (folder == null || Files.isDirectory(this.target)) {
-      throw new IOException("S-064 " + target + " is a folder; name a file for the results");
+    if (folder == null || (Files.exists(this.target) && !Files.isRegularFile(this.target))) {
+      throw new IOException("S-064 " + target + " is no file; name one for the results");
     }
     if (!Files.isDirectory(folder)) {
       throw new NoSuchFileException("S-064 there is no folder " + folder + " for the results");
@@ -79,21 +80,37 @@ public final class ResultFile implements ResultSink, Closeable {
 
   @Override
   public void row(double[] values) throws IOException {
-    csv.row(values);
+    try {
+      csv.row(values);
+    } catch (IOException e) {
+      throw stopped(e);
+    }
+  }
+
+  /** What was computed is not lost with a full disk: it stays under the temporary name. */
+  private IOException stopped(IOException e) {
+    kept = true;
+    return new IOException(
+        "S-064 cannot write " + target + ": " + e.getMessage() + "; rows so far are in " + growing,
+        e);
   }
 
   /**
    * Puts the file in its place, replacing one of that name, and writes the units beside it.
    *
    * @return the SHA-256 of the CSV file, lower-case hexadecimal
-   * @throws IOException if the file cannot be completed
+   * @throws IOException if the file cannot be completed; its message says where the rows are
    */
   public String keep() throws IOException {
-    csv.close();
-    Path units = growing.resolveSibling(growing.getFileName() + ".units");
-    Files.write(units, (CsvWriter.unitsJson(columns) + "\n").getBytes(StandardCharsets.UTF_8));
-    Files.move(units, unitsFile(), StandardCopyOption.REPLACE_EXISTING);
-    Files.move(growing, target, StandardCopyOption.REPLACE_EXISTING);
+    try {
+      csv.close();
+      Path units = growing.resolveSibling(growing.getFileName() + ".units");
+      Files.write(units, (CsvWriter.unitsJson(columns) + "\n").getBytes(StandardCharsets.UTF_8));
+      Files.move(units, unitsFile(), StandardCopyOption.REPLACE_EXISTING);
+      Files.move(growing, target, StandardCopyOption.REPLACE_EXISTING);
+    } catch (IOException e) {
+      throw stopped(e);
+    }
     kept = true;
     return HexFormat.of().formatHex(digest.digest());
   }
@@ -109,12 +126,15 @@ public final class ResultFile implements ResultSink, Closeable {
     return target.resolveSibling(stem + ".units.json");
   }
 
-  /** Closes the file; what was not {@linkplain #keep kept} is deleted. */
+  /** Closes the file; what was not {@linkplain #keep kept} is deleted, unless writing failed. */
   @Override
   public void close() throws IOException {
-    csv.close();
-    if (!kept) {
-      Files.deleteIfExists(growing);
+    try {
+      csv.close();
+    } finally {
+      if (!kept) {
+        Files.deleteIfExists(growing);
+      }
     }
   }
 }

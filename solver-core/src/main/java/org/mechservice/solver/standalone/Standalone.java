@@ -2,6 +2,7 @@ package org.mechservice.solver.standalone;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -81,7 +82,8 @@ public final class Standalone {
       Simulation.requireColumns(model, options.request().columns(), built);
       return options.out().isEmpty() ? runWithoutFile(model, options) : runIntoFile(model, options);
     } catch (UsageException | IllegalArgumentException | IOException e) {
-      err.println(e.getMessage());
+      // What Java says of a name it cannot spell is all there is to say, but for the code.
+      err.println((e instanceof InvalidPathException ? "S-064 " : "") + e.getMessage());
       return BAD_USAGE;
     }
   }

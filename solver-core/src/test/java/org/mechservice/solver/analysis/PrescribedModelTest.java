@@ -184,7 +184,7 @@ class PrescribedModelTest {
   void motionThatLeavesCoordinatesFreeIsRefused() throws IOException {
     Mechanism free = SharedScene.named("slider_crank_planar").mechanism();
     Rows found = new Rows(free, 1, "joints");
-    assertThat(failure(found)).startsWith("N-060").contains("1 coordinates free, such as j_");
+    assertThat(failure(found)).startsWith("N-060").contains("1 coordinate free, such as j_");
     assertThat(found.rows).isEmpty();
   }
 

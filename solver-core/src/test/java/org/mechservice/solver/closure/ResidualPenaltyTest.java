@@ -7,7 +7,9 @@ import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.scenes.SharedScene;
 
 class ResidualPenaltyTest {
@@ -58,5 +60,18 @@ class ResidualPenaltyTest {
       // hγ times the speed, over the lengths, of what is left to the iteration, and squares
       assertThat(back[i]).as("unknown %s", i).isCloseTo(-x[i], within(3e-3 * SMALL));
     }
+  }
+
+  /** Its multipliers are sought although there is no step to try them in. */
+  @ParameterizedTest
+  @ValueSource(strings = {"RR penalty", "RR-JF penalty"})
+  void aRunOfNoLengthIsItsStart(String formulation) {
+    SceneRun run =
+        LoopModels.run(
+            SharedScene.named("fourbar_redundant").mechanism(),
+            formulation,
+            SceneRun.settings(0, 0.1, "ode15sR", 1e-6));
+    assertThat(run.report.outcome()).isInstanceOf(Outcome.Completed.class);
+    assertThat(run.rows).hasSize(1);
   }
 }

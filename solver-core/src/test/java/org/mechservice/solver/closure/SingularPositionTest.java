@@ -74,6 +74,28 @@ class SingularPositionTest {
     assertThat(end).isCloseTo(start, within(1e4 * tolerance * count * 9.81));
   }
 
+  /**
+   * Accelerations are rough where a parallelogram is nearly flat. A step that ends there seems
+   * wrong, shorter ones come ever closer, and would go on so for minutes.
+   */
+  @ParameterizedTest
+  @CsvSource({"DSR, ode15s, 1e-9", "DSR, ode15s, 1e-11"})
+  void stepsThatCreepUpToASingularPositionEndWithItsName(
+      String formulation, String integrator, double tolerance) {
+    RunSettings settings = SceneRun.settings(1, 0.05, integrator, tolerance);
+    SceneRun run = LoopModels.run(Linkages.windows(1, 1), formulation, settings);
+    Failure failure = ((Outcome.Failed) run.report.outcome()).failure();
+    assertThat(failure.code()).isEqualTo("N-023");
+    assertThat(failure.part()).startsWith("constraint \"window1\"");
+    assertThat(failure.advice()).contains("RR-JF with ode15sR");
+    SceneRun advised = LoopModels.run(Linkages.windows(1, 1), "RR-JF", settingsOf15sR(tolerance));
+    assertThat(advised.report.outcome()).isInstanceOf(Outcome.Completed.class);
+  }
+
+  private static RunSettings settingsOf15sR(double tolerance) {
+    return SceneRun.settings(1, 0.05, "ode15sR", tolerance);
+  }
+
   /** Crank and rod of equal length: each passage through the line has another branch. */
   @ParameterizedTest
   @CsvSource({

@@ -12,7 +12,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.expression.ClosureCoordinate;
+import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
@@ -26,6 +28,8 @@ import org.mechservice.solver.mechanism.Root;
 import org.mechservice.solver.mechanism.StartRole;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.JointForce;
+import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.spatial.InertiaTensor;
@@ -79,6 +83,25 @@ class CutJointForceTest {
       forces.add(random.jointForce("force", new ClosureCoordinate(0, type.velocityCount() - 1)));
     }
     return forces;
+  }
+
+  @MethodSource("typesAndSeeds")
+  @ParameterizedTest
+  void unitsOfForcesGiveThePowerOfTheirCoordinatesInWatts(JointType type, long seed) {
+    Mechanism mechanism = tree(type, seed).geometry.mechanism();
+    for (ForceElement force : mechanism.forces()) {
+      Coordinate coordinate =
+          force instanceof JointSpringDamper spring
+              ? spring.coordinate()
+              : force instanceof JointFriction friction
+                  ? friction.coordinate()
+                  : ((JointForce) force).coordinate();
+      // a spring counts positions, of which Euler parameters have one more than velocities
+      boolean euler = force instanceof JointSpringDamper && type.hasEulerParameters();
+      String velocity = type.velocityUnit(coordinate.component() - (euler ? 1 : 0));
+      assertThat(force.values(mechanism))
+          .containsExactly(new Variable("force", velocity.equals("rad/s") ? "N·m" : "N"));
+    }
   }
 
   /** Bounds as for other forces. */

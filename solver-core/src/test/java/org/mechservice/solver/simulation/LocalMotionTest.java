@@ -15,6 +15,10 @@ class LocalMotionTest {
     return LocalMotion.of(new ExplicitForm().of(new Spring(k, c)), unknown, 0, new double[] {q, v});
   }
 
+  private static String said(double damping, double stiffness) {
+    return new LocalMotion(damping, stiffness, 0).said();
+  }
+
   @Test
   void positionAndVelocityOfACoordinateTellItsStiffnessAndDamping() {
     for (int unknown : new int[] {POSITION, VELOCITY}) {
@@ -34,21 +38,32 @@ class LocalMotionTest {
 
   @Test
   void oscillationIsToldByItsFrequencyInHertzAndDampingRatio() {
-    assertThat(new LocalMotion(0.2 * Math.PI, 4 * Math.PI * Math.PI).said())
+    assertThat(said(0.2 * Math.PI, 4 * Math.PI * Math.PI))
         .isEqualTo("By itself it swings at 1.0 Hz, damping ratio 0.05 there. ");
   }
 
   @Test
+  void numbersBeyondSinglePrecisionAreTold() {
+    assertThat(said(0, 1e300)).startsWith("By itself it swings at 1.59154943").contains("E149 Hz");
+  }
+
+  @Test
+  void hugeAccelerationIsTold() {
+    assertThat(new LocalMotion(Double.NaN, Double.NaN, -1e300).said())
+        .isEqualTo("Its acceleration is -1.0E300 in SI units there. ");
+    assertThat(new LocalMotion(1e5, 0, 1e9).said()).doesNotContain("acceleration");
+  }
+
+  @Test
   void overdampedMotionIsToldByItsFastestRate() {
-    assertThat(new LocalMotion(1e5, 0).said())
-        .isEqualTo("By itself it decays at 100000.0 1/s there. ");
+    assertThat(said(1e5, 0)).isEqualTo("By itself it decays at 100000.0 1/s there. ");
   }
 
   @Test
   void motionThatIsDrivenAwayIsToldAsSuch() {
-    assertThat(new LocalMotion(-3, 2).said()).isEqualTo("By itself it grows at 2.0 1/s there. ");
-    assertThat(new LocalMotion(0, -4).said()).isEqualTo("By itself it grows at 2.0 1/s there. ");
-    assertThat(new LocalMotion(1, -6).said()).isEqualTo("By itself it grows at 2.0 1/s there. ");
+    assertThat(said(-3, 2)).isEqualTo("By itself it grows at 2.0 1/s there. ");
+    assertThat(said(0, -4)).isEqualTo("By itself it grows at 2.0 1/s there. ");
+    assertThat(said(1, -6)).isEqualTo("By itself it grows at 2.0 1/s there. ");
   }
 
   @Test

@@ -140,6 +140,26 @@ class SimulationTest {
   }
 
   @Test
+  void numbersThatOverflowInARowAreToldWithTheStateThatHasGrown() throws IOException {
+    RunReport report =
+        run(
+            new HarmonicOscillator() {
+              @Override
+              public int derivative(double t, double[] y, double[] yDot) {
+                yDot[0] = y[1];
+                yDot[1] = 1e6 * y[0];
+                return REGULAR;
+              }
+            },
+            HarmonicOscillator.SETTINGS,
+            Set.of(ColumnGroup.ENERGY));
+    Failure failure = ((Outcome.Failed) report.outcome()).failure();
+    assertThat(failure.code()).isEqualTo("N-001");
+    assertThat(failure.part()).startsWith("column energy.");
+    assertThat(failure.advice()).matches("The largest state is .*\\.v, .*E[12]\\d\\d: .*");
+  }
+
+  @Test
   void singularInertiaIsNamedByItsJointBeforeTheFirstRow() throws IOException {
     RunReport report =
         run(

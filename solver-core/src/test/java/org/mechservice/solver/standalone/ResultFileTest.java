@@ -11,6 +11,8 @@ import java.security.MessageDigest;
 import java.util.HexFormat;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.solver.api.Variable;
 
@@ -52,6 +54,56 @@ class ResultFileTest {
         .isEqualTo(HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(content)));
     assertThat(folder.resolve("r.units.json")).hasContent("{\n  \"t\": \"s\"\n}");
     assertThat(folder.toFile().list()).hasSize(2);
+  }
+
+  /** Writes rows without end into the file that is named. */
+  static final class EndlessRows {
+    private EndlessRows() {}
+
+    public static void main(String[] args) throws IOException {
+      try (ResultFile file = new ResultFile(Path.of(args[0]))) {
+        file.begin(COLUMNS);
+        for (double t = 0; ; t++) {
+          file.row(new double[] {t});
+        }
+      }
+    }
+  }
+
+  /** A bound for the size of files stands for a full disk. */
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void rowsThatCameBeforeTheDiskWasFullAreKeptAndNamed() throws Exception {
+    Process writer =
+        new ProcessBuilder(
+                "sh",
+                "-c",
+                "ulimit -f 64; exec \"$@\"",
+                "sh",
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:-UsePerfData",
+                "-cp",
+                System.getProperty("java.class.path"),
+                EndlessRows.class.getName(),
+                folder.resolve("r.csv").toString())
+            .redirectErrorStream(true)
+            .start();
+    String said = new String(writer.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertThat(writer.waitFor()).isNotZero();
+    String[] left = folder.toFile().list();
+    assertThat(left).as(said).hasSize(1);
+    assertThat(said)
+        .contains("S-064 cannot write " + folder.resolve("r.csv"))
+        .contains("rows so far are in " + folder.resolve(left[0]));
+    assertThat(Files.readString(folder.resolve(left[0]))).startsWith("t\r\n0\r\n1\r\n2\r\n");
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void takesTheNameOfNoDevice() {
+    assertThatThrownBy(() -> new ResultFile(Path.of("/dev/null")))
+        .isInstanceOf(IOException.class)
+        .hasMessage("S-064 /dev/null is no file; name one for the results");
   }
 
   @Test

@@ -4,6 +4,7 @@ import java.util.List;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
@@ -67,7 +68,7 @@ public record Bushing(
 
   /** {@inheritDoc} Displacement, rotation vector, force and moment on body 2, axes of frame 1. */
   @Override
-  public List<Variable> values() {
+  public List<Variable> values(Mechanism mechanism) {
     return List.of(
         new Variable("x", "m"),
         new Variable("y", "m"),

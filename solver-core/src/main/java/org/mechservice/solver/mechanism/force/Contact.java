@@ -5,6 +5,7 @@ import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
@@ -58,7 +59,7 @@ public record Contact(
 
   /** {@inheritDoc} Penetration, push, friction along the frame's x and y. */
   @Override
-  public List<Variable> values() {
+  public List<Variable> values(Mechanism mechanism) {
     return List.of(
         new Variable("penetration", "m"),
         new Variable("normal", "N"),

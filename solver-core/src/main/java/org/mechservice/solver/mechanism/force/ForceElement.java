@@ -2,6 +2,7 @@ package org.mechservice.solver.mechanism.force;
 
 import java.util.List;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 
 /** Something that acts on the bodies or joints of a mechanism. Gravity is not among them. */
@@ -24,6 +25,8 @@ public sealed interface ForceElement
    * Returns the values it can put out, with their names after the force's ({@code length} for the
    * column {@code f1.length}) and their SI units. A user force tells its own when it is declared,
    * so its list is empty here.
+   *
+   * @param mechanism the one it acts in
    */
-  List<Variable> values();
+  List<Variable> values(Mechanism mechanism);
 }

@@ -4,6 +4,7 @@ import java.util.List;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
@@ -39,7 +40,7 @@ public record ForceTorque(
 
   /** {@inheritDoc} Components in the axes the expressions are given in. */
   @Override
-  public List<Variable> values() {
+  public List<Variable> values(Mechanism mechanism) {
     return List.of(
         new Variable("fx", "N"),
         new Variable("fy", "N"),

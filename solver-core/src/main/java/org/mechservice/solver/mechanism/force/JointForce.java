@@ -4,6 +4,7 @@ import java.util.List;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
@@ -19,7 +20,8 @@ public record JointForce(String name, Coordinate coordinate, Expression force, O
     implements ForceElement {
 
   @Override
-  public List<Variable> values() {
-    return List.of(new Variable("force", "N·m or N"));
+  public List<Variable> values(Mechanism mechanism) {
+    String unit = mechanism.jointOf(coordinate).forceUnit(coordinate.component());
+    return List.of(new Variable("force", unit));
   }
 }

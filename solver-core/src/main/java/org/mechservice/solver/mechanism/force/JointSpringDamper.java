@@ -1,9 +1,11 @@
 package org.mechservice.solver.mechanism.force;
 
 import java.util.List;
+import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
@@ -45,7 +47,9 @@ public record JointSpringDamper(
     implements ForceElement {
 
   @Override
-  public List<Variable> values() {
-    return List.of(new Variable("force", "N·m or N"));
+  public List<Variable> values(Mechanism mechanism) {
+    JointType type = mechanism.jointOf(coordinate).type();
+    boolean slides = type.positionUnit(coordinate.component()).equals("m");
+    return List.of(new Variable("force", slides ? "N" : "N·m"));
   }
 }

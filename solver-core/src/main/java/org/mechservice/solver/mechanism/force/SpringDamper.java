@@ -4,6 +4,7 @@ import java.util.List;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
@@ -47,7 +48,7 @@ public record SpringDamper(
     implements ForceElement {
 
   @Override
-  public List<Variable> values() {
+  public List<Variable> values(Mechanism mechanism) {
     return List.of(
         new Variable("length", "m"), new Variable("rate", "m/s"), new Variable("tension", "N"));
   }

@@ -2,6 +2,7 @@ package org.mechservice.solver.mechanism.force;
 
 import java.util.List;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
@@ -24,7 +25,7 @@ public record UserForceElement(
 
   /** {@inheritDoc} Empty: the class declares its values. */
   @Override
-  public List<Variable> values() {
+  public List<Variable> values(Mechanism mechanism) {
     return List.of();
   }
 }
