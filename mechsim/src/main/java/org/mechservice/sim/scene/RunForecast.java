@@ -9,6 +9,14 @@ import org.mechservice.solver.mechanism.Mechanism;
 public final class RunForecast {
   private RunForecast() {}
 
+  /** Returns whether the same is said of two runs of a mechanism. */
+  public static boolean isSame(RunSettings run, RunSettings other) {
+    return run.tStart() == other.tStart()
+        && run.tEnd() == other.tEnd()
+        && run.maxStep() == other.maxStep()
+        && StiffnessForecast.isSame(run.integrator(), other.integrator());
+  }
+
   /** Returns what will make it long, and what it may pass over. */
   public static List<Finding> of(Mechanism mechanism, RunSettings settings) {
     List<Finding> findings = new ArrayList<>();

@@ -16,11 +16,12 @@ final class SceneWarnings {
 
   /**
    * Returns the reader's warnings, then joints that move nothing or that no inertia resists, and
-   * whether the run of the file will take very many steps.
+   * whether a run will take very many steps.
+   *
+   * @param run settings of the run
    */
-  static List<Diagnostic> of(MechmlModel model) {
+  static List<Diagnostic> of(MechmlModel model, RunSettings run) {
     List<Diagnostic> warnings = new ArrayList<>(model.warnings());
-    RunSettings run = model.settings().run();
     List<Finding> findings =
         new ArrayList<>(SceneAnalysis.of(model.mechanism()).findingsAtStart(run.tStart()));
     findings.addAll(RunForecast.of(model.mechanism(), run));

@@ -60,9 +60,7 @@ class RunForecastTest {
         scene("brief_push")
             .replace("1000*exp(-((t-5)/0.001)^2)", "sin(2*PI*1000*t)")
             .replaceFirst("maxStep=\"[^\"]*", "maxStep=\"" + longest);
-    assertThat(
-            of(bounded).stream()
-                .anyMatch(f -> f.text().contains("maxStep of the file allows 0.00100 s")))
+    assertThat(of(bounded).stream().anyMatch(f -> f.text().contains("maxStep allows 0.00100 s")))
         .isEqualTo(named);
   }
 
