@@ -74,7 +74,7 @@ record LoadedModel(
 
   /** Returns what its author should know before it runs: the reader's warnings, the scene's. */
   List<Diagnostic> warnings() {
-    return SceneWarnings.of(model, model.settings().run());
+    return SceneWarnings.of(model);
   }
 
   private static String sha256(byte[] content) {

@@ -248,7 +248,7 @@ final class MechSimServant implements MechSimOperations {
         run,
         reference,
         compiled.generated().formulationReason(),
-        RunWarnings.facts(source, asked.settings()));
+        RunWarnings.facts(source, asked.formulation(), asked.settings()));
   }
 
   /** What the file's reader warned of, a strict request takes for errors. */
@@ -331,7 +331,7 @@ final class MechSimServant implements MechSimOperations {
     LoadedModel source = requireModel(options);
     RunOptions asked = suiting(options, source);
     byte[] jar = packed(source, asked, info, Packing.QUICK);
-    facts.value = facts("", RunWarnings.facts(source, asked.settings()));
+    facts.value = facts("", RunWarnings.facts(source, asked.formulation(), asked.settings()));
     return jar;
   }
 

@@ -48,7 +48,7 @@ public final class ModelImport {
     try {
       UrdfImport imported = UrdfImport.of(foreign.fileName, foreign.content);
       List<Diagnostic> said = new ArrayList<>(imported.losses());
-      said.addAll(SceneWarnings.of(imported.model(), imported.model().settings().run()));
+      said.addAll(SceneWarnings.of(imported.model()));
       losses.value = Wire.diagnostics(said);
       return new ModelFile(
           ENDING.matcher(foreign.fileName).replaceFirst("") + ".xml",
