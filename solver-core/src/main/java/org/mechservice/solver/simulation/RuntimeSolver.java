@@ -41,8 +41,10 @@ public final class RuntimeSolver implements Solver {
       return new AnalysisSolver().run(model, request, sink, control);
     }
     String name = request.settings().integrator();
-    return new Simulation(integrator(name), formOf(model, name))
-        .run(model, request, sink, control, checkpoints);
+    return EnergyDoubt.added(
+        new Simulation(integrator(name), formOf(model, name))
+            .run(model, request, sink, control, checkpoints),
+        request.strict());
   }
 
   /** Returns the form in which an integrator takes a model's equations. */

@@ -1,0 +1,61 @@
+package org.mechservice.solver.simulation;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.api.RunReport;
+
+/** Warns of a run whose energy balance says that its motion is wrong. */
+final class EnergyDoubt {
+  /** Part of the energy scale by which no right motion drifts. */
+  private static final double FAR = 0.01;
+
+  /** Tolerances that add up to a drift without anything having been missed. */
+  private static final double TOLERANCES = 1e3;
+
+  private EnergyDoubt() {}
+
+  /**
+   * Returns the report with a warning beside its other notes, if there is reason for one; it ends a
+   * strict run that was completed.
+   */
+  static RunReport added(RunReport report, boolean strict) {
+    double drift = report.energyDrift().orElse(0) / report.energyScale().orElse(1);
+    if (!(drift > FAR && drift > TOLERANCES * report.settings().relativeTolerance())) {
+      return report;
+    }
+    List<Note> notes = new ArrayList<>(report.notes());
+    Note warning =
+        new Note(
+            "N-029",
+            report.timeReached(),
+            true,
+            "The energy balance is off by "
+                + (float) drift
+                + " of the energy scale: the integrator has gone past a jump, a corner or a brief"
+                + " push, or the tolerances are too loose. Give the integrator a maxStep, or tighten"
+                + " them.");
+    notes.add(warning);
+    boolean ended = strict && report.outcome() instanceof Outcome.Completed;
+    return new RunReport(
+        ended ? new Outcome.Failed(FailureText.ofStrict(warning)) : report.outcome(),
+        report.model(),
+        report.formulation(),
+        report.settings(),
+        report.steps(),
+        report.rejectedSteps(),
+        report.evaluations(),
+        report.rows(),
+        report.timeReached(),
+        report.wallTime(),
+        report.energyDrift(),
+        report.energyScale(),
+        report.stiffnessSuspected(),
+        report.jacobians(),
+        report.factorisations(),
+        report.limits(),
+        notes,
+        report.solverVersion());
+  }
+}

@@ -1,0 +1,75 @@
+package org.mechservice.solver.simulation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
+
+/** An energy balance that is far off tells of a motion that is wrong. */
+class EnergyDoubtTest {
+  /** A force that nobody accounts for. */
+  private static final class Pushed extends HarmonicOscillator {
+    private final double push;
+    private final double far;
+
+    Pushed(double push, double far) {
+      this.push = push;
+      this.far = far;
+    }
+
+    @Override
+    public int derivative(double t, double[] y, double[] yDot) {
+      super.derivative(t, y, yDot);
+      yDot[1] += push;
+      return REGULAR;
+    }
+
+    @Override
+    public void initialState(double[] y) {
+      y[0] = far;
+      y[1] = 0;
+    }
+  }
+
+  private static RunReport run(HarmonicOscillator model, double tolerance, boolean strict)
+      throws IOException {
+    RunSettings settings = new RunSettings(0, 2, 0.25, "ode113", tolerance, tolerance);
+    RunRequest request = new RunRequest(settings, Set.of(), strict, OptionalDouble.empty());
+    return new RuntimeSolver().run(model, request, new RecordedRows(), new RunControl());
+  }
+
+  @Test
+  void driftOfAFewHundredthsOfTheScaleIsToldWithItsPart() throws IOException {
+    RunReport report = run(new Pushed(0.1, 1), 1e-8, false);
+    assertThat(report.outcome()).isInstanceOf(Outcome.Completed.class);
+    assertThat(report.notes())
+        .singleElement()
+        .satisfies(
+            note -> {
+              assertThat(note.code()).isEqualTo("N-029");
+              assertThat(note.warning()).isTrue();
+              assertThat(note.text()).containsPattern("off by 0\\.\\d+ of the energy scale");
+            });
+  }
+
+  @Test
+  void itEndsAStrictRun() throws IOException {
+    Failure failure = ((Outcome.Failed) run(new Pushed(0.1, 1), 1e-8, true).outcome()).failure();
+    assertThat(failure.code()).isEqualTo("N-029");
+  }
+
+  @Test
+  void rightMotionsLooseTolerancesAndRestAreNot() throws IOException {
+    assertThat(run(new HarmonicOscillator(), 1e-8, true).notes()).isEmpty();
+    assertThat(run(new Pushed(0.1, 1), 1e-2, true).notes()).isEmpty();
+    assertThat(run(new Pushed(0, 0), 1e-8, true).notes()).isEmpty();
+  }
+}
