@@ -2,9 +2,15 @@ package org.mechservice.solver.simulation;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.ExtendedModel;
+import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.api.RunNotes.Note;
 import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.WatchedModel;
 
 /** Warns of a run whose energy balance says that its motion is wrong. */
 final class EnergyDoubt {
@@ -18,13 +24,20 @@ final class EnergyDoubt {
 
   /**
    * Returns the report with a warning beside its other notes, if there is reason for one; it ends a
-   * strict run that was completed.
+   * strict run that was completed. Where work is not measured, a damper that acts between two rows
+   * looks like a drift.
    */
-  static RunReport added(RunReport report, boolean strict) {
+  static RunReport added(RunReport report, Model asBuilt, RunRequest request) {
+    boolean measured =
+        request.columns().contains(ColumnGroup.ENERGY)
+            || request.maxDrift().isPresent()
+            || !(WatchedModel.bare(ExtendedModel.bare(asBuilt)) instanceof PowerInput);
     double drift = report.energyDrift().orElse(0) / report.energyScale().orElse(1);
-    if (!(drift > FAR && drift > TOLERANCES * report.settings().relativeTolerance())) {
-      return report;
-    }
+    boolean far = drift > FAR && drift > TOLERANCES * request.settings().relativeTolerance();
+    return measured && far ? warned(report, drift, request.strict()) : report;
+  }
+
+  private static RunReport warned(RunReport report, double drift, boolean strict) {
     List<Note> notes = new ArrayList<>(report.notes());
     Note warning =
         new Note(

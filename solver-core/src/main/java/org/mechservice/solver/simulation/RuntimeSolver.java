@@ -44,7 +44,8 @@ public final class RuntimeSolver implements Solver {
     return EnergyDoubt.added(
         new Simulation(integrator(name), formOf(model, name))
             .run(model, request, sink, control, checkpoints),
-        request.strict());
+        model,
+        request);
   }
 
   /** Returns the form in which an integrator takes a model's equations. */

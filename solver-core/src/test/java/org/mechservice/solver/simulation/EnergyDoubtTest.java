@@ -8,6 +8,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
@@ -71,5 +72,35 @@ class EnergyDoubtTest {
     assertThat(run(new HarmonicOscillator(), 1e-8, true).notes()).isEmpty();
     assertThat(run(new Pushed(0.1, 1), 1e-2, true).notes()).isEmpty();
     assertThat(run(new Pushed(0, 0), 1e-8, true).notes()).isEmpty();
+  }
+
+  /** Takes the speed away between two rows: a damper that is not seen to work at any of them. */
+  private static final class Braked extends HarmonicOscillator implements PowerInput {
+    @Override
+    public int derivative(double t, double[] y, double[] yDot) {
+      super.derivative(t, y, yDot);
+      yDot[1] += brake(t) * y[1];
+      return REGULAR;
+    }
+
+    private static double brake(double t) {
+      double way = (t - 1.1) / 0.05;
+      return Math.abs(way) < 1 ? -20 * (1 - way * way) * (1 - way * way) : 0;
+    }
+
+    @Override
+    public double power(double t, double[] y) {
+      return brake(t) * y[1] * y[1];
+    }
+
+    @Override
+    public boolean holdsAllPower() {
+      return true;
+    }
+  }
+
+  @Test
+  void workThatIsNotMeasuredIsNoDrift() throws IOException {
+    assertThat(run(new Braked(), 1e-8, false).notes()).isEmpty();
   }
 }
