@@ -24,6 +24,7 @@ final class SimhostCommand implements Callable<Integer> {
       required = true,
       paramLabel = "URL[,URL...]",
       split = ",",
+      hideParamSyntax = true,
       description = "Servers to register with, as host:port or URL; one of them must be there.")
   private List<String> servers = List.of();
 

@@ -22,7 +22,7 @@ import picocli.CommandLine.Spec;
     name = "stability",
     description = {
       "Runs the suite of stiff and extreme scenes with every method that fits, or measures a"
-          + " property of the integrators and formulations."
+          + " property of the integrators and formulations. Models of your own: mech report."
     },
     mixinStandardHelpOptions = true,
     versionProvider = Mech.Version.class)
@@ -60,8 +60,7 @@ final class StabilityCommand implements Callable<Integer> {
       paramLabel = "STUDY",
       description = {
         "Measure a property instead, one page each with its figures as CSV: growth, periods, noise,"
-            + " damping, singular, start, condition, newton, auto, service; or"
-            + " all."
+            + " damping, singular, start, condition, newton, auto, service; or all."
       })
   private Optional<String> study = Optional.empty();
 

@@ -3,6 +3,7 @@ package org.mechservice.client;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -155,13 +156,21 @@ public final class MechSession implements AutoCloseable {
   }
 
   /**
-   * Returns the Java class the server generates for the model.
+   * Returns the Java classes the server generates for the model, that of the equations first;
+   * compiled together they are the model.
    *
    * @throws InvalidOptionException if an option cannot be used
    */
-  public GeneratedSource generatedSource(SimulationOptions options) {
+  public List<GeneratedSource> generatedSources(SimulationOptions options) {
+    List<GeneratedSource> sources = new ArrayList<>();
     ModelFile source = calls.get(() -> session.generatedSource(options.toNameValues()));
-    return new GeneratedSource(source.fileName, new String(source.content, StandardCharsets.UTF_8));
+    while (!source.fileName.isEmpty()) {
+      String text = new String(source.content, StandardCharsets.UTF_8);
+      sources.add(new GeneratedSource(source.fileName, text));
+      SimulationOptions next = options.sourcePart(sources.size());
+      source = calls.get(() -> session.generatedSource(next.toNameValues()));
+    }
+    return sources;
   }
 
   /**

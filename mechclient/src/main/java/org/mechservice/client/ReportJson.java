@@ -4,17 +4,19 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
 import com.google.gson.JsonPrimitive;
-import java.math.BigDecimal;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.regex.Pattern;
 
 /** Reads the run report that a server sends as one flat JSON object. */
 final class ReportJson {
+  private static final Pattern COUNT = Pattern.compile("-?[0-9]{1,18}");
+
   private ReportJson() {}
 
   /**
-   * Returns the report's entries in order; whole numbers as {@link Long}, others as {@link Double};
-   * null, a number that is none, is left out.
+   * Returns the report's entries in order; numbers written as digits alone, which are counts, as
+   * {@link Long}, others as {@link Double}; null, a number that is none, is left out.
    *
    * @throws ServerFailureException if it is not a flat JSON object
    */
@@ -39,14 +41,13 @@ final class ReportJson {
     if (value.isBoolean()) {
       return value.getAsBoolean();
     }
-    return value.isNumber() ? number(value.getAsBigDecimal()) : value.getAsString();
+    return value.isNumber() ? number(value.getAsString()) : value.getAsString();
   }
 
-  private static Object number(BigDecimal number) {
-    boolean whole = number.scale() <= 0 && number.precision() - number.scale() <= 18;
-    if (whole) {
-      return number.longValueExact();
+  private static Object number(String text) {
+    if (COUNT.matcher(text).matches()) {
+      return Long.valueOf(text);
     }
-    return number.doubleValue();
+    return Double.valueOf(text);
   }
 }

@@ -87,7 +87,7 @@ public record CheckReport(
     Program derivative =
         model.mechanism().closures().isEmpty()
             ? TreeClass.derivative(links, choice)
-            : LoopTermsClass.derive(links, options, choice).equations();
+            : LoopTermsClass.derive(model, links, options, choice).equations();
     List<String> noFaster =
         GenerationLimits.noFaster(choice.formulation(), derivative.operationCount());
     if (!noFaster.isEmpty()) {

@@ -73,7 +73,7 @@ final class ModelJars {
   }
 
   private static Map<String, String> manifest(CompiledModel model, String mechmlSha256) {
-    GeneratedModel generated = model.generated();
+    GeneratedFacts generated = model.generated();
     Map<String, String> manifest = new LinkedHashMap<>();
     manifest.put("Implementation-Title", generated.modelName());
     manifest.put("Implementation-Version", SolverVersion.CURRENT);

@@ -7,6 +7,7 @@ import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.mechanism.force.SpringDamper;
@@ -16,9 +17,10 @@ import org.mechservice.solver.mechanism.force.SpringDamper;
  *
  * <p>As a rule {@code switching}, which finds out along the run. An open chain whose fastest motion
  * dies away many times within the run begins with an implicit method instead, if that motion is one
- * of springs, dampers and bushings alone, whose coefficients hold all along: what contacts,
- * friction and formulas make stiff at the start may be soft later. A larger one takes {@code
- * ode15sR}, which has its derivatives by recursion and solves for half as many unknowns.
+ * of springs, dampers, bushings and drives that are linear in joint coordinates alone, whose
+ * coefficients hold all along: what contacts, friction and other formulas make stiff at the start
+ * may be soft later. A larger one takes {@code ode15sR}, which has its derivatives by recursion and
+ * solves for half as many unknowns.
  *
  * @param integrator its name
  * @param reason why, in a clause; empty if {@code switching} decides along the run
@@ -82,7 +84,8 @@ public record IntegratorChoice(String integrator, Optional<String> reason) {
   private static boolean holdsAllAlong(ForceElement force) {
     return force instanceof Bushing
         || (force instanceof SpringDamper spring && spring.side() == Side.BOTH)
-        || (force instanceof JointSpringDamper spring && spring.side() == Side.BOTH);
+        || (force instanceof JointSpringDamper spring && spring.side() == Side.BOTH)
+        || (force instanceof JointForce drive && Linearity.of(drive.force()) == Linearity.LINEAR);
   }
 
   private static Mechanism withForces(Mechanism mechanism, List<ForceElement> forces) {

@@ -14,7 +14,7 @@ public final class HostLimits {
   /** The value of what is not bounded. */
   public static final long UNLIMITED = -1;
 
-  /** Without a lease or a count of sessions, dead clients and hostile ones would stay for ever. */
+  /** Without these, dead clients would stay for ever, and hostile ones take all there is. */
   private static final Set<HostLimit> NEVER_UNLIMITED =
       Set.of(HostLimit.LEASE, HostLimit.CONNECTIONS, HostLimit.MODEL_BYTES);
 

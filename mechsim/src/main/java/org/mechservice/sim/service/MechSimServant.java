@@ -2,6 +2,7 @@ package org.mechservice.sim.service;
 
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -35,9 +36,11 @@ import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.sim.build.BuildOptions;
 import org.mechservice.sim.build.CheckReport;
 import org.mechservice.sim.build.CompiledModel;
+import org.mechservice.sim.build.GeneratedFacts;
 import org.mechservice.sim.build.GeneratedModel;
 import org.mechservice.sim.build.ModelFactory;
 import org.mechservice.sim.build.PackedJar;
+import org.mechservice.sim.build.SourceFile;
 import org.mechservice.sim.build.jar.Packing;
 import org.mechservice.sim.build.user.UserFile;
 import org.mechservice.solver.api.RunRequest;
@@ -124,7 +127,7 @@ final class MechSimServant implements MechSimOperations {
       RunOptions asInFile =
           RunOptions.parse(new NameValue[0], settings).suiting(read.model().mechanism());
       library.generated(read, asInFile.forRun(settings), times);
-    } catch (InvalidOption | NotAvailable | IllegalArgumentException e) {
+    } catch (InvalidOption | IllegalArgumentException e) {
       LOG.debug("the model cannot be run as its file says", e);
     }
   }
@@ -144,8 +147,7 @@ final class MechSimServant implements MechSimOperations {
     }
   }
 
-  private static RunOptions suiting(NameValue[] options, LoadedModel model)
-      throws InvalidOption, NotAvailable {
+  private static RunOptions suiting(NameValue[] options, LoadedModel model) throws InvalidOption {
     return RunOptions.parse(options, model.model().settings()).suiting(model.model().mechanism());
   }
 
@@ -179,9 +181,15 @@ final class MechSimServant implements MechSimOperations {
     RunOptions asked = suiting(options, model);
     GeneratedModel generated =
         Built.orRefused(() -> library.generated(model, asked.forJar(), times));
+    List<SourceFile> sources = generated.sources();
+    int part = RunOptions.sourcePart(options);
+    if (part >= sources.size()) {
+      return new ModelFile("", new byte[0]);
+    }
+    SourceFile source = sources.get(part);
     return new ModelFile(
-        generated.sourceName().replace('.', '/') + ".java",
-        generated.source().getBytes(StandardCharsets.UTF_8));
+        source.className().replace('.', '/') + ".java",
+        source.text().getBytes(StandardCharsets.UTF_8));
   }
 
   @Override
@@ -267,7 +275,7 @@ final class MechSimServant implements MechSimOperations {
   }
 
   private static Diagnostic[] messages(
-      LoadedModel source, GeneratedModel generated, RunOptions asked) {
+      LoadedModel source, GeneratedFacts generated, RunOptions asked) {
     Diagnostic[] warnings = Wire.diagnostics(source.model().warnings());
     Diagnostic[] all = new Diagnostic[warnings.length + 1];
     System.arraycopy(warnings, 0, all, 0, warnings.length);

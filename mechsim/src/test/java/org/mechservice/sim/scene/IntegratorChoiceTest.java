@@ -65,6 +65,28 @@ class IntegratorChoiceTest {
     assertThat(choice.reason()).isEmpty();
   }
 
+  /** A drive as stiff holds all along if it is linear in its coordinate, whatever it follows. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "1e6*(0.3*sin(2*t) - j1.q) - 1e5*j1.v | ode15s",
+        "-(1e5/2)*j1.v*2 + 3 | ode15s",
+        "-1e5*j1.v*smoothStep(t) | switching",
+        "-1e5*j1.v*abs(j1.v) - 1e5*j1.v | switching",
+        "-1e5*bar1.p2.vz | switching",
+        "5*sin(t) | switching"
+      })
+  void driveTakesAnImplicitMethodFromTheStartIfItIsLinear(String force, String integrator)
+      throws Exception {
+    String driven =
+        scene("pendulum/pendulum")
+            .replace(
+                "</Forces>",
+                "<jointForce name=\"m\" joint=\"j1\" expression=\"" + force + "\"/></Forces>");
+    assertThat(choice("auto", driven).integrator()).isEqualTo(integrator);
+  }
+
   @Test
   void residualFormulationsHaveOneIntegrator() throws Exception {
     assertThat(choice("RR", scene("pendulum/pendulum")).integrator()).isEqualTo("ode15sR");

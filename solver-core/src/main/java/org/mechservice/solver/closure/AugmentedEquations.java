@@ -68,7 +68,11 @@ final class AugmentedEquations {
 
   private final double[] matrix;
   private final double[] augmented;
-  private double penalty;
+
+  /** Units of the unknowns, 1/s, and α of each row. */
+  private final double[] units;
+
+  private final double[] penalties;
 
   private final double[] force;
   private final double[] gap;
@@ -76,10 +80,15 @@ final class AugmentedEquations {
   /** λ of the last solution, one per row over its size. */
   final double[] multipliers;
 
-  AugmentedEquations(int equations, int unknowns, Factors factors) {
+  /**
+   * @param units of the unknowns, in which elements of J are compared with one
+   */
+  AugmentedEquations(int equations, double[] units, Factors factors) {
     this.factors = factors;
-    n = unknowns;
+    this.units = units;
+    n = units.length;
     m = equations;
+    penalties = new double[m];
     rows = new double[m * n];
     matrix = new double[n * n];
     augmented = new double[n * n];
@@ -93,23 +102,33 @@ final class AugmentedEquations {
    *
    * @param a A, n × n; not modified
    * @param scaledRows J, rows over their sizes, m × n; not modified
-   * @param penalty α
+   * @param penalty α of a row of unit length; less of longer ones, as of those of a ring of many
+   *     bodies, which are as long as the ring is wide: α JᵀJ would else leave nothing of A
    * @return a negative number, or the unknown without a pivot
    */
   int factor(double[] a, double[] scaledRows, double penalty) {
-    this.penalty = penalty;
     System.arraycopy(a, 0, matrix, 0, n * n);
     System.arraycopy(a, 0, augmented, 0, n * n);
     System.arraycopy(scaledRows, 0, rows, 0, m * n);
     for (int row = 0; row < m; row++) {
+      penalties[row] = penalty / Math.max(1, square(row));
       addSquare(row);
     }
     return factors.factor(augmented);
   }
 
+  private double square(int row) {
+    double sum = 0;
+    for (int j = 0; j < n; j++) {
+      double part = rows[row * n + j] * units[j];
+      sum += part * part;
+    }
+    return sum;
+  }
+
   private void addSquare(int row) {
     for (int i = 0; i < n; i++) {
-      double weighted = penalty * rows[row * n + i];
+      double weighted = penalties[row] * rows[row * n + i];
       for (int j = 0; weighted != 0 && j < n; j++) {
         augmented[i * n + j] += weighted * rows[row * n + j];
       }
@@ -143,14 +162,14 @@ final class AugmentedEquations {
   /** x += (A + α JᵀJ)⁻¹ (f − α Jᵀ g), λ += α (g + J Δx). */
   private void correct(double[] x, int at) {
     for (int row = 0; row < m; row++) {
-      double push = penalty * gap[row];
+      double push = penalties[row] * gap[row];
       for (int j = 0; push != 0 && j < n; j++) {
         force[j] -= push * rows[row * n + j];
       }
     }
     factors.solve(force);
     for (int row = 0; row < m; row++) {
-      multipliers[row] += penalty * (gap[row] + product(row, force, 0));
+      multipliers[row] += penalties[row] * (gap[row] + product(row, force, 0));
     }
     for (int j = 0; j < n; j++) {
       x[at + j] += force[j];

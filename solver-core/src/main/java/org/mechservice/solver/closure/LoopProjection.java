@@ -62,7 +62,7 @@ final class LoopProjection {
     int count = work.loops.count() + held.length;
     equations =
         new AugmentedEquations(
-            count, work.nv, AugmentedEquations.Factors.of(new Cholesky(work.nv)));
+            count, work.units.velocities, AugmentedEquations.Factors.of(new Cholesky(work.nv)));
     rows = new double[count * work.nv];
     none = new double[work.nv];
     offset = new double[count];

@@ -7,8 +7,9 @@ import java.util.Locale;
  * follow the closure's name: {@code penalty:alpha=1e7,omega=10,mu=1}; what is not named has its
  * default.
  *
- * @param stiffness α, penalty per equation over the largest inertia on the diagonal of M; large
- *     enough for two or three repetitions to meet the equations to round-off
+ * @param stiffness α, penalty per equation over the largest inertia on the diagonal of M, less
+ *     where its row is longer than one; large enough for two or three repetitions to meet the
+ *     equations to round-off
  * @param frequency Ω, 1/s: how fast a residual within a step dies out; those of accepted states are
  *     projected away
  * @param damping μ, of a residual as of an oscillator: 1 is critical

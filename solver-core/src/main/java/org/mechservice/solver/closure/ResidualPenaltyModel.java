@@ -114,7 +114,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     lambda = new double[m];
     full = new double[n * n];
     DenseLu lu = new DenseLu(n);
-    equations = new AugmentedEquations(m, n, AugmentedEquations.Factors.of(lu));
+    equations = new AugmentedEquations(m, work.units.velocities, AugmentedEquations.Factors.of(lu));
     normal = new double[m * m];
     gram = new Cholesky(m);
     right = new double[n];

@@ -66,7 +66,7 @@ final class SingularWatch {
   private int closestRow;
   private int rowBefore;
 
-  /** Steps in a row that have come closer to a singular position where it is rough. */
+  /** Steps in a row where it is rough that have come closer, or not left where the run began. */
   private int closer;
 
   /**
@@ -184,7 +184,8 @@ final class SingularWatch {
     remember(closeness, t);
     double s = closenessBefore / (closenessBefore + closeness);
     double timeOfLast = timeBefore;
-    closer = closeness < ROUGH && closeness < closenessBefore ? closer + 1 : 0;
+    boolean draws = closeness < closenessBefore || closest == LEAVING;
+    closer = closeness < ROUGH && draws ? closer + 1 : 0;
     boolean look = closest >= 0 && Math.min(closeness, closenessBefore) < LOOK_BETWEEN;
     for (int i = 0; look && i < between.length; i++) {
       between[i] = (1 - s) * before[i] + s * partition.scaled()[i];

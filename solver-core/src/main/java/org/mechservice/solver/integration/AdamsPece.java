@@ -111,6 +111,21 @@ abstract class AdamsPece extends SteppingIntegrator {
     return stiffness.nowAtStabilityLimit();
   }
 
+  /** Returns whether it did in some of them at least. */
+  final boolean nearStabilityLimit() {
+    return stiffness.nearStabilityLimit();
+  }
+
+  /** Returns the state reached; not to be modified. */
+  final double[] state() {
+    return history.state();
+  }
+
+  /** Returns the norm that errors are judged by. */
+  final ErrorNorm norm() {
+    return norm;
+  }
+
   /** Returns whether the solution slides along a jump; {@link JumpSearch#slides}. */
   final boolean slides() {
     return jumps.slides(progress.time(), tEnd);

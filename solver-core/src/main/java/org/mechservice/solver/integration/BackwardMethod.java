@@ -102,9 +102,16 @@ abstract class BackwardMethod extends SteppingIntegrator {
     return beginAt(t, y, 0, false);
   }
 
-  /** Returns how fast the solution can change, by the Jacobian formed last. */
+  /** Returns the rate of the fastest motion, by the Jacobian formed last. */
   final double fastestRate() {
-    return equations().derivatives().fastestRate(step.norm());
+    double estimate = equations().fastestMotion();
+    boolean known = estimate > 0 && Double.isFinite(estimate);
+    return known ? estimate : equations().derivatives().fastestRate(step.norm());
+  }
+
+  /** Returns how many matrices were factored. */
+  final long factorisations() {
+    return equations().factors().factorisations();
   }
 
   private StepResult beginAnew(double t, double[] y) {

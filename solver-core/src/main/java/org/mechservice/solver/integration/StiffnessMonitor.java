@@ -132,6 +132,11 @@ final class StiffnessMonitor {
     return latestLimitedSteps >= LATEST_AT_THE_LIMIT;
   }
 
+  /** Returns whether any of the latest steps was at the limit of stability. */
+  boolean nearStabilityLimit() {
+    return latestLimitedSteps > 0;
+  }
+
   /** Returns whether any verdict since the start was stiff. */
   boolean suspectsStiffness() {
     return verdict;

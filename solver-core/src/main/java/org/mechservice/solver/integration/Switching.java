@@ -3,18 +3,25 @@ package org.mechservice.solver.integration;
 import java.util.List;
 
 /**
- * {@link Ode113} as long as accuracy limits its steps, {@link Ode15s} where stability would. A
- * problem that never becomes stiff is integrated by ode113 alone, with the same bits and at no
- * further cost.
+ * {@link Ode113} as long as accuracy limits its steps, {@link Ode15s} where stability would and its
+ * steps would cost less. A problem that never becomes stiff is integrated by ode113 alone, with the
+ * same bits and at no further cost.
  *
- * <p>ode15s takes over when 13 of the last 16 steps were at the limit of stability, which ode113
- * sees in the two evaluations of its steps ({@link StiffnessMonitor}), or when it slides along what
- * looks like a jump: friction so steep that no step of its own tells it from one. ode113 takes over
- * when its steps at that limit would cost half the evaluations that ode15s has spent lately ({@link
- * StiffPhase}). Both begin at order 1. A phase that has not paid makes the next change of that kind
- * ask for four times the evidence, so that methods that are about equally good do not take turns:
- * one of ode15s that cost more than half of what ode113 would have spent there, one of ode113 of
- * less than 50 steps.
+ * <p>What steps cost is told by {@link StepCosts}: beside its evaluations a step of ode15s takes
+ * several times what one of ode113 does, which with cheap equations decides. ode15s takes over when
+ * 13 of the last 16 steps were at the limit of stability, which ode113 sees in the two evaluations
+ * of its steps ({@link StiffnessMonitor}), if steps of ode15s would by then be so much longer that
+ * they cost at most two thirds ({@link StepForecast}), and stiffness can be expected to last long
+ * enough to pay its start. Where the solution has only begun to get smooth, nothing is lost by
+ * waiting: both cost the same until then. It also takes over when ode113 slides along what looks
+ * like a jump: friction so steep that no step of its own tells it from one.
+ *
+ * <p>ode113 takes over when its steps, as long as they were when it was left or shorter by as much
+ * as the fastest motion got faster, would cost three quarters of what ode15s has spent lately
+ * ({@link StiffPhase}). Both begin at order 1. A phase that has not paid makes the next change of
+ * that kind ask for four times the evidence, so that methods that are about equally good do not
+ * take turns: one of ode15s that cost more than three quarters of what ode113 would have spent
+ * there, one of ode113 of less than 50 steps.
  *
  * <p>The workspace of ode15s is made when it is first needed. {@link IntegratorSettings#maxOrder}
  * bounds both; ode15s knows no more than 5.
@@ -27,6 +34,9 @@ public final class Switching implements Integrator {
   /** A phase of ode113 with fewer steps was not worth its start. */
   private static final int SHORT_PHASE = 50;
 
+  /** Times the length of steps that cost less by which they save next to all. */
+  private static final double MUCH_LONGER = 8;
+
   private static final int MORE_EVIDENCE = 4;
   private static final int MOST_EVIDENCE = 256;
 
@@ -36,24 +46,14 @@ public final class Switching implements Integrator {
   private final StiffPhase stiffPhase = new StiffPhase();
   private final MethodChanges changes = new MethodChanges();
 
+  private final StepForecast forecast = new StepForecast();
   private final double rootOfTolerance;
-
-  /** Halvings of a way after which its ends are neighbours in double precision. */
-  private static final int HALVINGS = 60;
-
-  /** What is left of a difference across a real jump. */
-  private static final double LASTING = 0.1;
-
-  /** How often the way ahead is doubled to meet what the solution slides along. */
-  private static final int DOUBLINGS = 12;
-
-  /** Change of a derivative, as a part of it, that is no smooth one's within so short a way. */
-  private static final double MUCH = 0.1;
 
   /** Of both methods. */
   private final StepBounds bounds = new StepsToEnd();
 
   private OdeSystem system = RightHandSide.none().system();
+  private StepCosts costs = new StepCosts(0);
   private double tEnd;
 
   /** Where the problem is handed over, and its derivative. */
@@ -67,6 +67,14 @@ public final class Switching implements Integrator {
   private boolean backwardBegun;
   private boolean changeDue;
 
+  /** Whether the latest forecast speaks for ode15s. */
+  private boolean worthChange;
+
+  /** Since when stability has limited the steps, and how long the last phase of ode15s was. */
+  private double limitedSince;
+
+  private double lastedBefore;
+
   /** Whether the right-hand side was found to jump where the solution slides. */
   private boolean jumps;
 
@@ -75,10 +83,8 @@ public final class Switching implements Integrator {
 
   private int evidence;
 
-  /** Where the present phase began, and the evaluations of ode15s up to there. */
-  private double phaseStart;
-
-  private long spentBefore;
+  /** What was spent up to the start of the present phase. */
+  private double spentBefore;
 
   /** How many steps in a row must speak for ode15s, and for ode113. */
   private int neededForBackward;
@@ -107,6 +113,7 @@ public final class Switching implements Integrator {
     jumps = false;
     neededForBackward = 1;
     neededForAdams = 1;
+    lastedBefore = 0;
     beginPhase(false);
     return result;
   }
@@ -116,20 +123,25 @@ public final class Switching implements Integrator {
     this.tEnd = tEnd;
     y = new double[system.dimension()];
     yDot = new double[system.dimension()];
+    forecast.prepare(system.dimension());
+    costs = new StepCosts(system.dimension());
   }
 
   private void beginPhase(boolean stiff) {
     this.stiff = stiff;
     stepsOfPhase = 0;
-    phaseStart = progress.time();
-    spentBefore = backwardBegun ? backward.evaluations() : 0;
+    spentBefore = spent();
+    stiffPhase.begin(progress.time(), forecast.meanStep());
     beginWatch();
   }
 
   private void beginWatch() {
     changeDue = false;
     evidence = 0;
-    stiffPhase.begin();
+    stiffPhase.watch();
+    forecast.begin();
+    worthChange = false;
+    limitedSince = progress.time();
   }
 
   @Override
@@ -159,78 +171,72 @@ public final class Switching implements Integrator {
     stepsOfPhase++;
     boolean slides = !stiff && !jumps && adams.slides();
     if (slides) {
-      jumps = jumpsAhead();
+      adams.interpolate(progress.time(), y, yDot);
+      // Of a real jump ode113 is left to end the run.
+      jumps = new JumpAhead(system, progress.time(), y).found(progress.stepSize());
       slides = !jumps;
     }
-    boolean speaksForOther = stiff ? backwardCostsMore() : adams.atStabilityLimit();
+    boolean speaksForOther = stiff ? backwardCostsMore() : adamsCostsMore();
     evidence = speaksForOther ? evidence + 1 : 0;
     changeDue = slides || evidence >= (stiff ? neededForAdams : neededForBackward);
   }
 
-  /**
-   * Returns whether the right-hand side jumps where the solution slides, unless it is proved to be
-   * steep only: along the tangent ahead derivatives change much within a short way, and by halving
-   * that way until no number lies between, their changes get smaller. Of a real jump an implicit
-   * method could make a slope that is not there; then ode113 is left to end the run.
-   */
-  private boolean jumpsAhead() {
-    int n = y.length;
-    double t = progress.time();
-    double[] here = new double[n];
-    double[] slope = new double[n];
-    double[] ahead = new double[n];
-    double[] slopeAhead = new double[n];
-    boolean[] looked = new boolean[n];
-    boolean steep = false;
-    adams.interpolate(t, here, yDot);
-    system.derivative(t, here, slope);
-    double h = progress.stepSize();
-    for (int i = 0; i < DOUBLINGS; i++, h *= 2) {
-      for (int l = 0; l < n; l++) {
-        ahead[l] = here[l] + h * slope[l];
-      }
-      system.derivative(t + h, ahead, slopeAhead);
-      for (int l = 0; l < n; l++) {
-        double size = Math.max(Math.abs(slope[l]), Math.abs(slopeAhead[l]));
-        if (!looked[l] && Math.abs(slopeAhead[l] - slope[l]) > MUCH * size) {
-          looked[l] = true;
-          steep = true;
-          if (changeLasts(l, t, h, here, slope, slopeAhead[l])) {
-            return true;
-          }
-        }
-      }
+  /** Returns whether stability limits the steps and those of ode15s would cost less. */
+  private boolean adamsCostsMore() {
+    if (!adams.nearStabilityLimit()) {
+      forecast.begin();
+      worthChange = false;
+      limitedSince = progress.time();
+      return false;
     }
-    return !steep;
+    if (forecast.record(progress.time(), adams.state())) {
+      worthChange = adams.atStabilityLimit() && backwardWouldCostLess();
+    }
+    return worthChange && adams.atStabilityLimit();
   }
 
-  /** Returns whether a derivative still changes as much when its ends are neighbours. */
-  private boolean changeLasts(
-      int l, double t, double h, double[] here, double[] slope, double slopeAhead) {
-    double from = 0;
-    double to = h;
-    double before = slope[l];
-    double behind = slopeAhead;
-    for (int i = 0; i < HALVINGS; i++) {
-      double middle = 0.5 * (from + to);
-      for (int j = 0; j < here.length; j++) {
-        y[j] = here[j] + middle * slope[j];
-      }
-      system.derivative(t + middle, y, yDot);
-      if (Math.abs(yDot[l] - before) < Math.abs(yDot[l] - behind)) {
-        from = middle;
-        before = yDot[l];
-      } else {
-        to = middle;
-        behind = yDot[l];
-      }
+  /** Returns whether steps of ode15s would cost less, over the way ahead with its start. */
+  private boolean backwardWouldCostLess() {
+    double step = costs.stepWorthAChange() * forecast.meanStep();
+    if (!passes(step)) {
+      return false;
     }
-    return !(Math.abs(behind - before) < LASTING * Math.abs(slopeAhead - slope[l]));
+    double longer = 1;
+    while (longer < MUCH_LONGER && passes(2 * longer * step)) {
+      longer *= 2;
+    }
+    return costs.paysStart(stiffnessAhead() / forecast.meanStep(), longer);
+  }
+
+  /**
+   * Returns how long stiffness is expected to last. It may end anywhere before the run does; but if
+   * it has come and gone before, it is expected to last as long as then, or as long again as it has
+   * lasted already.
+   */
+  private double stiffnessAhead() {
+    double half = 0.5 * Math.abs(tEnd - progress.time());
+    if (lastedBefore == 0) {
+      return half;
+    }
+    return Math.min(half, Math.max(lastedBefore, Math.abs(progress.time() - limitedSince)));
+  }
+
+  private boolean passes(double step) {
+    return forecast.passes(step, BackwardFormulas.NDF, adams.norm());
   }
 
   private boolean backwardCostsMore() {
-    stiffPhase.record(progress.time(), backward.evaluations());
-    return stiffPhase.costsMoreThanAdams(backward.fastestRate()) && roomToBegin();
+    double rate = backward.fastestRate();
+    stiffPhase.record(progress.time(), spent() - spentBefore, rate, costs.adamsStep());
+    return stiffPhase.costsMoreThanAdams() && roomToBegin();
+  }
+
+  /** Returns what ode15s has cost, and the steps of ode113 as if they had been its own. */
+  private double spent() {
+    long tries = progress.steps() + progress.rejectedSteps();
+    return backwardBegun
+        ? costs.backward(tries, backward.evaluations(), backward.factorisations())
+        : costs.backward(tries, 0, 0);
   }
 
   /**
@@ -250,6 +256,9 @@ public final class Switching implements Integrator {
     if (!paid()) {
       demandMore();
     }
+    if (stiff) {
+      lastedBefore = stiffPhase.covered();
+    }
     beginPhase(!stiff);
     if (!stiff) {
       return adams.takeOver(t, y);
@@ -261,10 +270,7 @@ public final class Switching implements Integrator {
 
   /** Returns whether the phase that ends was worth its start. */
   private boolean paid() {
-    double covered = Math.abs(progress.time() - phaseStart);
-    return stiff
-        ? StiffPhase.paid(covered, backward.evaluations() - spentBefore, backward.fastestRate())
-        : stepsOfPhase >= SHORT_PHASE;
+    return stiff ? stiffPhase.paid() : stepsOfPhase >= SHORT_PHASE;
   }
 
   /** The phase that ends was begun too early. */
@@ -335,13 +341,16 @@ public final class Switching implements Integrator {
 
   private void transfer(StateTransfer state) {
     stiffPhase.transfer(state);
+    forecast.transfer(state);
     changes.transfer(state);
     stiff = state.flag(stiff);
     changeDue = state.flag(changeDue);
+    worthChange = state.flag(worthChange);
+    limitedSince = state.number(limitedSince);
+    lastedBefore = state.number(lastedBefore);
     jumps = state.flag(jumps);
     stepsOfPhase = state.integer(stepsOfPhase);
-    phaseStart = state.number(phaseStart);
-    spentBefore = state.integer(spentBefore);
+    spentBefore = state.number(spentBefore);
     evidence = state.integer(evidence);
     neededForBackward = state.integer(neededForBackward);
     neededForAdams = state.integer(neededForAdams);

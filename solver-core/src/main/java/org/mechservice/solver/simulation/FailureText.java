@@ -153,7 +153,13 @@ final class FailureText {
   /** Returns whether a failure can come from loops that lock, branch or stay open. */
   static boolean mayLieInLoops(IntegrationFailure.Cause cause) {
     return switch (cause) {
-      case NOT_FINITE, STEP_TOO_SMALL, NO_CONVERGENCE, SINGULAR_MATRIX, NOT_COMPLETED -> true;
+      case NOT_FINITE,
+          STEP_TOO_SMALL,
+          TOLERANCE_TOO_TIGHT,
+          NO_CONVERGENCE,
+          SINGULAR_MATRIX,
+          NOT_COMPLETED ->
+          true;
       default -> false;
     };
   }

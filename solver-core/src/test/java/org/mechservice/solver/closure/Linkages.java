@@ -228,6 +228,35 @@ final class Linkages {
     return mechanism("windows", bodies, joints, closures);
   }
 
+  /**
+   * Bars of 1 m around a regular polygon, the last side being the ground, hinged at its corners.
+   */
+  static Mechanism ring(int sides) {
+    List<Body> bodies = new ArrayList<>();
+    List<Joint> joints = new ArrayList<>();
+    for (int i = 0; i < sides - 1; i++) {
+      bodies.add(bar("bar" + i, corner(i, sides), corner(i + 1, sides), 1));
+      int parent = i == 0 ? BodyPoint.ROOT : i - 1;
+      joints.add(turning("hinge" + i, parent, i, corner(i, sides), 0));
+    }
+    Vector3 last = corner(sides - 1, sides);
+    LoopClosure closed =
+        new PointOnLineClosure(
+            "closed",
+            new BodyPoint(sides - 2, last),
+            new BodyPoint(BodyPoint.ROOT, last),
+            Y,
+            Origin.NONE);
+    return mechanism("ring", bodies, joints, List.of(closed));
+  }
+
+  private static Vector3 corner(int i, int sides) {
+    double half = Math.PI / sides;
+    double angle = (2 * i - 1) * half;
+    double radius = 0.5 / Math.sin(half);
+    return X.times(radius * Math.cos(angle)).plus(Z.times(radius * Math.sin(angle)));
+  }
+
   private static Revolute turning(String name, int parent, int child, Vector3 at, double speed) {
     return new Revolute(
         name, new Attachment(parent, at, child, at, Rotation.IDENTITY), Y, 0, speed, Origin.NONE);

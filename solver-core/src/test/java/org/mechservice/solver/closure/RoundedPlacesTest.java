@@ -114,7 +114,17 @@ class RoundedPlacesTest {
    * made of is the rounding of π.
    */
   @ParameterizedTest
-  @CsvSource({"DSR, ode113", "DSR, ode15s", "RR-JF, ode15sR", "DSR penalty, switching"})
+  @CsvSource({
+    "DSR, ode113",
+    "DSR, ode15s",
+    "RR-JF, ode15sR",
+    "DSR penalty, switching",
+    "DSR penalty, ode113",
+    "DSR penalty, DE",
+    "DSR penalty, ode15s",
+    "RR penalty, ode15sR",
+    "RR-JF penalty, ode15sR"
+  })
   void stretchedLinkageEndsWithTheNameOfItsConstraint(String formulation, String integrator) {
     Mechanism stretched =
         Linkages.mechanism(

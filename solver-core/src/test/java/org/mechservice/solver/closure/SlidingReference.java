@@ -1,8 +1,6 @@
 package org.mechservice.solver.closure;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.closure.JumpingLoops.Law;
@@ -14,7 +12,7 @@ import org.mechservice.solver.closure.JumpingLoops.Side;
  * on it. In steps of the classical Runge-Kutta method, of which one that changes sides ends where
  * it does, found by halving.
  */
-final class SlidingReference {
+final class SlidingReference implements ExactMotion {
   private static final double STEP = 1e-3;
   private static final int HALVINGS = 45;
   private static final double ON_THE_JUMP = 1e-9;
@@ -45,22 +43,17 @@ final class SlidingReference {
     n = sides[0].description().stateCount();
     slopes = new double[2][n];
     y = new double[n];
-    sides[0].initialState(y);
-    double behind = scene.behind(t, y);
-    mode = Math.abs(behind) > ON_THE_JUMP ? sign(behind) : leadingFrom(1);
   }
 
-  /** Returns rows of time and state at multiples of a distance. */
-  List<double[]> rows(double distance, int count) {
-    List<double[]> rows = new ArrayList<>();
-    for (int i = 0; i <= count; i++) {
-      advance(i * distance);
-      double[] row = new double[n + 1];
-      row[0] = t;
-      System.arraycopy(y, 0, row, 1, n);
-      rows.add(row);
-    }
-    return rows;
+  @Override
+  public double[] after(double start, double[] state, double end) {
+    t = start;
+    y = state.clone();
+    complete(t, y);
+    double behind = scene.behind(t, y);
+    mode = Math.abs(behind) > ON_THE_JUMP ? sign(behind) : leadingFrom(1);
+    advance(end);
+    return y.clone();
   }
 
   private static int sign(double x) {

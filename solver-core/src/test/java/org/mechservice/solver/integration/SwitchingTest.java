@@ -38,7 +38,7 @@ class SwitchingTest {
   }
 
   @ParameterizedTest
-  @ValueSource(doubles = {1e-5, 1e-6, 1e-9})
+  @ValueSource(doubles = {1e-3, 1e-5, 1e-6, 1e-9})
   void relaxationOscillatorChangesMethodAtEveryJumpAndBack(double tolerance) {
     // Ten periods have twenty jumps: one change before the first, two at each.
     Run run = relaxation(tolerance, 10);
@@ -47,7 +47,7 @@ class SwitchingTest {
   }
 
   @ParameterizedTest
-  @ValueSource(doubles = {1e-4, 3e-5, 1e-5, 1e-6, 1e-8})
+  @ValueSource(doubles = {1e-3, 1e-4, 3e-5, 1e-5, 1e-6, 1e-8})
   void relaxationOscillatorCostsNoMoreThanTheStiffMethodAlone(double tolerance) {
     // A phase of few steps may have paid all the same: it covers what ode113 could not.
     IntegratorSettings settings = new IntegratorSettings(tolerance, tolerance);
@@ -97,13 +97,6 @@ class SwitchingTest {
   }
 
   @Test
-  void jumpsThatTakeFewStepsAreNotWorthAChange() {
-    Run run = relaxation(1e-3, 10);
-    assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
-    assertThat(run.integrator().methodChangeCount()).isBetween(1L, 20L);
-  }
-
-  @Test
   void changesAreToldInOrderWithTheirReason() {
     List<MethodChange> changes = relaxation(1e-6, 2).integrator().methodChanges();
     assertThat(changes).hasSizeGreaterThan(3);
@@ -134,20 +127,85 @@ class SwitchingTest {
     }
   }
 
+  /**
+   * Evaluations, and what steps take beside them: on the Brusselator of 40 unknowns a step of
+   * ode15s takes 3.6 times the processor time of one of ode113 and two thirds of its evaluations.
+   */
   @Test
   void stiffProblemCostsHardlyMoreThanWithOde15s() {
-    // Finding out takes some 60 evaluations; only runs of hardly more than that feel it.
+    // Finding out takes some 30 steps; only runs of hardly more than that feel it.
     for (SuiteProblem problem : SuiteProblem.stiff()) {
       for (int k = 3; k <= 9; k++) {
         IntegratorSettings settings = Run.settings(problem, StrictMath.pow(10, -k));
-        Run switching = Run.of(new Switching(settings), problem);
-        long stiff = Run.of(new Ode15s(settings), problem).statistics().evaluations();
-        assertThat(switching.result()).isEqualTo(StepResult.REACHED_END);
-        assertThat((double) switching.statistics().evaluations())
+        StepCosts costs = new StepCosts(problem.dimension());
+        double stiff = cost(new Ode15s(settings), problem, costs);
+        assertThat(cost(new Switching(settings), problem, costs))
             .as("%s, 1e-%d", problem.name(), k)
-            .isLessThanOrEqualTo(Math.max(1.3 * stiff, 100.0 + stiff));
+            .isLessThanOrEqualTo(Math.max(1.3 * stiff, 50 * costs.adamsStep() + stiff));
       }
     }
+  }
+
+  private static double cost(Integrator integrator, SuiteProblem problem, StepCosts costs) {
+    double[] y0 = problem.reference().initialState();
+    StepResult result = integrator.start(problem, 0, y0, problem.reference().end());
+    boolean switching = integrator instanceof Switching;
+    long ofAdams = 0;
+    long ofBackward = 0;
+    while (result == StepResult.ADVANCED) {
+      result = integrator.step();
+      if (switching && integrator.methodChangeCount() % 2 == 0) {
+        ofAdams++;
+      } else {
+        ofBackward++;
+      }
+    }
+    assertThat(result).isEqualTo(StepResult.REACHED_END);
+    IntegrationStatistics done = integrator.statistics();
+    double adamsStep = costs.adamsStep() - costs.backward(0, 2, 0);
+    return ofAdams * adamsStep
+        + costs.backward(ofBackward, done.evaluations(), done.factorisations());
+  }
+
+  /**
+   * Its decay keeps the steps of ode113 at 0.7 ms and its oscillation those of order 5 below that,
+   * though not those of order 12.
+   */
+  @Test
+  void stabilityThatLimitsStepsWhichImplicitOnesWouldNotExceedIsNoReasonToChange() {
+    Ode vibrating =
+        new Ode(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = -1000 * (y[0] - y[1]);
+              yDot[1] = 150 * StrictMath.cos(150 * t);
+            });
+    for (double tolerance : new double[] {1e-6, 1e-8}) {
+      IntegratorSettings settings = new IntegratorSettings(tolerance, tolerance);
+      Ode113 alone = new Ode113(settings);
+      Run.of(alone, vibrating, 0, new double[] {0, 0}, 2);
+      assertThat(alone.statistics().stiffnessSuspected()).isTrue();
+      Switching integrator = new Switching(settings);
+      Run.of(integrator, vibrating, 0, new double[] {0, 0}, 2);
+      assertThat(integrator.methodChanges()).as("%g", tolerance).isEmpty();
+    }
+  }
+
+  @Test
+  void stiffnessThatBeginsShortlyBeforeTheEndIsNotWorthAChange() {
+    Ode gripped =
+        new Ode(
+            1,
+            (t, y, yDot) ->
+                yDot[0] = -(t < 10 ? 1 : 1e4) * (y[0] - StrictMath.cos(t)) - StrictMath.sin(t));
+    // From t = 10 on ode113 needs 70 steps for each 0.01.
+    IntegratorSettings settings = new IntegratorSettings(1e-6, 1e-6);
+    Switching soon = new Switching(settings);
+    Run.of(soon, gripped, 0, new double[] {1000}, 10.01);
+    assertThat(soon.methodChanges()).isEmpty();
+    Switching later = new Switching(settings);
+    Run.of(later, gripped, 0, new double[] {1000}, 10.1);
+    assertThat(later.methodChanges()).hasSize(1);
   }
 
   @Test
