@@ -29,7 +29,8 @@ final class ModelJars {
     RuntimeJar runtime = RuntimeJar.current();
     // What the runtime JAR has reaches nothing beyond it.
     ReachableClasses.from(
-            model.classFiles(), path -> runtime.has(path) ? null : SolverFiles.lean(path))
+            model.classFiles(),
+            path -> runtime.has(path) ? null : ColumnClasses.needed(path, model))
         .forEach(jar::add);
     return packed(model, jar, packing, "", model.generated().className(), manifest);
   }
@@ -42,7 +43,8 @@ final class ModelJars {
     String launcher = Launcher.class.getName();
     manifest.put("Main-Class", launcher);
     manifest.putAll(manifest(model, mechmlSha256));
-    SortedMap<String, byte[]> solver = ReachableClasses.from(own, SolverFiles::lean);
+    SortedMap<String, byte[]> solver =
+        ReachableClasses.from(own, path -> ColumnClasses.needed(path, model));
     ReproducibleJar jar = new ReproducibleJar(manifest, packing).addClasses(own);
     String launcherFile = launcher.replace('.', '/') + ".class";
     jar.add(launcherFile, Objects.requireNonNull(SolverFiles.lean(launcherFile)));

@@ -19,8 +19,8 @@ import org.mechservice.solver.mechanism.force.SpringDamper;
  * dies away many times within the run begins with an implicit method instead, if that motion is one
  * of springs, dampers, bushings and drives that are linear in joint coordinates alone, whose
  * coefficients hold all along: what contacts, friction and other formulas make stiff at the start
- * may be soft later. A larger one takes {@code
- * ode15sR}, which has its derivatives by recursion and solves for half as many unknowns.
+ * may be soft later. A larger one takes {@code ode15sR}, which has its derivatives by recursion and
+ * solves for half as many unknowns.
  *
  * @param integrator its name
  * @param reason why, in a clause; empty if {@code switching} decides along the run

@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -13,7 +16,9 @@ import java.util.TreeMap;
 import java.util.jar.JarEntry;
 import java.util.jar.JarInputStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.jar.Packing;
@@ -122,6 +127,53 @@ class DataColumnsTest {
                 ModelFactory.standaloneJar(
                     pendulum(false, ColumnGroup.REACTIONS), "", Packing.SMALLEST)))
         .anyMatch(name -> name.contains("solver.analysis.ReactionColumns"));
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"REACTIONS", "MOMENTUM", "OUTPUTS"})
+  void aJarCarriesTheClassesOfTheColumnsAskedForAlone(ColumnGroup group) throws IOException {
+    CompiledModel model = pushed(group);
+    assertThat(entries(ModelFactory.modelJar(model, "", Packing.SMALLEST)))
+        .filteredOn(ColumnClasses.paths()::contains)
+        .hasSize(1)
+        .allMatch(path -> ColumnClasses.needed(path, model) != null);
+  }
+
+  /** Compact, so that none of the columns is code. */
+  private static CompiledModel pushed(ColumnGroup group) {
+    Mechanism pushed = RandomForces.on(RandomTrees.driven(SEED, 4), SEED);
+    MechmlModel model = RandomEvents.on(pushed, SEED);
+    BuildOptions options = new BuildOptions("DTR", "auto", true, Set.of(group), SETTINGS);
+    return ModelFactory.compile(model, options, ModelFactory.generate(model, options));
+  }
+
+  /** The machine it runs on has nothing but the JAR. */
+  @ParameterizedTest
+  @EnumSource(names = {"REACTIONS", "FORCES", "MOMENTUM", "OUTPUTS"})
+  void aStandaloneJarPutsOutTheColumnsItWasBuiltWith(ColumnGroup group, @TempDir Path folder)
+      throws Exception {
+    Path jar = folder.resolve("p.jar");
+    Files.write(jar, ModelFactory.standaloneJar(pushed(group), "", Packing.SMALLEST).bytes());
+    Path rows = folder.resolve("rows.csv");
+    Process process =
+        new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-jar",
+                jar.toString(),
+                "--columns",
+                group.label(),
+                "--out",
+                rows.toString())
+            .redirectErrorStream(true)
+            .start();
+    String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertThat(process.waitFor()).as(said).isZero();
+    assertThat(Files.readAllLines(rows)).hasSizeGreaterThan(1);
+  }
+
+  @Test
+  void theClassesOfColumnsAreClassesOfTheSolver() {
+    assertThat(ColumnClasses.paths()).allSatisfy(p -> assertThat(SolverFiles.lean(p)).isNotNull());
   }
 
   private static List<String> entries(PackedJar jar) throws IOException {
