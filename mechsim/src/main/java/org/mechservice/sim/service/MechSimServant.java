@@ -127,7 +127,7 @@ final class MechSimServant implements MechSimOperations {
       RunOptions asInFile =
           RunOptions.parse(new NameValue[0], settings).suiting(read.model().mechanism());
       library.generated(read, asInFile.forRun(settings), times);
-    } catch (InvalidOption | NotAvailable | IllegalArgumentException e) {
+    } catch (InvalidOption | IllegalArgumentException e) {
       LOG.debug("the model cannot be run as its file says", e);
     }
   }
@@ -147,8 +147,7 @@ final class MechSimServant implements MechSimOperations {
     }
   }
 
-  private static RunOptions suiting(NameValue[] options, LoadedModel model)
-      throws InvalidOption, NotAvailable {
+  private static RunOptions suiting(NameValue[] options, LoadedModel model) throws InvalidOption {
     return RunOptions.parse(options, model.model().settings()).suiting(model.model().mechanism());
   }
 

@@ -6,7 +6,10 @@ final class PlacesKept {
   private static final int MOST = 6;
 
   private final int stride;
+
+  /** Steps since the latest place. */
   private int steps;
+
   private int count;
 
   /** The latest places, that of index 0 last. */
@@ -41,9 +44,10 @@ final class PlacesKept {
   /** Takes note of a step; returns whether its end is a new place. */
   boolean record(double t, double[] y) {
     steps++;
-    if (steps % stride != 0) {
+    if (steps < stride) {
       return false;
     }
+    steps = 0;
     System.arraycopy(time, 0, time, 1, MOST - 1);
     time[0] = t;
     count = Math.min(count + 1, MOST);

@@ -12,9 +12,9 @@ import java.util.List;
  * 13 of the last 16 steps were at the limit of stability, which ode113 sees in the two evaluations
  * of its steps ({@link StiffnessMonitor}), if steps of ode15s would by then be so much longer that
  * they cost at most two thirds ({@link StepForecast}), and stiffness can be expected to last long
- * enough to pay its start. Where the solution has only begun to get smooth, nothing is lost by waiting:
- * both cost the same until then. It also takes over when ode113 slides along what looks like a
- * jump: friction so steep that no step of its own tells it from one.
+ * enough to pay its start. Where the solution has only begun to get smooth, nothing is lost by
+ * waiting: both cost the same until then. It also takes over when ode113 slides along what looks
+ * like a jump: friction so steep that no step of its own tells it from one.
  *
  * <p>ode113 takes over when its steps, as long as they were when it was left or shorter by as much
  * as the fastest motion got faster, would cost three quarters of what ode15s has spent lately

@@ -197,8 +197,7 @@ class SwitchingTest {
         new Ode(
             1,
             (t, y, yDot) ->
-                yDot[0] =
-                    -(t < 10 ? 1 : 1e4) * (y[0] - StrictMath.cos(t)) - StrictMath.sin(t));
+                yDot[0] = -(t < 10 ? 1 : 1e4) * (y[0] - StrictMath.cos(t)) - StrictMath.sin(t));
     // From t = 10 on ode113 needs 70 steps for each 0.01.
     IntegratorSettings settings = new IntegratorSettings(1e-6, 1e-6);
     Switching soon = new Switching(settings);

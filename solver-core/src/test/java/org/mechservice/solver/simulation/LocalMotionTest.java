@@ -56,8 +56,7 @@ class LocalMotionTest {
 
   @Test
   void overdampedMotionIsToldByItsFastestRate() {
-    assertThat(said(1e5, 0))
-        .isEqualTo("By itself it decays at 100000.0 1/s there. ");
+    assertThat(said(1e5, 0)).isEqualTo("By itself it decays at 100000.0 1/s there. ");
   }
 
   @Test
