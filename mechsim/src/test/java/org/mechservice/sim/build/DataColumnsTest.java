@@ -35,6 +35,8 @@ import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.simulation.RuntimeSolver;
 import org.mechservice.solver.standalone.Launcher;
+import org.objectweb.asm.ClassReader;
+import org.objectweb.asm.tree.ClassNode;
 
 /** Columns that no code is generated for travel as data with the models that asked for them. */
 class DataColumnsTest {
@@ -176,6 +178,17 @@ class DataColumnsTest {
     assertThat(ColumnClasses.paths()).allSatisfy(p -> assertThat(SolverFiles.lean(p)).isNotNull());
   }
 
+  /** Components are listed for those who take records apart, which data are read by alone. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void recordsListTheirComponentsWhereDataAreRead(boolean compact) throws IOException {
+    Map<String, byte[]> solver =
+        solverClasses(ModelFactory.standaloneJar(pendulum(compact), "", Packing.SMALLEST));
+    ClassNode settings = new ClassNode();
+    new ClassReader(solver.get(RunSettings.class.getName())).accept(settings, 0);
+    assertThat(settings.recordComponents != null).isEqualTo(compact);
+  }
+
   private static List<String> entries(PackedJar jar) throws IOException {
     List<String> names = new ArrayList<>();
     try (JarInputStream stream = new JarInputStream(new ByteArrayInputStream(jar.bytes()))) {
@@ -186,17 +199,19 @@ class DataColumnsTest {
     return names;
   }
 
-  private static List<String> solverOf(PackedJar jar) throws IOException {
-    List<String> names = new ArrayList<>();
+  private static Set<String> solverOf(PackedJar jar) throws IOException {
+    return solverClasses(jar).keySet();
+  }
+
+  private static Map<String, byte[]> solverClasses(PackedJar jar) throws IOException {
+    Map<String, byte[]> classes = new TreeMap<>();
     try (JarInputStream stream = new JarInputStream(new ByteArrayInputStream(jar.bytes()))) {
       for (JarEntry e = stream.getNextJarEntry(); e != null; e = stream.getNextJarEntry()) {
         if (e.getName().equals(Launcher.SOLVER)) {
-          Map<String, byte[]> classes = new TreeMap<>();
           Launcher.read(stream, classes);
-          names.addAll(classes.keySet());
         }
       }
     }
-    return names;
+    return classes;
   }
 }
