@@ -77,7 +77,7 @@ final class SimulateCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     ResultFiles.requireUsableNames(results.files());
     checkpoints.requireUsable(results.files());
-    CheckpointStore store = checkpoints.open();
+    CheckpointStore store = checkpoints.open(lost -> err().println(lost));
     SimulationOptions options = options();
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
         Service service = Service.open(server);
