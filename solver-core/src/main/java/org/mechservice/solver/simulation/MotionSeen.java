@@ -1,7 +1,6 @@
 package org.mechservice.solver.simulation;
 
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -59,9 +58,9 @@ final class MotionSeen implements ResultSink {
   }
 
   /** Returns the report of the run with the warning, if there is one to give. */
-  RunReport completed(RunReport report) {
+  RunReport completed(RunReport report, boolean strict) {
     return warning(report.settings(), report.timeReached())
-        .map(warning -> with(warning, report))
+        .map(warning -> LateWarning.added(report, warning, strict))
         .orElse(report);
   }
 
@@ -94,29 +93,5 @@ final class MotionSeen implements ResultSink {
         unit,
         states.get(state).name(),
         settings.relativeTolerance() * motion[state]);
-  }
-
-  private static RunReport with(Note warning, RunReport report) {
-    List<Note> notes = new ArrayList<>(report.notes());
-    notes.add(warning);
-    return new RunReport(
-        report.outcome(),
-        report.model(),
-        report.formulation(),
-        report.settings(),
-        report.steps(),
-        report.rejectedSteps(),
-        report.evaluations(),
-        report.rows(),
-        report.timeReached(),
-        report.wallTime(),
-        report.energyDrift(),
-        report.energyScale(),
-        report.stiffnessSuspected(),
-        report.jacobians(),
-        report.factorisations(),
-        report.limits(),
-        notes,
-        report.solverVersion());
   }
 }

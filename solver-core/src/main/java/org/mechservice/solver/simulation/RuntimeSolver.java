@@ -42,9 +42,11 @@ public final class RuntimeSolver implements Solver {
     }
     String name = request.settings().integrator();
     MotionSeen seen = new MotionSeen(sink, model.description());
-    return seen.completed(
+    RunReport report =
         new Simulation(integrator(name), formOf(model, name))
-            .run(model, request, seen, control, checkpoints));
+            .run(model, request, seen, control, checkpoints);
+    RunReport judged = seen.completed(report, request.strict());
+    return EnergyDoubt.added(judged, model, request);
   }
 
   /** Returns the form in which an integrator takes a model's equations. */
