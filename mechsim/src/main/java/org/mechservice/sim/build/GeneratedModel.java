@@ -1,13 +1,16 @@
 package org.mechservice.sim.build;
 
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.WrittenClass;
+import org.mechservice.solver.api.ColumnGroup;
 
 /**
  * A model specialised to its scene: what its class computes, planned, ready to be written as Java
@@ -52,8 +55,17 @@ public final class GeneratedModel {
             formulationReason,
             operations,
             written.code(),
+            dataColumns(),
             leftOut,
             fromData);
+  }
+
+  private Set<ColumnGroup> dataColumns() {
+    Set<ColumnGroup> groups = EnumSet.noneOf(ColumnGroup.class);
+    parts()
+        .filter(part -> part instanceof CompactClass data && !data.columns().isEmpty())
+        .forEach(part -> groups.addAll(ColumnGroup.of(((CompactClass) part).columns())));
+    return groups;
   }
 
   /** Returns what remains to be said when its classes are written. */

@@ -207,7 +207,7 @@ final class MechSimServant implements MechSimOperations {
           created.reference(),
           session.openRows(created.run()),
           Wire.channels(created.run().columns().variables()),
-          facts(created.formulationReason()));
+          facts(created.formulationReason(), created.warnings()));
     } catch (LimitExceeded e) {
       session.destroy(created.run());
       throw e;
@@ -215,17 +215,23 @@ final class MechSimServant implements MechSimOperations {
   }
 
   /** What the report of a run says of its set-up, as far as this side knows it. */
-  private NameValue[] facts(String formulationReason) throws InvalidState {
+  private NameValue[] facts(String formulationReason, Map<String, String> warnings)
+      throws InvalidState {
     Map<String, String> facts = new LinkedHashMap<>();
     facts.put("hostName", hostName());
     facts.put("modelSha256", requireModel().sha256());
     facts.put("formulationReason", formulationReason);
     times.asMap().forEach((name, seconds) -> facts.put(name, Double.toString(seconds)));
+    facts.putAll(warnings);
     return Wire.nameValues(facts);
   }
 
   /** A simulation that was taken in. */
-  private record Created(SimulationRun run, IMechSimRemote reference, String formulationReason) {}
+  private record Created(
+      SimulationRun run,
+      IMechSimRemote reference,
+      String formulationReason,
+      Map<String, String> warnings) {}
 
   private Created created(NameValue[] options, @Nullable IMechClient client)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
@@ -246,7 +252,11 @@ final class MechSimServant implements MechSimOperations {
     SimulationRun run = runs.create(task, columns, source, facts, session, asked.earlierIds());
     IMechSimRemote reference = session.add(run, client);
     session.said(run, messages(source, compiled.generated(), asked));
-    return new Created(run, reference, compiled.generated().formulationReason());
+    return new Created(
+        run,
+        reference,
+        compiled.generated().formulationReason(),
+        RunWarnings.facts(source, asked.formulation(), asked.settings()));
   }
 
   /** What the file's reader warned of, a strict request takes for errors. */
@@ -294,13 +304,12 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public byte[] compileToJar(NameValue[] options, JarInfoHolder info)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
-    return packed(options, info, Packing.SMALLEST);
+    LoadedModel source = requireModel(options);
+    return packed(source, suiting(options, source), info, Packing.SMALLEST);
   }
 
-  private byte[] packed(NameValue[] options, JarInfoHolder info, Packing packing)
+  private byte[] packed(LoadedModel source, RunOptions asked, JarInfoHolder info, Packing packing)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
-    LoadedModel source = requireModel(options);
-    RunOptions asked = suiting(options, source);
     requireNoWarnings(source, asked);
     BuildOptions build = asked.forJar();
     CompiledModel compiled = Built.orRefused(() -> library.compiled(source, build, times));
@@ -327,8 +336,10 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public byte[] prepareJar(NameValue[] options, JarInfoHolder info, NameValueSeqHolder facts)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
-    byte[] jar = packed(options, info, Packing.QUICK);
-    facts.value = facts("");
+    LoadedModel source = requireModel(options);
+    RunOptions asked = suiting(options, source);
+    byte[] jar = packed(source, asked, info, Packing.QUICK);
+    facts.value = facts("", RunWarnings.facts(source, asked.formulation(), asked.settings()));
     return jar;
   }
 
