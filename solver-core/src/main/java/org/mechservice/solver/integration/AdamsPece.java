@@ -126,9 +126,9 @@ abstract class AdamsPece extends SteppingIntegrator {
     return norm;
   }
 
-  /** Returns whether the solution slides along a jump; {@link JumpSearch#slides}. */
-  final boolean slides() {
-    return jumps.slides(progress.time(), tEnd);
+  /** Returns how many jumps lie ahead; {@link JumpSearch#ahead}. */
+  final double jumpsAhead() {
+    return jumps.ahead(progress.time(), tEnd);
   }
 
   private StepResult beginAnew(double t, double[] y) {
@@ -304,7 +304,7 @@ abstract class AdamsPece extends SteppingIntegrator {
     double error = inaccurate ? control.error() : Double.NaN;
     progress.rejected(h, control.order(), error, attempt, limitingComponent(attempt));
     double smallest = bounds.smallest(progress.time());
-    boolean hopeless = Math.abs(h) <= smallest || slides();
+    boolean hopeless = Math.abs(h) <= smallest || jumpsAhead() > JumpSearch.MOST;
     if (progress.notFiniteTooOften() || hopeless) {
       return Optional.of(attempt.cause());
     }

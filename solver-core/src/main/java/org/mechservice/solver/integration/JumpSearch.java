@@ -26,10 +26,11 @@ final class JumpSearch {
   /** After this many failures in a row the jump is looked for right ahead. */
   private static final int MANY_IN_A_ROW = 4;
 
-  /** Jumps after which is looked how close they lie, and those that are too many for any run. */
-  private static final int MANY = 1000;
+  /** Jumps that are too many for any run. */
+  static final double MOST = 1e7;
 
-  private static final double MOST = 1e7;
+  /** Jumps after which is looked how close they lie. */
+  private static final int MANY = 1000;
 
   private boolean active;
   private boolean crossing;
@@ -152,19 +153,21 @@ final class JumpSearch {
   }
 
   /**
-   * Returns whether jumps follow each other so closely that nothing would come of crossing all that
-   * lie ahead: the solution slides along a jump of which both sides lead back to it.
+   * Returns how many jumps lie ahead if they follow each other as closely as the last ones, of
+   * which there were many since this was told; 0 before there were so many. With more than {@link
+   * #MOST} nothing would come of crossing them: the solution slides along a jump of which both
+   * sides lead back to it.
    *
    * @param t time reached
    * @param end of the problem
    */
-  boolean slides(double t, double end) {
+  double ahead(double t, double end) {
     if (crossings < MANY) {
-      return false;
+      return 0;
     }
     double ahead = crossings * (end - t) / (t - since);
     crossings = 0;
-    return ahead > MOST;
+    return ahead;
   }
 
   /** Returns the step to try from {@code t}, signed; of order 1 if {@link #crossing}. */

@@ -40,6 +40,9 @@ public final class Switching implements Integrator {
   private static final int MORE_EVIDENCE = 4;
   private static final int MOST_EVIDENCE = 256;
 
+  /** Jumps ahead that are worth the evaluations of a closer look at the next one. */
+  private static final double MANY_JUMPS = 1e4;
+
   private final Progress progress = new Progress();
   private final Ode113 adams;
   private final Ode15s backward;
@@ -169,16 +172,25 @@ public final class Switching implements Integrator {
   /** Looks at the step just taken: the other method takes the next one if there is evidence. */
   private void watch() {
     stepsOfPhase++;
-    boolean slides = !stiff && !jumps && adams.slides();
-    if (slides) {
-      adams.interpolate(progress.time(), y, yDot);
-      // Of a real jump ode113 is left to end the run.
-      jumps = new JumpAhead(system, progress.time(), y).found(progress.stepSize());
-      slides = !jumps;
-    }
+    boolean slides = !stiff && !jumps && slidesAlongSteepness();
     boolean speaksForOther = stiff ? backwardCostsMore() : adamsCostsMore();
     evidence = speaksForOther ? evidence + 1 : 0;
     changeDue = slides || evidence >= (stiff ? neededForAdams : neededForBackward);
+  }
+
+  /**
+   * Returns whether what looks like many jumps that follow each other is one place at which the
+   * right-hand side is steep. If they are jumps, too many for any run, ode113 is left to end it.
+   */
+  private boolean slidesAlongSteepness() {
+    double ahead = adams.jumpsAhead();
+    if (ahead <= MANY_JUMPS) {
+      return false;
+    }
+    adams.interpolate(progress.time(), y, yDot);
+    boolean real = new JumpAhead(system, progress.time(), y).found(progress.stepSize());
+    jumps = real && ahead > JumpSearch.MOST;
+    return !real;
   }
 
   /** Returns whether stability limits the steps and those of ode15s would cost less. */

@@ -8,8 +8,10 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.closure.JumpingLoops.Law;
 import org.mechservice.solver.closure.JumpingLoops.Side;
@@ -39,6 +41,9 @@ class UndeclaredJumpInLoopTest {
   /** Likewise, before it was looked at how much of each equation an iteration had mended. */
   private static final long[] HELD = {20, 23, 31, 52};
 
+  /** A loop on whose belt an explicit method bounced. */
+  private static final long CREPT = 12;
+
   /** Loops that stops lead far away from the exact motion. */
   private static final long[] CARRIED_AWAY = {1, 8, 11, 19, 29, 34};
 
@@ -65,6 +70,25 @@ class UndeclaredJumpInLoopTest {
   })
   void noLoopSlidesAlongTheSignOfAVelocity(String formulation, String integrator) {
     assertThat(wrong(Law.SIGN, formulation, integrator, LongStream.of(SLID))).isEmpty();
+  }
+
+  /** An explicit method to which the law is a jump crosses it again and again: a million steps. */
+  @Test
+  void theChangeOfMethodsDoesNotCreepAlongASteepLaw() {
+    JumpingLoops scene = new JumpingLoops(Law.STEEP, CREPT);
+    RunSettings settings =
+        new RunSettings(
+            0,
+            scene.end(),
+            scene.end() / ROWS,
+            "switching",
+            5.561403180379128e-6,
+            5.561403180379128e-5);
+    SceneRun run = LoopModels.run(scene.mechanism(Side.OWN), "DSR", settings);
+    assertThat(run.report.outcome()).isEqualTo(new Outcome.Completed());
+    assertThat(committed(scene, settings, run)).isLessThan(1);
+    // A thousand crossings are evidence; each takes some steps.
+    assertThat(run.report.steps()).isLessThan(10_000);
   }
 
   @ParameterizedTest
