@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Instant;
+import java.util.List;
 
 /** The checked-out project the tests run in. */
 final class WorkingTree {
@@ -18,6 +19,9 @@ final class WorkingTree {
 
   /** The paper's five-bar pendulum. */
   static final Path PENDULUM = TOP.resolve("examples/pendulum/pendulum.xml");
+
+  /** What commands read: scenes, and the solver for programs of a user's own. */
+  private static final List<String> MIRRORED = List.of("examples", "solver-core");
 
   private WorkingTree() {}
 
@@ -56,14 +60,18 @@ final class WorkingTree {
    * @param directory an empty directory
    */
   static void mirrorIn(Path directory) throws IOException {
-    Files.createSymbolicLink(directory.resolve("examples"), TOP.resolve("examples"));
+    for (String part : MIRRORED) {
+      Files.createSymbolicLink(directory.resolve(part), TOP.resolve(part));
+    }
     Path launcher = directory.resolve("mech");
     Files.writeString(launcher, "#!/bin/sh\nexec '" + MECH + "' \"$@\"\n");
     Files.setPosixFilePermissions(launcher, PosixFilePermissions.fromString("rwxr-xr-x"));
   }
 
-  /** Takes the link to the examples away again. */
+  /** Takes the links away again. */
   static void unmirror(Path directory) throws IOException {
-    Files.deleteIfExists(directory.resolve("examples"));
+    for (String part : MIRRORED) {
+      Files.deleteIfExists(directory.resolve(part));
+    }
   }
 }

@@ -58,7 +58,7 @@ final class BuildCommand implements Callable<Integer> {
   @Option(
       names = "--source",
       paramLabel = "DIR",
-      description = "Write the generated Java class into this folder.")
+      description = "Write the generated Java classes into this folder.")
   private Optional<Path> sourceFolder = Optional.empty();
 
   @Mixin private MethodOptions method = new MethodOptions();
@@ -85,7 +85,9 @@ final class BuildCommand implements Callable<Integer> {
       session.loadModel(model, userCode.folder()).forEach(spec.commandLine().getErr()::println);
       BuiltJar jar = session.build(options, standalone);
       if (sourceFolder.isPresent()) {
-        writeSource(session.generatedSource(options), sourceFolder.get());
+        for (GeneratedSource source : session.generatedSources(options)) {
+          writeSource(source, sourceFolder.get());
+        }
       }
       OutputFile.write(target, jar.bytes());
       if (jar.signature().length > 0) {

@@ -3,9 +3,9 @@ package org.mechservice.cli;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.mechservice.client.CheckpointStore;
 import picocli.CommandLine.Option;
 
@@ -30,15 +30,17 @@ final class CheckpointOptions {
   private Optional<Path> resume = Optional.empty();
 
   private static final double SECONDS_BETWEEN = 60;
+  private static final String WITHOUT = "S-075 the run goes on without a new checkpoint: ";
 
   /**
    * Checks the options before anything is computed.
    *
    * @param out files the rows go to
-   * @throws UsageException S-073 if they make no sense, S-074 if rows that belong before those of a
-   *     resumed run would be lost
+   * @throws UsageException S-046 if a checkpoint cannot be put where it is wanted, S-073 if they
+   *     make no sense, S-074 if rows that belong before those of a resumed run would be lost
    */
   void requireUsable(List<Path> out) {
+    checkpoint.ifPresent(OutputFile::requireUsable);
     if (every.isPresent() && checkpoint.isEmpty()) {
       throw new UsageException("S-073 --every needs --checkpoint FILE to say where they go");
     }
@@ -60,19 +62,22 @@ final class CheckpointOptions {
   /**
    * Returns the files as the run needs them.
    *
+   * @param told what cannot be written; the run goes on, and the checkpoint before stays
    * @throws IOException if the checkpoint to go on from cannot be read
    */
-  CheckpointStore open() throws IOException {
+  CheckpointStore open(Consumer<String> told) throws IOException {
     Optional<byte[]> saved =
         resume.isPresent() ? Optional.of(Files.readAllBytes(resume.get())) : Optional.empty();
-    return new FileStore(saved);
+    return new FileStore(saved, told);
   }
 
   private final class FileStore implements CheckpointStore {
     private final Optional<byte[]> saved;
+    private final Consumer<String> told;
 
-    FileStore(Optional<byte[]> saved) {
+    FileStore(Optional<byte[]> saved, Consumer<String> told) {
       this.saved = saved;
+      this.told = told;
     }
 
     @Override
@@ -85,14 +90,20 @@ final class CheckpointOptions {
       return saved;
     }
 
-    /** Never leaves half a checkpoint under the name asked for. */
+    /**
+     * Never leaves half a checkpoint under the name asked for. What is to save a run does not end
+     * it: with a full disk the run goes on without.
+     */
     @Override
-    public void keep(byte[] bytes) throws IOException {
+    public void keep(byte[] bytes) {
       Path target = checkpoint.orElseThrow();
-      Path growing = target.resolveSibling(target.getFileName() + ".part");
-      Files.write(growing, bytes);
-      Files.move(
-          growing, target, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+      try {
+        OutputFile.write(target, bytes);
+      } catch (IOException e) {
+        told.accept(WITHOUT + FailureReport.fileMessage(e));
+      } catch (UsageException e) {
+        told.accept(WITHOUT + e.getMessage());
+      }
     }
   }
 }

@@ -70,7 +70,7 @@ final class FailureReport {
   }
 
   /** File exceptions of Java name the file and, sometimes, a reason. */
-  private static String fileMessage(IOException failure) {
+  static String fileMessage(IOException failure) {
     String text = String.valueOf(failure.getMessage());
     if (CODED.matcher(text).matches()) {
       return text;

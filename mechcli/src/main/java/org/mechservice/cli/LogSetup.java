@@ -20,7 +20,8 @@ import org.slf4j.LoggerFactory;
  * Logging of the command line: the product's warnings on standard error, one line each; everything,
  * with details, in the file that MECH_LOG names, as one JSON object per line if its name ends in
  * {@code .jsonl}. What the service within a command tells its only client is left to the command,
- * which tells its user once. A process that serves tells causes, too. Found by logback as a service.
+ * which tells its user once. A process that serves tells causes, too. Found by logback as a
+ * service.
  */
 public final class LogSetup extends ContextAwareBase implements Configurator {
   private static final String PRODUCT = "org.mechservice";

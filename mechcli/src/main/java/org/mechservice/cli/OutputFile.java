@@ -25,7 +25,8 @@ final class OutputFile {
         file.resolveSibling("." + file.getFileName() + "-" + UUID.randomUUID() + ".part");
     try {
       Files.write(growing, content);
-      Files.move(growing, file, StandardCopyOption.REPLACE_EXISTING);
+      Files.move(
+          growing, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
     } catch (FileSystemException e) {
       throw e;
     } catch (IOException e) {

@@ -3,12 +3,10 @@ package org.mechservice.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.mechservice.client.CheckpointStore;
 import org.mechservice.client.MechSession;
-import org.mechservice.client.ModelMessage;
 import org.mechservice.client.PreparedRun;
 import org.mechservice.client.RemoteRun;
 import org.mechservice.client.RunResult;
@@ -79,15 +77,12 @@ final class SimulateCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     ResultFiles.requireUsableNames(results.files());
     checkpoints.requireUsable(results.files());
-    CheckpointStore store = checkpoints.open();
+    CheckpointStore store = checkpoints.open(lost -> err().println(lost));
     SimulationOptions options = options();
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
         Service service = Service.open(server);
         MechSession session = service.connection().openSession(host)) {
-      List<ModelMessage> warnings = session.loadModel(model, userCode.folder());
-      if (!results.quiet() && !strict) {
-        warnings.forEach(warning -> err().println(warning));
-      }
+      session.loadModel(model, userCode.folder());
       RunNews news = new RunNews(this::tell);
       try (PreparedRun run = prepare(session, options, news);
           ResultFiles files = ResultFiles.open(results.files())) {
@@ -113,11 +108,18 @@ final class SimulateCommand implements Callable<Integer> {
     }
   }
 
+  /** What a run as it is asked for may make of its file is known when it is set up, or refused. */
   private PreparedRun prepare(MechSession session, SimulationOptions options, RunNews news) {
-    return switch (mode) {
-      case REMOTE -> session.prepareRemoteRun(options, news);
-      case LOCAL -> news.watch(session.prepareLocalRun(options));
-    };
+    try {
+      return switch (mode) {
+        case REMOTE -> session.prepareRemoteRun(options, news);
+        case LOCAL -> news.watch(session.prepareLocalRun(options));
+      };
+    } finally {
+      if (!results.quiet() && !strict) {
+        session.warnings().forEach(warning -> err().println(warning));
+      }
+    }
   }
 
   private SimulationOptions options() {

@@ -123,6 +123,18 @@ final class SweepJournal implements AutoCloseable {
     return new JsonPrimitive(value.toString());
   }
 
+  /** Returns what {@link #json(Object)} was given. */
+  private static Object value(JsonPrimitive value) {
+    if (value.isBoolean()) {
+      return value.getAsBoolean();
+    }
+    String text = value.getAsString();
+    if (!value.isNumber()) {
+      return text;
+    }
+    return text.matches("-?[0-9]+") ? (Object) Long.valueOf(text) : Double.valueOf(text);
+  }
+
   private static SweepRow row(JsonObject json) {
     List<Double> values =
         json.getAsJsonArray("values").asList().stream()
@@ -131,7 +143,7 @@ final class SweepJournal implements AutoCloseable {
     Map<String, Object> report = new LinkedHashMap<>();
     json.getAsJsonObject("report")
         .asMap()
-        .forEach((key, value) -> report.put(key, value.getAsJsonPrimitive().getAsString()));
+        .forEach((key, value) -> report.put(key, value(value.getAsJsonPrimitive())));
     return new SweepRow(
         json.get("point").getAsInt(),
         json.get("outcome").getAsString(),

@@ -13,6 +13,7 @@ import java.util.stream.Collectors;
 import org.mechservice.client.sweep.SweepGrid;
 import org.mechservice.client.sweep.SweepRow;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.standalone.ShortestDecimal;
 
 /**
  * The rows of a sweep in the order of its grid: parameters, how the run ended, its last row,
@@ -82,10 +83,17 @@ final class SweepTable {
     List<String> cells = new ArrayList<>(grid.point(row.point()).values());
     cells.addAll(List.of(row.outcome(), row.code(), row.message()));
     for (int column : taken) {
-      cells.add(value(row, column).map(String::valueOf).orElse(""));
+      cells.add(value(row, column).map(ShortestDecimal::format).orElse(""));
     }
-    figures.forEach(figure -> cells.add(String.valueOf(row.report().getOrDefault(figure, ""))));
+    figures.forEach(figure -> cells.add(cell(row.report().getOrDefault(figure, ""))));
     return cells;
+  }
+
+  /** Numbers as in the results of a run, the same on every version of Java. */
+  private static String cell(Object figure) {
+    return figure instanceof Double number
+        ? ShortestDecimal.format(number)
+        : String.valueOf(figure);
   }
 
   private static Optional<Double> value(SweepRow row, int column) {

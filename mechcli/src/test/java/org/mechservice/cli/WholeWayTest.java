@@ -15,6 +15,7 @@ import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.util.HexFormat;
 import java.util.Set;
+import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -277,6 +278,22 @@ class WholeWayTest {
         .contains("model classes, compressed", "runtime JAR (needed)", "left out");
     try (Stream<Path> sources = Files.walk(folder.resolve("source"))) {
       assertThat(sources.filter(file -> file.toString().endsWith(".java"))).hasSize(1);
+    }
+  }
+
+  /** Equations, data beside them, and what events watch and assign: the JAR's classes. */
+  @Test
+  void theSourceOfAModelWithEventsIsThatOfAllItsClasses() throws IOException {
+    Path scene = Path.of("../examples/elements/event.xml");
+    assertThat(mech("build", scene.toString(), "-o", file("e.jar"), "--source", file("source")))
+        .isZero();
+    Path root = folder.resolve("source");
+    try (Stream<Path> sources = Files.walk(root).filter(Files::isRegularFile);
+        JarFile jar = new JarFile(file("e.jar"))) {
+      assertThat(sources.map(path -> root.relativize(path).toString().replace(".java", ".class")))
+          .hasSizeGreaterThan(2)
+          .containsExactlyInAnyOrderElementsOf(
+              jar.stream().map(JarEntry::getName).filter(n -> n.endsWith(".class")).toList());
     }
   }
 

@@ -3,12 +3,14 @@ package org.mechservice.client;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.IMechSimRemote;
@@ -34,6 +36,9 @@ public final class MechSession implements AutoCloseable {
   private double loadSeconds;
   private ModelFile modelLoaded = new ModelFile("", new byte[0]);
   private ModelFile[] classesLoaded = {};
+  private UnaryOperator<ModelMessage> locating = UnaryOperator.identity();
+  private List<ModelMessage> warningsOfFile = List.of();
+  private List<ModelMessage> warnings = List.of();
   private ServerTimes atLoad = ServerTimes.NONE;
 
   /** What the session has cost the server when a run was set up last. */
@@ -92,9 +97,11 @@ public final class MechSession implements AutoCloseable {
     UserFiles classes = new UserFiles(file, userCode);
     while (true) {
       try {
-        return load(new ModelFile(name, content), classes.files()).stream()
-            .map(said -> located(said, name, file))
-            .toList();
+        List<ModelMessage> said = load(new ModelFile(name, content), classes.files());
+        locating = message -> located(message, name, file);
+        warningsOfFile = said.stream().map(locating).toList();
+        warnings = warningsOfFile;
+        return warnings;
       } catch (InvalidModelException e) {
         if (!classes.seek(e.messages())) {
           throw new InvalidModelException(
@@ -123,15 +130,33 @@ public final class MechSession implements AutoCloseable {
     return load(new ModelFile(fileName, content), new ModelFile[0]);
   }
 
+  /**
+   * Returns the warnings of the run prepared last, as it will be: one with another integrator or
+   * end than its file may have others. Before, those of the file.
+   */
+  public List<ModelMessage> warnings() {
+    return warnings;
+  }
+
+  private void heed(NameValue[] facts) {
+    warnings =
+        RunWarnings.in(facts)
+            .map(said -> said.stream().map(locating).toList())
+            .orElse(warningsOfFile);
+  }
+
   private List<ModelMessage> load(ModelFile model, ModelFile[] classes) {
     Stopwatch watch = new Stopwatch();
-    var warnings = calls.get(() -> session.loadModel(model, classes));
+    var said = calls.get(() -> session.loadModel(model, classes));
     loadSeconds = watch.lap();
     modelLoaded = model;
     classesLoaded = classes;
     atLoad = setsUpInOneCall() ? ServerTimes.NONE : serverTimes();
     soFar = atLoad;
-    return ModelMessage.listOf(warnings);
+    locating = UnaryOperator.identity();
+    warningsOfFile = ModelMessage.listOf(said);
+    warnings = warningsOfFile;
+    return warnings;
   }
 
   /**
@@ -155,13 +180,21 @@ public final class MechSession implements AutoCloseable {
   }
 
   /**
-   * Returns the Java class the server generates for the model.
+   * Returns the Java classes the server generates for the model, that of the equations first;
+   * compiled together they are the model.
    *
    * @throws InvalidOptionException if an option cannot be used
    */
-  public GeneratedSource generatedSource(SimulationOptions options) {
+  public List<GeneratedSource> generatedSources(SimulationOptions options) {
+    List<GeneratedSource> sources = new ArrayList<>();
     ModelFile source = calls.get(() -> session.generatedSource(options.toNameValues()));
-    return new GeneratedSource(source.fileName, new String(source.content, StandardCharsets.UTF_8));
+    while (!source.fileName.isEmpty()) {
+      String text = new String(source.content, StandardCharsets.UTF_8);
+      sources.add(new GeneratedSource(source.fileName, text));
+      SimulationOptions next = options.sourcePart(sources.size());
+      source = calls.get(() -> session.generatedSource(next.toNameValues()));
+    }
+    return sources;
   }
 
   /**
@@ -230,6 +263,7 @@ public final class MechSession implements AutoCloseable {
     RunSetUp answer = calls.get(() -> session.prepareSimulation(options.toNameValues(), callback));
     double seconds = watch.lap();
     LeaseRenewal leases = connection.leases();
+    heed(answer.facts);
     ServerTimes times = timesOfRun(answer.facts);
     Map<String, Object> facts = new LinkedHashMap<>();
     String host = factOf(answer.facts, "hostName");
@@ -316,6 +350,7 @@ public final class MechSession implements AutoCloseable {
     NameValueSeqHolder said = new NameValueSeqHolder(new NameValue[0]);
     JarFetch jars = jars();
     BuiltJar modelJar = jars.model(options, said);
+    heed(said.value);
     byte[] runtimeJar = jars.runtime(modelJar);
     double fetchSeconds = watch.lap();
     FetchedModel fetched = FetchedModel.load(modelJar, runtimeJar, connection.cache());

@@ -70,8 +70,7 @@ public final class ReattachedRun implements AutoCloseable {
 
   private Outcome outcome(RunState state, Map<String, Object> report) {
     return switch (state) {
-      case FAILED ->
-          new Outcome.Failed(ToldFailure.of(calls.read(simulation::failure), report));
+      case FAILED -> new Outcome.Failed(ToldFailure.of(calls.read(simulation::failure), report));
       case CANCELLED -> new Outcome.Stopped();
       default -> new Outcome.Completed();
     };

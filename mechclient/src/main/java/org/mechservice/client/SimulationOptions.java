@@ -23,6 +23,7 @@ import org.mechservice.idl.OPT_MAX_DRIFT;
 import org.mechservice.idl.OPT_REL_TOL;
 import org.mechservice.idl.OPT_SET;
 import org.mechservice.idl.OPT_SIMULATION;
+import org.mechservice.idl.OPT_SOURCE_PART;
 import org.mechservice.idl.OPT_STANDALONE;
 import org.mechservice.idl.OPT_STRICT;
 import org.mechservice.idl.OPT_TUNABLE;
@@ -112,6 +113,11 @@ public final class SimulationOptions {
    */
   public SimulationOptions code(String form) {
     return with(OPT_CODE.value, form);
+  }
+
+  /** Asks for another class of the model than that of its equations, from 1. */
+  SimulationOptions sourcePart(int part) {
+    return with(OPT_SOURCE_PART.value, Integer.toString(part));
   }
 
   /**

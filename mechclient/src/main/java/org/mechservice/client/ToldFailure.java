@@ -17,8 +17,8 @@ final class ToldFailure {
   /**
    * Returns the failure with the steps that led to it.
    *
-   * @param report of the same run: it says what became of each step, for which the contract's record
-   *     has numbers alone
+   * @param report of the same run: it says what became of each step, for which the contract's
+   *     record has numbers alone
    */
   static Failure of(FailureRecord said, Map<String, Object> report) {
     Failure failure =
@@ -40,8 +40,7 @@ final class ToldFailure {
     for (int i = 0; i < Math.min(tried.length, lines.length); i++) {
       String result = lines[i].substring(lines[i].lastIndexOf(RESULT) + RESULT.length());
       StepTried one = tried[i];
-      steps.add(
-          new Failure.Step(one.simTime, one.stepSize, one.stepOrder, one.errorRatio, result));
+      steps.add(new Failure.Step(one.simTime, one.stepSize, one.stepOrder, one.errorRatio, result));
     }
     return steps;
   }

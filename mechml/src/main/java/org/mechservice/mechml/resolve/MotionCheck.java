@@ -48,8 +48,8 @@ final class MotionCheck {
       Diagnostics diagnostics) {
     Set<String> told = new HashSet<>();
     for (MotionJump jump : mechanism.motionJumps(run.tStart(), run.tEnd())) {
-      if (jump.ofPosition() && told.add(jump.joint())) {
-        report(links, jump.joint(), text(jump), diagnostics);
+      if ((jump.ofPosition() || jump.roundedAway()) && told.add(jump.joint())) {
+        report(links, jump.joint(), jump.ofPosition() ? text(jump) : corner(jump), diagnostics);
       }
     }
     for (PrescribedMotion motion : mechanism.motions()) {
@@ -124,6 +124,13 @@ final class MotionCheck {
     return Phrase.of(
         "%s; write a motion that takes time, as smoothStep((t-1)/0.1) does in place of step(t-1)",
         what);
+  }
+
+  private static String corner(MotionJump jump) {
+    return Phrase.of(
+        "the velocity of the motion driven jumps at t = %s s, by %s in SI units, and its formula"
+            + " leaves it no finite value close by; write the corner with abs, min or max",
+        number(jump.time()), number(jump.size()));
   }
 
   /** Returns six digits of a number, without zeros behind them. */

@@ -62,7 +62,8 @@ public record CheckReport(
     List<Finding> findings =
         new ArrayList<>(scene.findingsAtStart(model.settings().run().tStart()));
     findings.addAll(loops.findings());
-    findings.addAll(RunForecast.of(mechanism, model.settings().run()));
+    findings.addAll(
+        RunForecast.of(mechanism, model.settings().formulation(), model.settings().run()));
     try {
       return new CheckReport(model, scene, loops, findings, Optional.of(generation(model)), "");
     } catch (ModelBuildException e) {
@@ -87,7 +88,7 @@ public record CheckReport(
     Program derivative =
         model.mechanism().closures().isEmpty()
             ? TreeClass.derivative(links, choice)
-            : LoopTermsClass.derive(links, options, choice).equations();
+            : LoopTermsClass.derive(model, links, options, choice).equations();
     List<String> noFaster =
         GenerationLimits.noFaster(choice.formulation(), derivative.operationCount());
     if (!noFaster.isEmpty()) {

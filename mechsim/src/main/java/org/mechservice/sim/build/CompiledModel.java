@@ -16,7 +16,7 @@ import org.mechservice.solver.api.ModelSource;
 /** A generated model and its class files. Immutable; shared freely between threads. */
 public final class CompiledModel {
   private final MechmlModel source;
-  private final GeneratedModel generated;
+  private final GeneratedFacts generated;
   private final BuildOptions options;
   private final SortedMap<String, byte[]> classFiles;
   private final UserClasses userClasses;
@@ -39,7 +39,7 @@ public final class CompiledModel {
       SortedMap<String, byte[]> classFiles,
       UserClasses userClasses) {
     this.source = source;
-    this.generated = generated;
+    this.generated = generated.facts();
     this.options = options;
     this.userClasses = userClasses;
     constructor = constructor(generated.className(), classFiles, userClasses.loader());
@@ -69,8 +69,8 @@ public final class CompiledModel {
     return source;
   }
 
-  /** Returns its source. */
-  public GeneratedModel generated() {
+  /** Returns what is to be said of its code; the plan it was written from is not kept. */
+  public GeneratedFacts generated() {
     return generated;
   }
 
@@ -82,6 +82,11 @@ public final class CompiledModel {
   /** Returns class file bytes by binary class name, those of users too; not to be modified. */
   public SortedMap<String, byte[]> classFiles() {
     return classFiles;
+  }
+
+  /** Returns how many bytes its class files have. */
+  public long classBytes() {
+    return classFiles.values().stream().mapToLong(file -> file.length).sum();
   }
 
   /** Returns the SHA-256 of its class files, which identifies it to the bit. */

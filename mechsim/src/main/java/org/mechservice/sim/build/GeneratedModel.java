@@ -1,12 +1,16 @@
 package org.mechservice.sim.build;
 
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.mechservice.sim.build.emit.CompactClass;
 import org.mechservice.sim.build.emit.ModelClass;
 import org.mechservice.sim.build.emit.WrittenClass;
+import org.mechservice.solver.api.ColumnGroup;
 
 /**
  * A model specialised to its scene: what its class computes, planned, ready to be written as Java
@@ -16,12 +20,7 @@ public final class GeneratedModel {
   private final WrittenClass written;
   private final Optional<CompactClass> columns;
   private final Optional<WrittenClass> values;
-  private final String modelName;
-  private final String formulation;
-  private final String formulationReason;
-  private final int operations;
-  private final List<Omission> leftOut;
-  private final List<Omission> fromData;
+  private final GeneratedFacts facts;
 
   /**
    * @param written what the class computes
@@ -47,22 +46,46 @@ public final class GeneratedModel {
     this.written = written;
     this.columns = columns;
     this.values = values;
-    this.modelName = modelName;
-    this.formulation = formulation;
-    this.formulationReason = formulationReason;
-    this.operations = operations;
-    this.leftOut = List.copyOf(leftOut);
-    this.fromData = List.copyOf(fromData);
+    this.facts =
+        new GeneratedFacts(
+            columns.isPresent() ? name(columns.get()) : name(written),
+            name(written),
+            modelName,
+            formulation,
+            formulationReason,
+            operations,
+            written.code(),
+            dataColumns(),
+            leftOut,
+            fromData);
+  }
+
+  private Set<ColumnGroup> dataColumns() {
+    Set<ColumnGroup> groups = EnumSet.noneOf(ColumnGroup.class);
+    parts()
+        .filter(part -> part instanceof CompactClass data && !data.columns().isEmpty())
+        .forEach(part -> groups.addAll(ColumnGroup.of(((CompactClass) part).columns())));
+    return groups;
+  }
+
+  /** Returns what remains to be said when its classes are written. */
+  public GeneratedFacts facts() {
+    return facts;
+  }
+
+  /** Returns how many values its plans hold, each of which takes some hundred bytes. */
+  public long plannedValues() {
+    return parts().mapToLong(WrittenClass::plannedValues).sum();
   }
 
   /** Returns the fully qualified name of the class to be instantiated. */
   public String className() {
-    return columns.isPresent() ? name(columns.get()) : sourceName();
+    return facts.className();
   }
 
   /** Returns the fully qualified name of the class that has the equations. */
   public String sourceName() {
-    return name(written);
+    return facts.sourceName();
   }
 
   private static String name(WrittenClass written) {
@@ -72,6 +95,18 @@ public final class GeneratedModel {
   /** Returns the class that has the equations as formatted source, for people. */
   public String source() {
     return written.source();
+  }
+
+  /**
+   * Returns the sources of all its classes, that of {@link #source} first: compiled together they
+   * are the model.
+   */
+  public List<SourceFile> sources() {
+    return parts().map(part -> new SourceFile(name(part), part.source())).toList();
+  }
+
+  private Stream<WrittenClass> parts() {
+    return Stream.of(Stream.of(written), columns.stream(), values.stream()).flatMap(part -> part);
   }
 
   /**
@@ -92,36 +127,36 @@ public final class GeneratedModel {
 
   /** Returns the formulation its equations are written in. */
   public String formulation() {
-    return formulation;
+    return facts.formulation();
   }
 
   /** Returns why this formulation. */
   public String formulationReason() {
-    return formulationReason;
+    return facts.formulationReason();
   }
 
   /** Returns additions, multiplications and divisions of one evaluation of the derivative. */
   public int operations() {
-    return operations;
+    return facts.operations();
   }
 
   /** Returns how the model computes, and how many operations each part of it takes. */
   public String code() {
-    return written.code();
+    return facts.code();
   }
 
   /** Returns what the scene does not need. */
   public List<Omission> leftOut() {
-    return leftOut;
+    return facts.leftOut();
   }
 
   /** Returns what is computed from the data beside the code; nothing of a model that is data. */
   public List<Omission> fromData() {
-    return fromData;
+    return facts.fromData();
   }
 
   /** Returns the model's name in its file. */
   public String modelName() {
-    return modelName;
+    return facts.modelName();
   }
 }

@@ -2,6 +2,7 @@ package org.mechservice.sim.build;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.dynamics.Link;
 import org.mechservice.sim.build.dynamics.Links;
@@ -24,7 +25,12 @@ final class LeftOut {
 
   private final List<Omission> omissions = new ArrayList<>();
 
-  private LeftOut() {}
+  /** What has no coordinates of a kind; cut joints may move so and need no code for it. */
+  private final String joint;
+
+  private LeftOut(Mechanism mechanism) {
+    joint = mechanism.closures().isEmpty() ? "no joint" : "no joint of the tree";
+  }
 
   /**
    * Lists the omissions of a model.
@@ -36,7 +42,7 @@ final class LeftOut {
    */
   static List<Omission> of(
       MechmlModel model, Links links, BuildOptions options, Program derivative) {
-    LeftOut leftOut = new LeftOut();
+    LeftOut leftOut = new LeftOut(links.mechanism());
     leftOut.language(links.mechanism(), links);
     leftOut.rotations(links, options, derivative);
     leftOut.author(model);
@@ -49,6 +55,13 @@ final class LeftOut {
     return List.copyOf(leftOut.omissions);
   }
 
+  /** Returns the omissions as a sentence. */
+  static String sentence(List<Omission> omissions) {
+    return omissions.stream()
+        .map(omission -> omission.what() + " (" + omission.why() + ")")
+        .collect(Collectors.joining("; ", "Left out: ", "."));
+  }
+
   private void add(String what, String why) {
     omissions.add(new Omission(what, why));
   }
@@ -58,7 +71,7 @@ final class LeftOut {
       add("loop closures and constraints", "the joints form a tree");
     }
     if (!moves(links, LinkKind.SLIDE)) {
-      add("sliding joints", "no joint slides");
+      add("sliding joints", joint + " slides");
     }
     boolean drivenCut =
         mechanism.closures().stream()
@@ -74,11 +87,11 @@ final class LeftOut {
   /** Poses have quaternions whatever the joints are, formulas may have sines. */
   private void rotations(Links links, BuildOptions options, Program derivative) {
     if (!moves(links, LinkKind.BALL) && !options.columns().contains(ColumnGroup.BODIES)) {
-      add("quaternions", "no joint is spherical or free");
+      add("quaternions", joint + " is spherical or free");
     }
     boolean turns = moves(links, LinkKind.TURN) || moves(links, LinkKind.SCREW);
     if (!turns && !hasAngles(derivative)) {
-      add("sines and cosines", "no joint turns");
+      add("sines and cosines", joint + " turns");
     }
   }
 

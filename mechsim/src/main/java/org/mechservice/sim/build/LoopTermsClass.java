@@ -3,6 +3,7 @@ package org.mechservice.sim.build;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.dynamics.EnergyEquations;
 import org.mechservice.sim.build.dynamics.Links;
 import org.mechservice.sim.build.dynamics.LoopCode;
@@ -27,7 +28,8 @@ final class LoopTermsClass {
   private LoopTermsClass() {}
 
   /** Derives the programs that a formulation and the columns asked for need. */
-  static TermsClass derive(Links links, BuildOptions options, FormulationChoice choice) {
+  static TermsClass derive(
+      MechmlModel model, Links links, BuildOptions options, FormulationChoice choice) {
     Mechanism mechanism = links.mechanism();
     int rows = new LoopEquations(new TreeGeometry(mechanism)).count();
     Program loops = LoopCode.loops(links, rows);
@@ -53,7 +55,7 @@ final class LoopTermsClass {
             ? Optional.of(PoseEquations.derive(links))
             : Optional.empty(),
         ofResidual,
-        notes(choice, loops, equations, ofResidual));
+        notes(choice, loops, equations, ofResidual, LeftOut.of(model, links, options, equations)));
   }
 
   /** How forces of users change is added by their classes. */
@@ -67,7 +69,8 @@ final class LoopTermsClass {
       FormulationChoice choice,
       Program loops,
       Program equations,
-      Optional<TermsClass.OfResidual> ofResidual) {
+      Optional<TermsClass.OfResidual> ofResidual,
+      List<Omission> leftOut) {
     List<String> notes = new ArrayList<>();
     notes.add("Formulation " + choice.formulation() + " (" + choice.reason() + ").");
     notes.add(
@@ -79,6 +82,7 @@ final class LoopTermsClass {
     ofResidual.ifPresent(
         programs ->
             notes.add(programs.residual().operationCount() + " give the residual of the tree."));
+    notes.add(LeftOut.sentence(leftOut));
     return notes;
   }
 }

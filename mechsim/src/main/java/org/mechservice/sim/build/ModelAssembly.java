@@ -201,7 +201,7 @@ final class ModelAssembly {
   /** Code for the terms of the equations; their closure, and what is seldom wanted, from data. */
   private GeneratedModel looped() {
     Links links = Links.of(mechanism);
-    TermsClass terms = LoopTermsClass.derive(links, options, choice);
+    TermsClass terms = LoopTermsClass.derive(model, links, options, choice);
     int operations = terms.equations().operationCount();
     List<String> noFaster = GenerationLimits.noFaster(choice.formulation(), operations);
     if (!noFaster.isEmpty()) {

@@ -1,6 +1,5 @@
 package org.mechservice.sim.build;
 
-import java.util.Collections;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -69,7 +68,7 @@ public final class ModelFactory {
   }
 
   /**
-   * Compiles the source of a generated model in memory: another way to the same results, kept as
+   * Compiles the sources of a generated model in memory: another way to the same results, kept as
    * the proof that the source is what runs.
    *
    * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
@@ -77,10 +76,9 @@ public final class ModelFactory {
    */
   static CompiledModel compileSource(
       MechmlModel model, BuildOptions options, GeneratedModel generated) {
-    SortedMap<String, byte[]> classFiles = new TreeMap<>(generated.classFiles());
-    classFiles.putAll(
-        ModelCompiler.compile(
-            generated.sourceName(), generated.source(), Collections.emptySortedMap()));
+    SortedMap<String, String> sources = new TreeMap<>();
+    generated.sources().forEach(source -> sources.put(source.className(), source.text()));
+    SortedMap<String, byte[]> classFiles = ModelCompiler.compile(sources);
     return new CompiledModel(model, generated, options, classFiles, UserClasses.NONE);
   }
 

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.SortedMap;
 import java.util.stream.Collectors;
+import org.mechservice.sim.build.jar.LeanClass;
 import org.mechservice.sim.build.jar.ModelDescriptionXml;
 import org.mechservice.sim.build.jar.Packing;
 import org.mechservice.sim.build.jar.ReachableClasses;
@@ -20,6 +21,9 @@ import org.mechservice.solver.standalone.Launcher;
 
 /** Packs models. */
 final class ModelJars {
+  /** The classes that take data apart by the components of records. */
+  private static final String READS_RECORDS = "org/mechservice/solver/compact/Record";
+
   private ModelJars() {}
 
   /** Packs a model without a solver, but with what it needs beyond the runtime JAR. */
@@ -29,7 +33,8 @@ final class ModelJars {
     RuntimeJar runtime = RuntimeJar.current();
     // What the runtime JAR has reaches nothing beyond it.
     ReachableClasses.from(
-            model.classFiles(), path -> runtime.has(path) ? null : SolverFiles.lean(path))
+            model.classFiles(),
+            path -> runtime.has(path) ? null : ColumnClasses.needed(path, model))
         .forEach(jar::add);
     return packed(model, jar, packing, "", model.generated().className(), manifest);
   }
@@ -42,7 +47,11 @@ final class ModelJars {
     String launcher = Launcher.class.getName();
     manifest.put("Main-Class", launcher);
     manifest.putAll(manifest(model, mechmlSha256));
-    SortedMap<String, byte[]> solver = ReachableClasses.from(own, SolverFiles::lean);
+    SortedMap<String, byte[]> solver =
+        ReachableClasses.from(own, path -> ColumnClasses.needed(path, model));
+    if (solver.keySet().stream().noneMatch(path -> path.startsWith(READS_RECORDS))) {
+      solver.replaceAll((path, file) -> LeanClass.withoutComponents(file));
+    }
     ReproducibleJar jar = new ReproducibleJar(manifest, packing).addClasses(own);
     String launcherFile = launcher.replace('.', '/') + ".class";
     jar.add(launcherFile, Objects.requireNonNull(SolverFiles.lean(launcherFile)));
@@ -73,7 +82,7 @@ final class ModelJars {
   }
 
   private static Map<String, String> manifest(CompiledModel model, String mechmlSha256) {
-    GeneratedModel generated = model.generated();
+    GeneratedFacts generated = model.generated();
     Map<String, String> manifest = new LinkedHashMap<>();
     manifest.put("Implementation-Title", generated.modelName());
     manifest.put("Implementation-Version", SolverVersion.CURRENT);

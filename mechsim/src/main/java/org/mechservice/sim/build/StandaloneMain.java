@@ -37,7 +37,7 @@ final class StandaloneMain {
   }
 
   /** Returns the fully qualified name of the main class of a model. */
-  static String className(GeneratedModel model) {
+  static String className(GeneratedFacts model) {
     return model.className() + "Main";
   }
 

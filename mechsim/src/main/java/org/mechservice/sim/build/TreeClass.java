@@ -105,17 +105,7 @@ final class TreeClass {
     residual.ifPresent(program -> notes.add(program.operationCount() + " give the residual."));
     derivatives.ifPresent(
         derived -> notes.add(derived.program().operationCount() + " give its derivatives."));
-    StringBuilder list = new StringBuilder("Left out:");
-    String separator = " ";
-    for (Omission omission : leftOut) {
-      list.append(separator)
-          .append(omission.what())
-          .append(" (")
-          .append(omission.why())
-          .append(')');
-      separator = "; ";
-    }
-    notes.add(list.append('.').toString());
+    notes.add(LeftOut.sentence(leftOut));
     return notes;
   }
 }

@@ -102,7 +102,7 @@ final class FormulaForecast {
         settings.tEnd() - settings.tStart(),
         steps,
         Double.isFinite(settings.maxStep())
-            ? String.format(Locale.ROOT, " (maxStep of the file allows %.3g s)", settings.maxStep())
+            ? String.format(Locale.ROOT, " (maxStep allows %.3g s)", settings.maxStep())
             : "",
         1 / rate);
   }

@@ -42,6 +42,11 @@ public final class InertiaCheck {
         : Optional.of(singular(mechanism, jointOf(mechanism, velocity)));
   }
 
+  /** Returns the joint that a velocity belongs to. */
+  static Joint jointAt(Mechanism mechanism, int velocity) {
+    return mechanism.joints().get(jointOf(mechanism, velocity));
+  }
+
   private static int jointOf(Mechanism mechanism, int velocity) {
     int joint = 0;
     for (int j = 0; j < mechanism.joints().size(); j++) {

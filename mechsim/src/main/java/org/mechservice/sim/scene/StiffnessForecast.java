@@ -34,6 +34,11 @@ public final class StiffnessForecast {
         .map(motion -> finding(motion, settings));
   }
 
+  /** Returns whether it makes no difference which of two integrators a run has. */
+  static boolean isSame(String integrator, String other) {
+    return integrator.equals(other) || !(EXPLICIT.contains(integrator) || EXPLICIT.contains(other));
+  }
+
   /** What swings undamped has to be followed by every method. */
   private static boolean limits(FastestMotion motion, String integrator) {
     return EXPLICIT.contains(integrator) || !motion.isDamped();
@@ -55,12 +60,10 @@ public final class StiffnessForecast {
         "N-019",
         String.format(
             Locale.ROOT,
-            "joint \"%s\" moves too fast%s: at the start it %s; to %s s, the end in the file, the run"
+            "joint \"%s\" moves too fast%s: at the start it %s; to %s s, its end, the run"
                 + " will take some %.0e steps; %s",
             motion.joint().name(),
-            motion.isDamped()
-                ? " for " + settings.integrator() + ", the integrator of the file"
-                : "",
+            motion.isDamped() ? " for " + settings.integrator() : "",
             motion.text(),
             ShortestDecimal.format(settings.tEnd()),
             steps(motion, settings),

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.util.List;
 import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.NameValue;
-import org.mechservice.idl.NotAvailable;
 import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.SimulationSettings;
 import org.slf4j.Logger;
@@ -30,13 +29,13 @@ public final class HeadStart {
   private static void tried() {
     try {
       run();
-    } catch (MechmlException | InvalidOption | NotAvailable | IOException | RuntimeException e) {
+    } catch (MechmlException | InvalidOption | IOException | RuntimeException e) {
       LOG.warn("S-001 the model will take longer: {}", e.toString());
     }
   }
 
   /** Returns how many warnings the model has. */
-  static int run() throws MechmlException, InvalidOption, NotAvailable, IOException {
+  static int run() throws MechmlException, InvalidOption, IOException {
     LoadedModel model = LoadedModel.read(WarmUp.MODEL, WarmUp.content(), List.of(), false);
     SimulationSettings settings = model.model().settings();
     RunOptions asInFile =

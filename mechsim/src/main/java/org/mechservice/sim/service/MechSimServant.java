@@ -2,6 +2,7 @@ package org.mechservice.sim.service;
 
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -35,9 +36,11 @@ import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.sim.build.BuildOptions;
 import org.mechservice.sim.build.CheckReport;
 import org.mechservice.sim.build.CompiledModel;
+import org.mechservice.sim.build.GeneratedFacts;
 import org.mechservice.sim.build.GeneratedModel;
 import org.mechservice.sim.build.ModelFactory;
 import org.mechservice.sim.build.PackedJar;
+import org.mechservice.sim.build.SourceFile;
 import org.mechservice.sim.build.jar.Packing;
 import org.mechservice.sim.build.user.UserFile;
 import org.mechservice.solver.api.RunRequest;
@@ -124,7 +127,7 @@ final class MechSimServant implements MechSimOperations {
       RunOptions asInFile =
           RunOptions.parse(new NameValue[0], settings).suiting(read.model().mechanism());
       library.generated(read, asInFile.forRun(settings), times);
-    } catch (InvalidOption | NotAvailable | IllegalArgumentException e) {
+    } catch (InvalidOption | IllegalArgumentException e) {
       LOG.debug("the model cannot be run as its file says", e);
     }
   }
@@ -144,8 +147,7 @@ final class MechSimServant implements MechSimOperations {
     }
   }
 
-  private static RunOptions suiting(NameValue[] options, LoadedModel model)
-      throws InvalidOption, NotAvailable {
+  private static RunOptions suiting(NameValue[] options, LoadedModel model) throws InvalidOption {
     return RunOptions.parse(options, model.model().settings()).suiting(model.model().mechanism());
   }
 
@@ -179,9 +181,15 @@ final class MechSimServant implements MechSimOperations {
     RunOptions asked = suiting(options, model);
     GeneratedModel generated =
         Built.orRefused(() -> library.generated(model, asked.forJar(), times));
+    List<SourceFile> sources = generated.sources();
+    int part = RunOptions.sourcePart(options);
+    if (part >= sources.size()) {
+      return new ModelFile("", new byte[0]);
+    }
+    SourceFile source = sources.get(part);
     return new ModelFile(
-        generated.sourceName().replace('.', '/') + ".java",
-        generated.source().getBytes(StandardCharsets.UTF_8));
+        source.className().replace('.', '/') + ".java",
+        source.text().getBytes(StandardCharsets.UTF_8));
   }
 
   @Override
@@ -199,7 +207,7 @@ final class MechSimServant implements MechSimOperations {
           created.reference(),
           session.openRows(created.run()),
           Wire.channels(created.run().columns().variables()),
-          facts(created.formulationReason()));
+          facts(created.formulationReason(), created.warnings()));
     } catch (LimitExceeded e) {
       session.destroy(created.run());
       throw e;
@@ -207,17 +215,23 @@ final class MechSimServant implements MechSimOperations {
   }
 
   /** What the report of a run says of its set-up, as far as this side knows it. */
-  private NameValue[] facts(String formulationReason) throws InvalidState {
+  private NameValue[] facts(String formulationReason, Map<String, String> warnings)
+      throws InvalidState {
     Map<String, String> facts = new LinkedHashMap<>();
     facts.put("hostName", hostName());
     facts.put("modelSha256", requireModel().sha256());
     facts.put("formulationReason", formulationReason);
     times.asMap().forEach((name, seconds) -> facts.put(name, Double.toString(seconds)));
+    facts.putAll(warnings);
     return Wire.nameValues(facts);
   }
 
   /** A simulation that was taken in. */
-  private record Created(SimulationRun run, IMechSimRemote reference, String formulationReason) {}
+  private record Created(
+      SimulationRun run,
+      IMechSimRemote reference,
+      String formulationReason,
+      Map<String, String> warnings) {}
 
   private Created created(NameValue[] options, @Nullable IMechClient client)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
@@ -238,7 +252,11 @@ final class MechSimServant implements MechSimOperations {
     SimulationRun run = runs.create(task, columns, source, facts, session, asked.earlierIds());
     IMechSimRemote reference = session.add(run, client);
     session.said(run, messages(source, compiled.generated(), asked));
-    return new Created(run, reference, compiled.generated().formulationReason());
+    return new Created(
+        run,
+        reference,
+        compiled.generated().formulationReason(),
+        RunWarnings.facts(source, asked.formulation(), asked.settings()));
   }
 
   /** What the file's reader warned of, a strict request takes for errors. */
@@ -267,7 +285,7 @@ final class MechSimServant implements MechSimOperations {
   }
 
   private static Diagnostic[] messages(
-      LoadedModel source, GeneratedModel generated, RunOptions asked) {
+      LoadedModel source, GeneratedFacts generated, RunOptions asked) {
     Diagnostic[] warnings = Wire.diagnostics(source.model().warnings());
     Diagnostic[] all = new Diagnostic[warnings.length + 1];
     System.arraycopy(warnings, 0, all, 0, warnings.length);
@@ -286,13 +304,12 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public byte[] compileToJar(NameValue[] options, JarInfoHolder info)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
-    return packed(options, info, Packing.SMALLEST);
+    LoadedModel source = requireModel(options);
+    return packed(source, suiting(options, source), info, Packing.SMALLEST);
   }
 
-  private byte[] packed(NameValue[] options, JarInfoHolder info, Packing packing)
+  private byte[] packed(LoadedModel source, RunOptions asked, JarInfoHolder info, Packing packing)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
-    LoadedModel source = requireModel(options);
-    RunOptions asked = suiting(options, source);
     requireNoWarnings(source, asked);
     BuildOptions build = asked.forJar();
     CompiledModel compiled = Built.orRefused(() -> library.compiled(source, build, times));
@@ -319,8 +336,10 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public byte[] prepareJar(NameValue[] options, JarInfoHolder info, NameValueSeqHolder facts)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
-    byte[] jar = packed(options, info, Packing.QUICK);
-    facts.value = facts("");
+    LoadedModel source = requireModel(options);
+    RunOptions asked = suiting(options, source);
+    byte[] jar = packed(source, asked, info, Packing.QUICK);
+    facts.value = facts("", RunWarnings.facts(source, asked.formulation(), asked.settings()));
     return jar;
   }
 

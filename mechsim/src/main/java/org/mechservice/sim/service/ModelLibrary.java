@@ -1,13 +1,9 @@
 package org.mechservice.sim.service;
 
-import java.util.LinkedHashMap;
-import java.util.Map;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
+import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.function.Supplier;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.sim.build.BuildOptions;
 import org.mechservice.sim.build.CompiledModel;
@@ -17,29 +13,31 @@ import org.mechservice.sim.build.ModelFactory;
 /**
  * Generates and compiles models, and keeps the latest: the same file with the same options is done
  * once. As many builds run at once as there are processors; the others wait their turn.
+ *
+ * <p>What is kept of a compiled model is its class files and what is to be said of it. The plan
+ * they are written from, a hundred times as large, is kept until they are written, and afterwards
+ * made anew if somebody asks for the source.
  */
 final class ModelLibrary implements AutoCloseable {
-  /** A generated class of a large scene takes some 100 kB, so this is bounded by tens of MB. */
+  /** Of models that are small enough. */
   private static final int KEPT = 64;
+
+  /**
+   * Values of plans that are kept, of 140 bytes each. A tree of 1000 bodies has half a million by
+   * DTR.
+   */
+  static final long PLANNED_VALUES = 1_000_000;
+
+  /** Bytes of class files that are kept; 1000 bodies take a megabyte. */
+  static final long CLASS_BYTES = 32L << 20;
 
   private record Key(
       String fileName, String sha256, String userSha256, ReadOptions read, BuildOptions options) {}
 
-  private static final class Latest<V> extends LinkedHashMap<Key, CompletableFuture<V>> {
-    private static final long serialVersionUID = 1L;
-
-    Latest() {
-      super(KEPT, 0.75f, true);
-    }
-
-    @Override
-    protected boolean removeEldestEntry(Map.Entry<Key, CompletableFuture<V>> eldest) {
-      return size() > KEPT;
-    }
-  }
-
-  private final Latest<GeneratedModel> generated = new Latest<>();
-  private final Latest<CompiledModel> compiled = new Latest<>();
+  private final Latest<Key, GeneratedModel> generated =
+      new Latest<>(KEPT, PLANNED_VALUES, GeneratedModel::plannedValues);
+  private final Latest<Key, CompiledModel> compiled =
+      new Latest<>(KEPT, CLASS_BYTES, CompiledModel::classBytes);
   private final AtomicInteger builders = new AtomicInteger();
   private final ExecutorService builds =
       Executors.newFixedThreadPool(
@@ -57,9 +55,9 @@ final class ModelLibrary implements AutoCloseable {
    * @throws IllegalArgumentException if the model does not fit the options
    */
   GeneratedModel generated(LoadedModel loaded, BuildOptions options, SetUpTimes times) {
-    return once(
-        generated,
+    return generated.get(
         key(loaded, options),
+        builds,
         () -> {
           long start = System.nanoTime();
           GeneratedModel source = ModelFactory.generate(loaded.model(), options);
@@ -75,17 +73,25 @@ final class ModelLibrary implements AutoCloseable {
    * @throws IllegalArgumentException if the model does not fit the options
    */
   CompiledModel compiled(LoadedModel loaded, BuildOptions options, SetUpTimes times) {
+    Key key = key(loaded, options);
+    Optional<CompiledModel> known = compiled.known(key);
+    if (known.isPresent()) {
+      return known.get();
+    }
     GeneratedModel source = generated(loaded, options, times);
-    return once(
-        compiled,
-        key(loaded, options),
-        () -> {
-          long start = System.nanoTime();
-          CompiledModel model =
-              ModelFactory.compile(loaded.model(), options, source, loaded.userClasses());
-          times.addCompiling(System.nanoTime() - start);
-          return model;
-        });
+    CompiledModel written =
+        compiled.get(
+            key,
+            builds,
+            () -> {
+              long start = System.nanoTime();
+              CompiledModel model =
+                  ModelFactory.compile(loaded.model(), options, source, loaded.userClasses());
+              times.addCompiling(System.nanoTime() - start);
+              return model;
+            });
+    generated.forget(key);
+    return written;
   }
 
   private static Key key(LoadedModel loaded, BuildOptions options) {
@@ -95,28 +101,6 @@ final class ModelLibrary implements AutoCloseable {
         loaded.userClasses().sha256(),
         loaded.options(),
         options);
-  }
-
-  private <V> V once(Latest<V> kept, Key key, Supplier<V> build) {
-    CompletableFuture<V> future;
-    synchronized (kept) {
-      future = kept.get(key);
-      if (future == null) {
-        future = CompletableFuture.supplyAsync(build, builds);
-        kept.put(key, future);
-      }
-    }
-    try {
-      return future.join();
-    } catch (CompletionException e) {
-      synchronized (kept) {
-        kept.remove(key, future);
-      }
-      if (e.getCause() instanceof RuntimeException cause) {
-        throw cause;
-      }
-      throw e;
-    }
   }
 
   @Override

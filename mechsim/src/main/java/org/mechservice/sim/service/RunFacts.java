@@ -6,7 +6,7 @@ import com.google.gson.JsonPrimitive;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import org.mechservice.orb.ServiceVersion;
-import org.mechservice.sim.build.GeneratedModel;
+import org.mechservice.sim.build.GeneratedFacts;
 
 /**
  * What the service knows of a run beyond the solver's report.
@@ -19,7 +19,7 @@ import org.mechservice.sim.build.GeneratedModel;
 record RunFacts(
     String host, String modelSha256, String formulationReason, Map<String, Double> times) {
 
-  static RunFacts of(String host, LoadedModel loaded, GeneratedModel generated, SetUpTimes times) {
+  static RunFacts of(String host, LoadedModel loaded, GeneratedFacts generated, SetUpTimes times) {
     Map<String, Double> ofRemoteRun = new LinkedHashMap<>(times.asMap());
     ofRemoteRun.remove("t2s"); // no JAR is made for a run here
     return new RunFacts(host, loaded.sha256(), generated.formulationReason(), ofRemoteRun);

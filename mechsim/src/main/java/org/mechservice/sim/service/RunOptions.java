@@ -2,19 +2,15 @@ package org.mechservice.sim.service;
 
 import java.util.ArrayList;
 import java.util.EnumSet;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.NameValue;
-import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.OPT_ABS_TOL;
 import org.mechservice.idl.OPT_CLOSURE;
 import org.mechservice.idl.OPT_CODE;
@@ -25,11 +21,9 @@ import org.mechservice.idl.OPT_FORMULATION;
 import org.mechservice.idl.OPT_INTEGRATOR;
 import org.mechservice.idl.OPT_MAX_DRIFT;
 import org.mechservice.idl.OPT_REL_TOL;
-import org.mechservice.idl.OPT_SET;
-import org.mechservice.idl.OPT_SIMULATION;
+import org.mechservice.idl.OPT_SOURCE_PART;
 import org.mechservice.idl.OPT_STANDALONE;
 import org.mechservice.idl.OPT_STRICT;
-import org.mechservice.idl.OPT_TUNABLE;
 import org.mechservice.idl.OPT_T_END;
 import org.mechservice.idl.OPT_T_STEP;
 import org.mechservice.mechml.SimulationSettings;
@@ -82,27 +76,6 @@ record RunOptions(
   /** What stands in the settings of a run that needs none. */
   private static final String NO_INTEGRATOR = "none";
 
-  private static final Set<String> KNOWN =
-      new TreeSet<>(
-          Set.of(
-              OPT_SIMULATION.value,
-              OPT_FORMULATION.value,
-              OPT_CLOSURE.value,
-              OPT_INTEGRATOR.value,
-              OPT_REL_TOL.value,
-              OPT_ABS_TOL.value,
-              OPT_T_END.value,
-              OPT_T_STEP.value,
-              OPT_COLUMNS.value,
-              OPT_SET.value,
-              OPT_TUNABLE.value,
-              OPT_STANDALONE.value,
-              OPT_STRICT.value,
-              OPT_MAX_DRIFT.value,
-              OPT_COMPACT.value,
-              OPT_CODE.value,
-              OPT_CONTINUES.value));
-
   RunOptions {
     columns = Set.copyOf(columns);
     earlierIds = List.copyOf(earlierIds);
@@ -112,33 +85,45 @@ record RunOptions(
    * Reads the options of a request, those of {@link ModelOptions} aside.
    *
    * @throws InvalidOption if an option is unknown, given twice, or its value cannot be used
-   * @throws NotAvailable if the contract knows the option and this version does not
    */
-  static RunOptions parse(NameValue[] options, SimulationSettings ofFile)
-      throws InvalidOption, NotAvailable {
-    Map<String, String> given = byName(options);
+  static RunOptions parse(NameValue[] options, SimulationSettings ofFile) throws InvalidOption {
+    GivenOptions given = GivenOptions.of(options);
     boolean integrated = ofFile.task() instanceof SimulationTask.Dynamic;
     if (!integrated) {
       refuseMethods(given, ofFile.task());
     }
     return new RunOptions(
-        given.getOrDefault(OPT_FORMULATION.value, ofFile.formulation()),
-        given.getOrDefault(OPT_CLOSURE.value, ofFile.closure()),
-        flag(given, OPT_COMPACT.value),
+        given.text(OPT_FORMULATION.value, ofFile.formulation()),
+        given.text(OPT_CLOSURE.value, ofFile.closure()),
+        given.flag(OPT_COMPACT.value),
         code(given),
-        columns(given.getOrDefault(OPT_COLUMNS.value, ofFile(ofFile))),
+        columns(given.text(OPT_COLUMNS.value, ofFile(ofFile))),
         settings(given, ofFile),
-        flag(given, OPT_STANDALONE.value),
-        flag(given, OPT_STRICT.value),
-        integrated
-            && given.getOrDefault(OPT_INTEGRATOR.value, ofFile.run().integrator()).equals(AUTO),
+        given.flag(OPT_STANDALONE.value),
+        given.flag(OPT_STRICT.value),
+        integrated && given.text(OPT_INTEGRATOR.value, ofFile.run().integrator()).equals(AUTO),
         Optional.empty(),
         maxDrift(given),
         earlierIds(given));
   }
 
-  private static List<String> earlierIds(Map<String, String> given) throws InvalidOption {
-    String ids = given.getOrDefault(OPT_CONTINUES.value, "");
+  /**
+   * Reads which class of a model is asked for, from 0.
+   *
+   * @throws InvalidOption if it is no such number
+   */
+  static int sourcePart(NameValue[] options) throws InvalidOption {
+    String text = GivenOptions.of(options).text(OPT_SOURCE_PART.value, "0");
+    if (!text.matches("[0-9]{1,3}")) {
+      throw Refusal.option(
+          OPT_SOURCE_PART.value,
+          OPT_SOURCE_PART.value + " is \"" + text + "\"; it must be a number from 0 to 999");
+    }
+    return Integer.parseInt(text);
+  }
+
+  private static List<String> earlierIds(GivenOptions given) throws InvalidOption {
+    String ids = given.text(OPT_CONTINUES.value, "");
     if (ids.isEmpty()) {
       return List.of();
     }
@@ -170,25 +155,8 @@ record RunOptions(
         earlierIds);
   }
 
-  private static Map<String, String> byName(NameValue[] options) throws InvalidOption {
-    Map<String, String> given = new HashMap<>();
-    for (NameValue option : options) {
-      if (!KNOWN.contains(option.key)) {
-        throw Refusal.option(
-            option.key,
-            "there is no option \"" + option.key + "\"; known are " + String.join(", ", KNOWN));
-      }
-      boolean ofModel = ModelOptions.KEYS.contains(option.key);
-      if (!ofModel && given.put(option.key, option.text.strip()) != null) {
-        throw Refusal.option(option.key, "option \"" + option.key + "\" is given twice");
-      }
-    }
-    return given;
-  }
-
   /** A simulation that is not integrated takes no method. */
-  private static void refuseMethods(Map<String, String> given, SimulationTask task)
-      throws InvalidOption {
+  private static void refuseMethods(GivenOptions given, SimulationTask task) throws InvalidOption {
     for (String method :
         List.of(
             OPT_FORMULATION.value,
@@ -197,7 +165,7 @@ record RunOptions(
             OPT_REL_TOL.value,
             OPT_ABS_TOL.value,
             OPT_MAX_DRIFT.value)) {
-      if (given.containsKey(method)) {
+      if (given.has(method)) {
         throw Refusal.option(
             method,
             "the simulation is <"
@@ -209,15 +177,15 @@ record RunOptions(
     }
   }
 
-  private static OptionalDouble maxDrift(Map<String, String> given) throws InvalidOption {
-    return given.containsKey(OPT_MAX_DRIFT.value)
-        ? OptionalDouble.of(positive(given, OPT_MAX_DRIFT.value, 0, ""))
+  private static OptionalDouble maxDrift(GivenOptions given) throws InvalidOption {
+    return given.has(OPT_MAX_DRIFT.value)
+        ? OptionalDouble.of(given.positive(OPT_MAX_DRIFT.value, 0, ""))
         : OptionalDouble.empty();
   }
 
-  private static CodeForm code(Map<String, String> given) throws InvalidOption {
-    String text = given.getOrDefault(OPT_CODE.value, CodeForm.AUTO.label());
-    if (given.containsKey(OPT_CODE.value) && flag(given, OPT_COMPACT.value)) {
+  private static CodeForm code(GivenOptions given) throws InvalidOption {
+    String text = given.text(OPT_CODE.value, CodeForm.AUTO.label());
+    if (given.has(OPT_CODE.value) && given.flag(OPT_COMPACT.value)) {
       throw Refusal.option(
           OPT_CODE.value,
           "code says how code is laid out, and compact form has none; leave out one");
@@ -227,17 +195,6 @@ record RunOptions(
             () ->
                 Refusal.option(
                     OPT_CODE.value, "code is \"" + text + "\"; it must be " + CodeForm.LABELS));
-  }
-
-  private static boolean flag(Map<String, String> given, String name) throws InvalidOption {
-    String text = given.getOrDefault(name, "false");
-    return switch (text) {
-      case "true" -> true;
-      case "false" -> false;
-      default ->
-          throw Refusal.option(
-              name, "option \"" + name + "\" is \"" + text + "\"; it must be true or false");
-    };
   }
 
   private static Set<ColumnGroup> columns(String text) throws InvalidOption {
@@ -298,12 +255,12 @@ record RunOptions(
         : EXPLICIT_INTEGRATOR;
   }
 
-  private static RunSettings settings(Map<String, String> given, SimulationSettings file)
-      throws InvalidOption, NotAvailable {
-    String formulation = given.getOrDefault(OPT_FORMULATION.value, file.formulation());
+  private static RunSettings settings(GivenOptions given, SimulationSettings file)
+      throws InvalidOption {
+    String formulation = given.text(OPT_FORMULATION.value, file.formulation());
     RunSettings ofFile = file.run();
-    String integrator = given.getOrDefault(OPT_INTEGRATOR.value, ofFile.integrator());
-    double end = number(given, OPT_T_END.value, ofFile.tEnd());
+    String integrator = given.text(OPT_INTEGRATOR.value, ofFile.integrator());
+    double end = given.number(OPT_T_END.value, ofFile.tEnd());
     if (end < ofFile.tStart()) {
       throw Refusal.option(
           OPT_T_END.value,
@@ -313,11 +270,11 @@ record RunOptions(
         new RunSettings(
             ofFile.tStart(),
             end,
-            positive(given, OPT_T_STEP.value, ofFile.tStep(), "s"),
+            given.positive(OPT_T_STEP.value, ofFile.tStep(), "s"),
             !(file.task() instanceof SimulationTask.Dynamic)
                 ? NO_INTEGRATOR
                 : integrator.equals(AUTO) ? automatic(formulation) : integrator,
-            belowOne(given, OPT_REL_TOL.value, ofFile.relativeTolerance()),
+            given.belowOne(OPT_REL_TOL.value, ofFile.relativeTolerance()),
             ofFile.absoluteTolerance(),
             ofFile.maxStep(),
             ofFile.initialStep(),
@@ -325,8 +282,8 @@ record RunOptions(
             ofFile.angleTolerance(),
             ofFile.velocityTolerance(),
             ofFile.angularVelocityTolerance());
-    return given.containsKey(OPT_ABS_TOL.value)
-        ? settings.withTolerances(tolerances(given.get(OPT_ABS_TOL.value)))
+    return given.has(OPT_ABS_TOL.value)
+        ? settings.withTolerances(tolerances(given.text(OPT_ABS_TOL.value, "")))
         : settings;
   }
 
@@ -334,7 +291,7 @@ record RunOptions(
   private static List<Double> tolerances(String text) throws InvalidOption {
     List<Double> tolerances = new ArrayList<>();
     for (String one : text.split(";", -1)) {
-      tolerances.add(positive(Map.of(OPT_ABS_TOL.value, one.strip()), OPT_ABS_TOL.value, 0, ""));
+      tolerances.add(GivenOptions.positiveOf(OPT_ABS_TOL.value, one.strip()));
     }
     if (tolerances.size() != 1 && tolerances.size() != 4) {
       throw Refusal.option(
@@ -348,47 +305,6 @@ record RunOptions(
     return tolerances;
   }
 
-  private static double belowOne(Map<String, String> given, String name, double otherwise)
-      throws InvalidOption {
-    double value = positive(given, name, otherwise, "");
-    if (value >= 1) {
-      throw Refusal.option(name, name + " is " + value + "; it must be below 1");
-    }
-    return value;
-  }
-
-  private static double positive(
-      Map<String, String> given, String name, double otherwise, String unit) throws InvalidOption {
-    double value = number(given, name, otherwise);
-    if (value <= 0) {
-      throw Refusal.option(
-          name, (name + " is " + value + " " + unit).strip() + "; it must be positive");
-    }
-    return value;
-  }
-
-  private static double number(Map<String, String> given, String name, double otherwise)
-      throws InvalidOption {
-    String text = given.get(name);
-    if (text == null) {
-      return otherwise;
-    }
-    try {
-      double value = Double.parseDouble(text);
-      if (Double.isFinite(value) && !Character.isLetter(text.charAt(text.length() - 1))) {
-        return value;
-      }
-    } catch (NumberFormatException e) {
-      throw notANumber(name, text);
-    }
-    throw notANumber(name, text);
-  }
-
-  private static InvalidOption notANumber(String name, String text) {
-    return Refusal.option(
-        name, name + " is \"" + text + "\"; it must be a number such as 0.01 or 1e-6");
-  }
-
   /** Returns what a model is to be built for that carries these settings as its own. */
   BuildOptions forJar() {
     return new BuildOptions(
@@ -400,26 +316,13 @@ record RunOptions(
    * file's own, so that runs that differ in nothing else share one class.
    */
   BuildOptions forRun(SimulationSettings ofFile) {
-    RunSettings file = ofFile.run();
     return new BuildOptions(
         formulation,
         closure,
         compact,
         code,
         columns,
-        new RunSettings(
-            file.tStart(),
-            file.tEnd(),
-            file.tStep(),
-            settings.integrator(),
-            file.relativeTolerance(),
-            file.absoluteTolerance(),
-            file.maxStep(),
-            file.initialStep(),
-            file.maxOrder(),
-            file.angleTolerance(),
-            file.velocityTolerance(),
-            file.angularVelocityTolerance()),
+        withIntegrator(ofFile.run(), settings.integrator()),
         integratorReason);
   }
 }

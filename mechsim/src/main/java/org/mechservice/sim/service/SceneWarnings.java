@@ -14,16 +14,23 @@ import org.mechservice.solver.api.RunSettings;
 final class SceneWarnings {
   private SceneWarnings() {}
 
+  /** Returns them of a run as the file says. */
+  static List<Diagnostic> of(MechmlModel model) {
+    return of(model, model.settings().formulation(), model.settings().run());
+  }
+
   /**
    * Returns the reader's warnings, then joints that move nothing or that no inertia resists, and
-   * whether the run of the file will take very many steps.
+   * whether a run will take very many steps.
+   *
+   * @param formulation asked for
+   * @param run settings of the run
    */
-  static List<Diagnostic> of(MechmlModel model) {
+  static List<Diagnostic> of(MechmlModel model, String formulation, RunSettings run) {
     List<Diagnostic> warnings = new ArrayList<>(model.warnings());
-    RunSettings run = model.settings().run();
     List<Finding> findings =
         new ArrayList<>(SceneAnalysis.of(model.mechanism()).findingsAtStart(run.tStart()));
-    findings.addAll(RunForecast.of(model.mechanism(), run));
+    findings.addAll(RunForecast.of(model.mechanism(), formulation, run));
     for (Finding finding : findings) {
       warnings.add(
           new Diagnostic(

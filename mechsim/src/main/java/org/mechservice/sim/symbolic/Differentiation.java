@@ -59,37 +59,62 @@ public final class Differentiation {
       case SUBTRACT -> known(node.first()).minus(known(node.second()));
       case NEGATE -> known(node.first()).negated();
       case MULTIPLY ->
-          known(node.first()).times(node.second()).plus(node.first().times(known(node.second())));
-      case DIVIDE ->
-          known(node.first()).minus(node.times(known(node.second()))).over(node.second());
-      case SQUARE_ROOT -> known(node.first()).times(0.5).over(FunctionSlopes.awayFromZero(node));
+          product(node.isSteep(), known(node.first()), node.second())
+              .plus(product(node.isSteep(), node.first(), known(node.second())));
+      case DIVIDE -> quotient(node);
+      case SQUARE_ROOT -> root(node);
       case SINE -> expressions.cosine(node.first()).times(known(node.first()));
       case COSINE -> expressions.sine(node.first()).times(known(node.first())).negated();
       case FUNCTION -> function(node);
     };
   }
 
+  /** In what is steep a factor that is zero leaves nothing, however large the other one is. */
+  private Scalar product(boolean steep, Scalar a, Scalar b) {
+    return steep ? expressions.function(MathFunction.PRODUCT, a, b) : a.times(b);
+  }
+
+  private Scalar quotient(Scalar node) {
+    Scalar dividend = known(node.first());
+    Scalar divisor = known(node.second());
+    if (!node.isSteep()) {
+      return dividend.minus(node.times(divisor)).over(node.second());
+    }
+    Scalar slope = node.over(node.second());
+    return product(true, expressions.one().over(node.second()), dividend)
+        .minus(product(true, slope, divisor));
+  }
+
+  private Scalar root(Scalar node) {
+    Scalar inner = known(node.first());
+    return node.isSteep()
+        ? product(true, expressions.constant(0.5).over(node), inner)
+        : inner.times(0.5).over(node);
+  }
+
   private Scalar function(Scalar node) {
     return switch (node.function()) {
-      case CHOOSE ->
-          chosen(node.first(), node.second(), node.operands().get(2), node.operands().get(3));
       case MIN -> chosen(node.first(), node.second(), node.first(), node.second());
       case MAX -> chosen(node.second(), node.first(), node.first(), node.second());
-      default -> bySlopes(node);
+      case CHOOSE -> {
+        List<Scalar> x = node.operands();
+        yield chosen(x.get(0), x.get(1), x.get(2), x.get(3));
+      }
+      default -> smooth(node);
     };
   }
 
-  /** What is not chosen does not count, even where it has no slope. */
+  /** What is not chosen leaves nothing, not even where its derivative is no number. */
   private Scalar chosen(Scalar a, Scalar b, Scalar first, Scalar second) {
     return expressions.function(MathFunction.CHOOSE, a, b, known(first), known(second));
   }
 
-  private Scalar bySlopes(Scalar node) {
+  private Scalar smooth(Scalar node) {
     Scalar sum = expressions.zero();
     for (int i = 0; i < node.operands().size(); i++) {
       Scalar inner = known(node.operands().get(i));
       if (!inner.isZero()) {
-        sum = sum.plus(FunctionSlopes.slope(node, i).times(inner));
+        sum = sum.plus(product(node.isSteep(), FunctionSlopes.slope(node, i), inner));
       }
     }
     return sum;

@@ -74,6 +74,11 @@ public final class Expressions {
    * Nothing is simplified, so that its value has the same bits.
    */
   public Scalar alike(Scalar node, List<Scalar> operands) {
+    Scalar same = sameOf(node, operands);
+    return node.isSteep() ? same.markedSteep() : same;
+  }
+
+  private Scalar sameOf(Scalar node, List<Scalar> operands) {
     return switch (node.operation()) {
       case CONSTANT -> constant(node.value());
       case INPUT -> input(node.index());

@@ -28,7 +28,9 @@ public enum MathFunction {
   FLOOR("java/lang/Math", "floor", 1),
   POWER("org/mechservice/solver/expression/Powers", "power", 2),
   /** {@code choose(a, b, x, y)}: x where a ≤ b, else y. */
-  CHOOSE("org/mechservice/solver/spatial/Piecewise", "choose", 4);
+  CHOOSE("org/mechservice/solver/spatial/Piecewise", "choose", 4),
+  /** {@code product(a, b)}: a b, and 0 where one of them is 0, whatever the other is. */
+  PRODUCT("org/mechservice/solver/spatial/Piecewise", "product", 2);
 
   private final String owner;
   private final String method;
@@ -77,6 +79,7 @@ public enum MathFunction {
       case FLOOR -> Math.floor(x[0]);
       case POWER -> Powers.power(x[0], x[1]);
       case CHOOSE -> Piecewise.choose(x[0], x[1], x[2], x[3]);
+      case PRODUCT -> Piecewise.product(x[0], x[1]);
     };
   }
 }

@@ -22,6 +22,7 @@ public final class Scalar {
   private final double value;
   private final int index;
   private final @Nullable MathFunction function;
+  private boolean steep;
 
   /** A node that is no function. */
   Scalar(
@@ -42,6 +43,7 @@ public final class Scalar {
     this.value = value;
     this.index = index;
     this.function = null;
+    this.steep = anySteep(operands);
   }
 
   /** A function. */
@@ -55,6 +57,16 @@ public final class Scalar {
     this.value = 0;
     this.index = 0;
     this.function = function;
+    this.steep = anySteep(operands);
+  }
+
+  private static boolean anySteep(List<Scalar> operands) {
+    for (Scalar operand : operands) {
+      if (operand.steep) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Returns the graph the node belongs to. */
@@ -118,6 +130,21 @@ public final class Scalar {
 
   boolean isConstant(double number) {
     return isConstant() && value == number;
+  }
+
+  /**
+   * Returns this, noting that it may be infinite or change without bound, as a root does at zero.
+   * What is made of it from now on is steep too: in derivatives of all that, a factor that is zero
+   * leaves nothing, whatever the other one is.
+   */
+  public Scalar markedSteep() {
+    steep |= !isConstant();
+    return this;
+  }
+
+  /** Returns whether it is, or is made of, what is {@linkplain #markedSteep() noted as steep}. */
+  boolean isSteep() {
+    return steep;
   }
 
   /** Returns this + other. */

@@ -221,6 +221,10 @@ final class Simplification {
         return arguments.get(x[0] <= x[1] ? 2 : 3);
       }
     }
+    if (function == MathFunction.PRODUCT
+        && (arguments.get(0).isConstant() || arguments.get(1).isConstant())) {
+      return product(arguments.get(0), arguments.get(1));
+    }
     return arguments.get(0).expressions().call(function, arguments);
   }
 

@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -13,7 +16,9 @@ import java.util.TreeMap;
 import java.util.jar.JarEntry;
 import java.util.jar.JarInputStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.build.jar.Packing;
@@ -30,6 +35,8 @@ import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.simulation.RuntimeSolver;
 import org.mechservice.solver.standalone.Launcher;
+import org.objectweb.asm.ClassReader;
+import org.objectweb.asm.tree.ClassNode;
 
 /** Columns that no code is generated for travel as data with the models that asked for them. */
 class DataColumnsTest {
@@ -124,6 +131,64 @@ class DataColumnsTest {
         .anyMatch(name -> name.contains("solver.analysis.ReactionColumns"));
   }
 
+  @ParameterizedTest
+  @EnumSource(names = {"REACTIONS", "MOMENTUM", "OUTPUTS"})
+  void aJarCarriesTheClassesOfTheColumnsAskedForAlone(ColumnGroup group) throws IOException {
+    CompiledModel model = pushed(group);
+    assertThat(entries(ModelFactory.modelJar(model, "", Packing.SMALLEST)))
+        .filteredOn(ColumnClasses.paths()::contains)
+        .hasSize(1)
+        .allMatch(path -> ColumnClasses.needed(path, model) != null);
+  }
+
+  /** Compact, so that none of the columns is code. */
+  private static CompiledModel pushed(ColumnGroup group) {
+    Mechanism pushed = RandomForces.on(RandomTrees.driven(SEED, 4), SEED);
+    MechmlModel model = RandomEvents.on(pushed, SEED);
+    BuildOptions options = new BuildOptions("DTR", "auto", true, Set.of(group), SETTINGS);
+    return ModelFactory.compile(model, options, ModelFactory.generate(model, options));
+  }
+
+  /** The machine it runs on has nothing but the JAR. */
+  @ParameterizedTest
+  @EnumSource(names = {"REACTIONS", "FORCES", "MOMENTUM", "OUTPUTS"})
+  void aStandaloneJarPutsOutTheColumnsItWasBuiltWith(ColumnGroup group, @TempDir Path folder)
+      throws Exception {
+    Path jar = folder.resolve("p.jar");
+    Files.write(jar, ModelFactory.standaloneJar(pushed(group), "", Packing.SMALLEST).bytes());
+    Path rows = folder.resolve("rows.csv");
+    Process process =
+        new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-jar",
+                jar.toString(),
+                "--columns",
+                group.label(),
+                "--out",
+                rows.toString())
+            .redirectErrorStream(true)
+            .start();
+    String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertThat(process.waitFor()).as(said).isZero();
+    assertThat(Files.readAllLines(rows)).hasSizeGreaterThan(1);
+  }
+
+  @Test
+  void theClassesOfColumnsAreClassesOfTheSolver() {
+    assertThat(ColumnClasses.paths()).allSatisfy(p -> assertThat(SolverFiles.lean(p)).isNotNull());
+  }
+
+  /** Components are listed for those who take records apart, which data are read by alone. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void recordsListTheirComponentsWhereDataAreRead(boolean compact) throws IOException {
+    Map<String, byte[]> solver =
+        solverClasses(ModelFactory.standaloneJar(pendulum(compact), "", Packing.SMALLEST));
+    ClassNode settings = new ClassNode();
+    new ClassReader(solver.get(RunSettings.class.getName())).accept(settings, 0);
+    assertThat(settings.recordComponents != null).isEqualTo(compact);
+  }
+
   private static List<String> entries(PackedJar jar) throws IOException {
     List<String> names = new ArrayList<>();
     try (JarInputStream stream = new JarInputStream(new ByteArrayInputStream(jar.bytes()))) {
@@ -134,17 +199,19 @@ class DataColumnsTest {
     return names;
   }
 
-  private static List<String> solverOf(PackedJar jar) throws IOException {
-    List<String> names = new ArrayList<>();
+  private static Set<String> solverOf(PackedJar jar) throws IOException {
+    return solverClasses(jar).keySet();
+  }
+
+  private static Map<String, byte[]> solverClasses(PackedJar jar) throws IOException {
+    Map<String, byte[]> classes = new TreeMap<>();
     try (JarInputStream stream = new JarInputStream(new ByteArrayInputStream(jar.bytes()))) {
       for (JarEntry e = stream.getNextJarEntry(); e != null; e = stream.getNextJarEntry()) {
         if (e.getName().equals(Launcher.SOLVER)) {
-          Map<String, byte[]> classes = new TreeMap<>();
           Launcher.read(stream, classes);
-          names.addAll(classes.keySet());
         }
       }
     }
-    return names;
+    return classes;
   }
 }

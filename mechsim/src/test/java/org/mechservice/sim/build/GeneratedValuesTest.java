@@ -118,6 +118,23 @@ class GeneratedValuesTest {
         .containsExactly(outputs(name, compiled, y, file.outputs().size()));
   }
 
+  /** Somebody who compiles what is written has the equations, the data, events and outputs. */
+  @ParameterizedTest
+  @MethodSource("mechanisms")
+  void theWrittenSourcesAreAllClassesOfTheModel(Mechanism mechanism) {
+    MechmlModel file = RandomEvents.on(mechanism, 1);
+    GeneratedModel generated = ModelFactory.generate(file, options(false));
+    CompiledModel written = ModelFactory.compile(file, options(false), generated);
+    CompiledModel compiled = ModelFactory.compileSource(file, options(false), generated);
+    assertThat(compiled.classFiles().keySet()).isEqualTo(written.classFiles().keySet()).hasSize(3);
+    double[] y = RandomTrees.state(3, mechanism);
+    double[] expected = new double[file.settings().events().size()];
+    double[] actual = new double[expected.length];
+    events(written.newInstance()).values(TIME, y, expected);
+    events(compiled.newInstance()).values(TIME, y, actual);
+    assertThat(actual).containsExactly(expected);
+  }
+
   private static double[] outputs(
       String name, Map<String, byte[]> classFiles, double[] y, int count) {
     double[] outputs = new double[count];

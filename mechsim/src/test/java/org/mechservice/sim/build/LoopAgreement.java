@@ -132,7 +132,7 @@ record LoopAgreement(
         FormulationChoice.of(
             options.formulation(), options.closure(), options.settings(), file.mechanism());
     Links links = Links.of(file.mechanism());
-    TermsClass terms = LoopTermsClass.derive(links, options, choice);
+    TermsClass terms = LoopTermsClass.derive(file, links, options, choice);
     return new ModelAssembly(file, options, choice).looped(links, terms);
   }
 

@@ -15,6 +15,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.MechmlReader;
 import org.mechservice.solver.api.RunSettings;
@@ -85,6 +86,23 @@ class ReadableSourceTest {
           .forEach(unread::add);
     }
     assertThat(unread).isEmpty();
+  }
+
+  /** With what a cut joint does said of the tree alone: it may slide where no joint of it does. */
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8})
+  void aMechanismWithLoopsSaysWhatItLeavesOut(int seed) {
+    Mechanism mechanism = LoopAgreement.scene(seed);
+    GeneratedModel generated =
+        ModelFactory.generate(
+            Scenes.model(mechanism), LoopAgreement.options("DSR", "projection", false));
+    String comments = generated.source().replaceAll("\\s*\n\\s*\\*\\s*", " ");
+    assertThat(comments).contains("Left out: ").doesNotContain("loop closures and constraints (");
+    assertThat(generated.leftOut())
+        .allSatisfy(
+            omission -> assertThat(comments).contains(omission.what(), "(" + omission.why() + ")"))
+        .extracting(Omission::why)
+        .doesNotContain("no joint slides", "no joint turns", "no joint is spherical or free");
   }
 
   @Test

@@ -25,7 +25,7 @@ class RunForecastTest {
 
   private static List<Finding> of(String text) throws MechmlException {
     MechmlModel model = MechmlReader.read("scene.xml", text.getBytes(StandardCharsets.UTF_8));
-    return RunForecast.of(model.mechanism(), model.settings().run());
+    return RunForecast.of(model.mechanism(), "auto", model.settings().run());
   }
 
   private static List<Finding> ofPush(String formula) throws IOException, MechmlException {
@@ -60,9 +60,7 @@ class RunForecastTest {
         scene("brief_push")
             .replace("1000*exp(-((t-5)/0.001)^2)", "sin(2*PI*1000*t)")
             .replaceFirst("maxStep=\"[^\"]*", "maxStep=\"" + longest);
-    assertThat(
-            of(bounded).stream()
-                .anyMatch(f -> f.text().contains("maxStep of the file allows 0.00100 s")))
+    assertThat(of(bounded).stream().anyMatch(f -> f.text().contains("maxStep allows 0.00100 s")))
         .isEqualTo(named);
   }
 

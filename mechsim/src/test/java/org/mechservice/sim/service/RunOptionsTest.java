@@ -10,7 +10,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.NameValue;
-import org.mechservice.idl.NotAvailable;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.sim.build.emit.CodeForm;
 import org.mechservice.solver.api.ColumnGroup;
@@ -20,7 +19,7 @@ class RunOptionsTest {
   private static final SimulationSettings FILE =
       new SimulationSettings(new RunSettings(1, 3, 0.01, "DE", 1e-5, 1e-6), "auto");
 
-  private static RunOptions parse(String... pairs) throws InvalidOption, NotAvailable {
+  private static RunOptions parse(String... pairs) throws InvalidOption {
     NameValue[] options =
         Arrays.stream(pairs)
             .map(pair -> pair.split("=", 2))

@@ -90,7 +90,16 @@ class SessionContractTest {
       ModelFile source = session.generatedSource(AS_IN_FILE);
       assertThat(source.fileName).endsWith(".java");
       assertThat(new String(source.content, StandardCharsets.UTF_8)).contains("class ");
+      assertThat(session.generatedSource(part("1")).fileName).isEmpty();
+      assertThatThrownBy(() -> session.generatedSource(part("first")))
+          .isInstanceOfSatisfying(
+              InvalidOption.class,
+              refusal -> assertThat(refusal.optionName).isEqualTo("source-part"));
     }
+  }
+
+  private static NameValue[] part(String number) {
+    return new NameValue[] {new NameValue("source-part", number)};
   }
 
   @Test

@@ -81,12 +81,12 @@ class DifferentiationTest {
     Scalar above = e.function(MathFunction.MIN, one, x);
     List<Scalar> level =
         List.of(
-            below.squareRoot(),
-            e.function(MathFunction.POWER, below, e.constant(0.3)),
+            below.squareRoot().markedSteep(),
+            e.function(MathFunction.POWER, below, e.constant(0.3)).markedSteep(),
             e.function(MathFunction.CHOOSE, x, zero, one, one.over(below)),
             e.function(MathFunction.ATAN2, below, below),
-            e.function(MathFunction.ASIN, e.function(MathFunction.MAX, above, one)),
-            e.function(MathFunction.ACOS, e.function(MathFunction.MAX, above, one)),
+            e.function(MathFunction.ASIN, e.function(MathFunction.MAX, above, one)).markedSteep(),
+            e.function(MathFunction.ACOS, e.function(MathFunction.MAX, above, one)).markedSteep(),
             x.minus(x.squared().squareRoot().negated()));
     Differentiation byX = new Differentiation(e, Map.of(x, one));
     program.section("slopes", "s");

@@ -47,7 +47,9 @@ final class ForceColumns implements ColumnValues {
     JointType type = joint.type();
     int count = type.velocityCount();
     for (int i = 0; i < count; i++) {
-      columns.add(new Variable(joint.name() + ".drive" + (count == 1 ? "" : "[" + i + "]"), joint.forceUnit(i)));
+      columns.add(
+          new Variable(
+              joint.name() + ".drive" + (count == 1 ? "" : "[" + i + "]"), joint.forceUnit(i)));
     }
   }
 

@@ -176,6 +176,11 @@ class ClosedTree {
 
   /** Evaluates γ alone after {@link #place}. */
   void formGamma(double t) {
+    formDataGamma(t);
+  }
+
+  /** The same from the data, after {@link #placeData}. */
+  final void formDataGamma(double t) {
     motion.accelerationSweep(noAcceleration);
     loops.accelerate(motion, t);
   }

@@ -109,7 +109,8 @@ abstract class LoopModel
                     t,
                     y,
                     yDot,
-                    tried));
+                    tried))
+        .or(() -> PrescribedMotions.breakOff(work, t, y, tried));
   }
 
   @Override

@@ -30,7 +30,9 @@ final class DrivenColumns {
     JointType type = joint.type();
     int count = type.velocityCount();
     for (int i = 0; i < count; i++) {
-      columns.add(new Variable(joint.name() + ".drive" + (count == 1 ? "" : "[" + i + "]"), joint.forceUnit(i)));
+      columns.add(
+          new Variable(
+              joint.name() + ".drive" + (count == 1 ? "" : "[" + i + "]"), joint.forceUnit(i)));
     }
   }
 

@@ -14,7 +14,10 @@ public enum Function {
   ASIN("asin", 1),
   ACOS("acos", 1),
   ATAN("atan", 1),
-  /** {@code atan2(y, x)}: the angle of the point (x, y), −π … π. */
+  /**
+   * {@code atan2(y, x)}: the angle of the point (x, y), −π … π; at the origin its slope counts as
+   * 0.
+   */
   ATAN2("atan2", 2),
   EXP("exp", 1),
   /** The natural logarithm. */
@@ -28,7 +31,7 @@ public enum Function {
   TANH("tanh", 1),
   /** −1, 0 or 1; its slope counts as 0 everywhere. */
   SIGNUM("signum", 1),
-  /** {@code hypot(x, y)} = √(x² + y²). */
+  /** {@code hypot(x, y)} = √(x² + y²); at the origin its slope counts as 0. */
   HYPOT("hypot", 2),
   /** The greatest whole number not above; its slope counts as 0 everywhere. */
   FLOOR("floor", 1),

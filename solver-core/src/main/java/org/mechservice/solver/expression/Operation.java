@@ -155,6 +155,7 @@ enum Operation {
       d.single(1 / s, -2 * a / (s * s));
     }
   },
+  /** At the origin, where there is no direction, the slope counts as 0. */
   ATAN2 {
     @Override
     double value(double a, double b, LocalDerivatives d) {
@@ -164,6 +165,10 @@ enum Operation {
     @Override
     void differentiate(double a, double b, LocalDerivatives d) {
       double s = a * a + b * b;
+      if (s == 0) {
+        d.linear(0, 0);
+        return;
+      }
       d.all(b / s, -a / s, -2 * a * b / (s * s), (a * a - b * b) / (s * s), 2 * a * b / (s * s));
     }
   },

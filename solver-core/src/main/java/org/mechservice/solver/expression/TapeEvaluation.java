@@ -122,9 +122,12 @@ public final class TapeEvaluation {
     }
   }
 
-  /** Returns slope · change, where what does not change does not ask for a slope. */
+  /**
+   * Returns slope · change. What does not change does not ask for a slope, and what has no slope,
+   * as a branch that is not taken, does not ask for the change: 0, even beside what is infinite.
+   */
   private static double product(double slope, double change) {
-    return change == 0 ? 0 : slope * change;
+    return slope == 0 || change == 0 ? 0 : slope * change;
   }
 
   /** Returns a result. */
@@ -161,7 +164,7 @@ public final class TapeEvaluation {
     for (int i = tape.target.length - 1; i >= 0; i--) {
       double w = adjoint[tape.target[i]];
       if (w != 0) {
-        adjoint[tape.first[i]] += w * byA[i];
+        adjoint[tape.first[i]] += product(byA[i], w);
         adjoint[tape.second[i]] += product(byB[i], w);
       }
     }

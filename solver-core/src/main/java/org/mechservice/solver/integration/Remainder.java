@@ -13,6 +13,10 @@ import java.util.Arrays;
  * one mends this one, if it mends most of anything. Of a larger one the rate is taken to have grown
  * in proportion, as it does for what the equations curve; it may only leave little. Steps held
  * equal raise a remainder slowly, so comparing it with the step before would let it grow unnoticed.
+ *
+ * <p>What counts is the share of each equation that a change was seen to leave. The rate at which
+ * changes fall, which is that of their largest component, does not tell it of a joint that sticks:
+ * its share in them is tiny whether its equation is being solved or not.
  */
 final class Remainder {
   /** Growth over the smallest one by which a remainder is no larger. */
@@ -39,6 +43,9 @@ final class Remainder {
   /** Smallest magnitudes before a first change since the rate was measured, length n. */
   private final double[] usual;
 
+  /** Share that a change left of each equation when the rate was measured, length n. */
+  private final double[] leftOver;
+
   /** What a first change is expected to leave, length n. */
   private final double[] expected;
 
@@ -47,6 +54,7 @@ final class Remainder {
     before = new double[dimension];
     first = new double[dimension];
     usual = new double[dimension];
+    leftOver = new double[dimension];
     expected = new double[dimension];
   }
 
@@ -70,14 +78,14 @@ final class Remainder {
    * Returns whether what is left before the first change is usual, or what the change will leave of
    * it is little.
    *
-   * @param rate at which it is expected to fall
+   * @param rate at which changes are expected to fall
    */
   boolean usual(StepEquations equations, double hGamma, ErrorNorm norm, double rate) {
-    boolean mending = rate <= REDUCED;
     for (int l = 0; l < usual.length; l++) {
       double size = Math.abs(last[l]);
-      boolean same = mending && size <= SAME * usual[l];
-      expected[l] = same || size == 0 ? 0 : last[l] * share(rate, size / usual[l]);
+      double left = Math.max(rate, leftOver[l]);
+      boolean same = left <= REDUCED && size <= SAME * usual[l];
+      expected[l] = same || size == 0 ? 0 : last[l] * share(left, size / usual[l]);
     }
     return equations.better(hGamma, usual, 0, expected, norm, EXPECTED);
   }
@@ -114,6 +122,7 @@ final class Remainder {
   void measured() {
     for (int l = 0; l < usual.length; l++) {
       usual[l] = Math.abs(first[l]);
+      leftOver[l] = before[l] == 0 ? 0 : Math.abs(last[l] / before[l]);
     }
   }
 
@@ -127,5 +136,6 @@ final class Remainder {
   /** Carries what is usual over. */
   void transfer(StateTransfer state) {
     state.numbers(usual);
+    state.numbers(leftOver);
   }
 }

@@ -23,7 +23,7 @@ import java.util.zip.CRC32;
  */
 public abstract sealed class StateTransfer {
   private static final int MAGIC = 0x4d535354;
-  private static final int FORMAT = 3;
+  private static final int FORMAT = 4;
   private static final int CHECKSUM_BYTES = Long.BYTES;
 
   /** A part of a state. */

@@ -177,10 +177,10 @@
  * 3000 random runs each with w from 1e-8 to 1e-4 and tolerances from 1e-11 to 1e-3, up to one in
  * 300 still completed with a wrong state by the standard and the tuned mode, one in 3000 by the
  * accurate one; with steps held equal by a maxStep of a hundredth of the interval up to one in 1000
- * and none. Of 60 random loops each with such friction in a joint none went wrong with multipliers,
- * up to one in 30 in independent coordinates, where steps may get so many that their errors add up.
- * Declare sticking and slipping as {@link org.mechservice.solver.integration.EventFunctions
- * events}, or integrate again in the accurate mode and compare.
+ * and none. Of 120 random loops each with such friction in a joint none went wrong with
+ * multipliers, up to one in 60 in independent coordinates. Declare sticking and slipping as {@link
+ * org.mechservice.solver.integration.EventFunctions events}, or integrate again in the accurate
+ * mode and compare.
  *
  * <p>Results are the same to the bit on every machine if those of f are.
  *

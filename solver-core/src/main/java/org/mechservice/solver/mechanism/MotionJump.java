@@ -12,6 +12,8 @@ package org.mechservice.solver.mechanism;
  * @param time of the jump, s, to one rounding unit
  * @param before value {@link #ahead} of it, rad or m, rad/s or m/s; may be infinite or no number
  * @param after value {@link #behind} it
+ * @param roundedAway whether rounding leaves the velocity no value there, so that those before and
+ *     after are from farther away; no mechanism can follow that
  */
 public record MotionJump(
     String joint,
@@ -20,7 +22,8 @@ public record MotionJump(
     boolean ofPosition,
     double time,
     double before,
-    double after) {
+    double after,
+    boolean roundedAway) {
 
   /** Rounding units between the jump and a time surely beyond it. */
   private static final double MARGIN = 4;

@@ -33,6 +33,9 @@ final class MotionJumps {
   /** Half the stretch looked at around a known time, relative to the interval. */
   private static final double NEAR = 1e-9;
 
+  /** So much farther from a jump, rounding no longer takes a velocity away. */
+  private static final double ROUNDED = 100;
+
   /** A change that is none, relative to the largest value: rounding in long formulas. */
   private static final double NOTHING = 1e-9;
 
@@ -168,13 +171,22 @@ final class MotionJumps {
     }
   }
 
-  /** At the jump itself a function may have a third value. */
-  private static MotionJump jump(
-      Joint joint, int velocity, Curve curve, boolean position, double t) {
-    MotionJump place = new MotionJump(joint.name(), joint.origin(), velocity, position, t, 0, 0);
+  /**
+   * At the jump itself a function may have a third value; rounding may leave its velocity none near
+   * by, as at the tips of {@code asin(sin(t))}.
+   */
+  private MotionJump jump(Joint joint, int velocity, Curve curve, boolean position, double t) {
+    String name = joint.name();
+    Origin origin = joint.origin();
+    MotionJump place = new MotionJump(name, origin, velocity, position, t, 0, 0, false);
     double before = curve.at(place.ahead(), position);
     double after = curve.at(place.behind(), position);
-    return new MotionJump(joint.name(), joint.origin(), velocity, position, t, before, after);
+    boolean lost = !position && !(Double.isFinite(before) && Double.isFinite(after));
+    if (lost) {
+      before = curve.at(t - ROUNDED * near, false);
+      after = curve.at(t + ROUNDED * near, false);
+    }
+    return new MotionJump(name, origin, velocity, position, t, before, after, lost);
   }
 
   /** A velocity that is not finite is told of where the accelerations are. */

@@ -139,7 +139,8 @@ public final class AnalysisSolver implements Solver {
         }
         int column = rows.write(t, t, y, 0, 0);
         if (column != RowWriter.ALL_FINITE) {
-          return new Outcome.Failed(FailureText.notFiniteColumn(t, rows.columnName(column)));
+          return new Outcome.Failed(
+              FailureText.notFiniteColumn(t, rows.columnName(column), rows.largestState()));
         }
         reached = t;
         if (!control.proceed(t, settings.tStep(), 0, row + 1)) {

@@ -17,6 +17,9 @@ final class EnergyMonitor {
    */
   private static final double ROUNDING = 1000 * 0x1p-52;
 
+  /** Of the energy at the start. */
+  private static final double LEAST_SCALE = 1e-10;
+
   private final double[] energy = new double[2];
   private boolean started;
   private double initialTotal;
@@ -97,10 +100,13 @@ final class EnergyMonitor {
   /**
    * Returns the largest of kinetic energy, change of potential energy, and the mean of what forces
    * have put in and taken out, J. Without the last a block that friction holds, and that creeps,
-   * has no scale: all that is pulled in is rubbed away.
+   * has no scale: all that is pulled in is rubbed away. At least a small part of the energy itself,
+   * far above its rounding, lest that looks like a drift where next to nothing moves.
    */
   OptionalDouble scale() {
-    return started && !workUnknown ? OptionalDouble.of(scale) : OptionalDouble.empty();
+    return started && !workUnknown
+        ? OptionalDouble.of(Math.max(scale, LEAST_SCALE * Math.abs(initialTotal)))
+        : OptionalDouble.empty();
   }
 
   /** Returns |E(t) − W(t) − E(0)| as last observed, J. */

@@ -252,10 +252,7 @@ final class FailureText {
         0,
         0,
         "column " + column,
-        "The largest state is "
-            + largestState
-            + ": check what acts on it, masses and inertias for values that are huge, or end the run"
-            + " before.");
+        "The largest state is " + largestState + ": check what acts on it.");
   }
 
   private static Failure singularInertia(

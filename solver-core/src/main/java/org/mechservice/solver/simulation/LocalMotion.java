@@ -12,18 +12,14 @@ import org.mechservice.solver.api.ModelDescription;
  *
  * @param damping c, 1/s
  * @param stiffness k, 1/s²
- * @param acceleration a where it stands, rad/s² or m/s²
  */
-record LocalMotion(double damping, double stiffness, double acceleration) {
-  /** No mechanism of use is accelerated more, rad/s² or m/s²: that alone keeps steps short. */
-  private static final double HUGE = 1e15;
-
+record LocalMotion(double damping, double stiffness) {
   /** Change of a coordinate as a part of it, and the size from which it counts, SI units. */
   private static final double INCREMENT = Math.sqrt(Math.ulp(1.0));
 
   private static final double SMALL = 1e-3;
 
-  private static final LocalMotion UNKNOWN = new LocalMotion(Double.NaN, Double.NaN, 0);
+  private static final LocalMotion UNKNOWN = new LocalMotion(Double.NaN, Double.NaN);
 
   /**
    * Returns the motion of a state, by differences; of NaN where the equations have no value there
@@ -57,7 +53,7 @@ record LocalMotion(double damping, double stiffness, double acceleration) {
     }
     double[] slopeFarther = slope(equations, t, moved);
     return new LocalMotion(
-        (slope[v] - slopeFaster[v]) / faster, (slope[v] - slopeFarther[v]) / farther, slope[v]);
+        (slope[v] - slopeFaster[v]) / faster, (slope[v] - slopeFarther[v]) / farther);
   }
 
   /** Returns the velocity that belongs to an unknown, by its place; −1 if none is its own. */
@@ -95,14 +91,8 @@ record LocalMotion(double damping, double stiffness, double acceleration) {
     return slope;
   }
 
-  /** Says it in sentences with a space behind each; empty where nothing moves or is known. */
+  /** Says it in a sentence with a space behind it; empty where nothing moves or is known. */
   String said() {
-    return Math.abs(acceleration) > HUGE
-        ? ofItself() + "Its acceleration is " + rounded(acceleration) + " in SI units there. "
-        : ofItself();
-  }
-
-  private String ofItself() {
     double discriminant = damping * damping - 4 * stiffness;
     String rate;
     if (discriminant < 0) {

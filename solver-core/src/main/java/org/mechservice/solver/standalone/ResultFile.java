@@ -6,10 +6,8 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
 import java.security.DigestOutputStream;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
@@ -48,7 +46,7 @@ public final class ResultFile implements ResultSink, Closeable {
       throw new IOException("S-064 " + target + " is no file; name one for the results");
     }
     if (!Files.isDirectory(folder)) {
-      throw new NoSuchFileException("S-064 there is no folder " + folder + " for the results");
+      throw new IOException("S-064 there is no folder " + folder + " for the results");
     }
     // Not a temporary file of the JDK's making: those are readable for their owner only.
     growing = folder.resolve("." + this.target.getFileName() + "-" + UUID.randomUUID() + ".part");
@@ -58,7 +56,7 @@ public final class ResultFile implements ResultSink, Closeable {
 
   private static OutputStream open(Path file) throws IOException {
     try {
-      return Files.newOutputStream(file, StandardOpenOption.CREATE_NEW);
+      return Files.newOutputStream(file);
     } catch (IOException e) {
       throw new IOException("S-064 cannot write in folder " + file.getParent() + ": " + e, e);
     }

@@ -2,7 +2,6 @@ package org.mechservice.solver.standalone;
 
 import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -82,8 +81,7 @@ public final class Standalone {
       Simulation.requireColumns(model, options.request().columns(), built);
       return options.out().isEmpty() ? runWithoutFile(model, options) : runIntoFile(model, options);
     } catch (UsageException | IllegalArgumentException | IOException e) {
-      // What Java says of a name it cannot spell is all there is to say, but for the code.
-      err.println((e instanceof InvalidPathException ? "S-064 " : "") + e.getMessage());
+      err.println(e.getMessage());
       return BAD_USAGE;
     }
   }

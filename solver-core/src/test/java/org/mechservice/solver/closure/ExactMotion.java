@@ -24,7 +24,7 @@ interface ExactMotion {
   /** Returns the motion of a scene. */
   static ExactMotion of(JumpingLoops scene) {
     RunSettings sharp = new RunSettings(0, scene.end(), scene.end(), "ode113", 1e-12, 1e-13);
-    return scene.law() == Law.STAIRS
+    return scene.law() == Law.STAIRS || scene.law() == Law.STOP
         ? new BySmallSteps((ProjectionModel) LoopModels.of(scene.mechanism(Side.OWN), "DSR", sharp))
         : new SlidingReference(scene, sharp);
   }

@@ -45,7 +45,9 @@ final class JumpingLoops {
     /** A force that changes its sign with time. */
     BANG_BANG,
     /** A spring in steps. */
-    STAIRS
+    STAIRS,
+    /** A stop: a stiff spring that acts in one direction. */
+    STOP
   }
 
   /** Which value of the law acts. */
@@ -77,12 +79,18 @@ final class JumpingLoops {
 
   private static final double WIDEST = 1e-4;
 
+  /** Way from the start to a stop, and the least of its stiffnesses over the force. */
+  private static final double WAY = 0.05;
+
+  private static final double SOFTEST = 1e3;
+
   /** Place of the first block of a trammel at the start. */
   private static final double ASIDE = 0.6;
 
   private final Law law;
   private final Shape shape;
   private final double width;
+  private final double stop;
   private final double belt;
   private final double end;
   private final double force;
@@ -103,6 +111,7 @@ final class JumpingLoops {
     this.law = law;
     shape = Shape.values()[random.nextInt(Shape.values().length)];
     width = law == Law.STEEP ? WIDEST * StrictMath.pow(10, -4 * random.nextDouble()) : 0;
+    stop = law == Law.STOP ? SOFTEST * StrictMath.pow(10, 4 * random.nextDouble()) : 0;
     belt = random.nextInt(3) == 0 ? 0 : 0.2 + 0.6 * random.nextDouble();
     end = 1 + 3 * random.nextDouble();
     force = (1 + change) * (2 + 10 * random.nextDouble());
@@ -238,20 +247,22 @@ final class JumpingLoops {
 
   private List<ForceElement> forces(Side side) {
     JointCoordinate joint = new JointCoordinate(shape.joint, 0);
-    double rest = place + (shape == Shape.TRAMMEL ? ASIDE : 0);
-    Expression off = new Sum(new CoordinatePosition(joint), Expression.of(-rest));
+    double start = shape == Shape.TRAMMEL ? ASIDE : 0;
+    Expression position = new CoordinatePosition(joint);
+    Expression off = new Sum(position, Expression.of(-start - place));
+    Expression into = new Sum(position, Expression.of(-start - WAY));
     Expression jump =
         switch (side) {
           case BEFORE -> Expression.of(-1);
           case BEHIND -> Expression.of(1);
-          case OWN -> jump(new CoordinateVelocity(joint), off);
+          case OWN -> jump(new CoordinateVelocity(joint), off, into);
         };
     return List.of(
         new JointForce("spring", joint, new Product(Expression.of(-stiffness), off), Origin.NONE),
         new JointForce("jump", joint, new Product(Expression.of(-force), jump), Origin.NONE));
   }
 
-  private Expression jump(Expression velocity, Expression off) {
+  private Expression jump(Expression velocity, Expression off, Expression into) {
     Expression slip = new Sum(velocity, Expression.of(-belt));
     return switch (law) {
       case SIGN -> call(Function.SIGNUM, slip);
@@ -261,11 +272,12 @@ final class JumpingLoops {
       case STAIRS ->
           new Quotient(
               call(Function.FLOOR, new Product(Expression.of(30), off)), Expression.of(10));
+      case STOP -> new Product(Expression.of(stop), call(Function.MAX, into, Expression.of(0)));
     };
   }
 
-  private static Expression call(Function function, Expression argument) {
-    return new Expression.Call(function, List.of(argument));
+  private static Expression call(Function function, Expression... arguments) {
+    return new Expression.Call(function, List.of(arguments));
   }
 
   private static Body block(String name, double mass) {

@@ -53,6 +53,45 @@ class TapeTest {
             new Power(base, inside)));
   }
 
+  /** What is steep or has no value where a branch leaves it out, with q between 0 and 1. */
+  static Stream<Expression> branchesNotTaken() {
+    Expression negative = new Sum(Q, Expression.of(-2));
+    Expression cut = new Call(Function.MAX, List.of(negative, Expression.ZERO));
+    Expression steep = new Call(Function.SQRT, List.of(cut));
+    Expression origin = new Call(Function.STEP, List.of(negative));
+    return Stream.of(
+        steep,
+        new Power(cut, Expression.of(0.3)),
+        new Product(cut, steep),
+        new Call(Function.ASIN, List.of(new Sum(cut, Expression.of(1)))),
+        new Call(Function.MAX, List.of(steep, Expression.of(1))),
+        new Call(Function.MIN, List.of(Expression.of(-1), steep)),
+        new Call(Function.ABS, List.of(steep)),
+        new Call(Function.ATAN2, List.of(cut, origin)),
+        new Quotient(
+            Expression.of(1),
+            new Sum(
+                Expression.of(1),
+                new Call(Function.EXP, List.of(new Product(Expression.of(2000), Q))))));
+  }
+
+  @MethodSource("branchesNotTaken")
+  @ParameterizedTest
+  void whatIsNotTakenHasNoSlopeRateNorBend(Expression expression) {
+    TapeEvaluation evaluation = new TapeEvaluation(new Tape(List.of(expression)));
+    double[] gradient = {1};
+    double[] change = {1};
+    evaluation.setLeaf(0, 0.7, 1.3, -0.4);
+    evaluation.derivatives();
+    evaluation.rates();
+    evaluation.gradient(0, gradient);
+    evaluation.gradientChange(0, new double[] {0.8}, change);
+    assertThat(evaluation.rate(0)).isZero();
+    assertThat(evaluation.secondRate(0)).isZero();
+    assertThat(gradient[0]).isZero();
+    assertThat(change[0]).isZero();
+  }
+
   @MethodSource("everyOperation")
   @ParameterizedTest
   void gradientIsTheDifferenceQuotient(Expression expression) {

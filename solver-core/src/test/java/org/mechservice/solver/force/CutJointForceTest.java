@@ -28,7 +28,6 @@ import org.mechservice.solver.mechanism.Root;
 import org.mechservice.solver.mechanism.StartRole;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
-import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;

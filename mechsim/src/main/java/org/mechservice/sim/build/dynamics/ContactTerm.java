@@ -68,7 +68,7 @@ final class ContactTerm implements ForceTerm {
   }
 
   private Scalar push() {
-    return part.power(part.value(), c.exponent()).times(c.stiffness());
+    return part.power(c.exponent()).times(c.stiffness());
   }
 
   @Override

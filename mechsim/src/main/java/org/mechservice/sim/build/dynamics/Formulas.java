@@ -33,7 +33,7 @@ abstract class Formulas {
     } else if (formula instanceof Expression.Product product) {
       return scalar(product.left()).times(scalar(product.right()));
     } else if (formula instanceof Expression.Quotient quotient) {
-      return scalar(quotient.dividend()).over(scalar(quotient.divisor()));
+      return quotient(scalar(quotient.dividend()), scalar(quotient.divisor()));
     } else if (formula instanceof Expression.Power power) {
       return power(scalar(power.base()), scalar(power.exponent()));
     } else if (formula instanceof Expression.Negation negation) {
@@ -44,16 +44,22 @@ abstract class Formulas {
     return leaf(formula);
   }
 
+  /** A divisor may pass through zero, and where it is infinite nothing is left. */
+  private Scalar quotient(Scalar dividend, Scalar divisor) {
+    Scalar quotient = dividend.over(divisor);
+    return divisor.isConstant() ? quotient : quotient.markedSteep();
+  }
+
   /** Products for whole and half exponents, in the order the solver multiplies in. */
   private Scalar power(Scalar base, Scalar exponent) {
     double n = exponent.isConstant() ? exponent.value() : Double.NaN;
     if (Math.abs(n) <= LARGEST_PRODUCT && n == Math.rint(n)) {
       return whole(base, (int) n);
     } else if (Math.abs(n) <= LARGEST_PRODUCT && 2 * n == Math.rint(2 * n)) {
-      Scalar root = base.squareRoot().times(whole(base, (int) Math.abs(n)));
-      return n > 0 ? root : e.one().over(root);
+      Scalar root = base.squareRoot().markedSteep().times(whole(base, (int) Math.abs(n)));
+      return n > 0 ? root : quotient(e.one(), root);
     }
-    return e.function(MathFunction.POWER, base, exponent);
+    return e.function(MathFunction.POWER, base, exponent).markedSteep();
   }
 
   private Scalar whole(Scalar base, int n) {
@@ -65,26 +71,26 @@ abstract class Formulas {
       }
       square = square.squared();
     }
-    return n >= 0 ? product : e.one().over(product);
+    return n >= 0 ? product : quotient(e.one(), product);
   }
 
   private Scalar call(Expression.Call call) {
     Scalar x = scalar(call.arguments().get(0));
     return switch (call.function()) {
-      case SQRT -> x.squareRoot();
+      case SQRT -> x.squareRoot().markedSteep();
       case SIN -> e.sine(x);
       case COS -> e.cosine(x);
       case TAN -> e.sine(x).over(e.cosine(x));
       case STEP -> e.function(MathFunction.CHOOSE, e.zero(), x, e.one(), e.zero());
       case SMOOTH_STEP -> smoothStep(x);
       case ABS -> e.function(MathFunction.ABS, x);
-      case ASIN -> e.function(MathFunction.ASIN, x);
-      case ACOS -> e.function(MathFunction.ACOS, x);
+      case ASIN -> e.function(MathFunction.ASIN, x).markedSteep();
+      case ACOS -> e.function(MathFunction.ACOS, x).markedSteep();
       case ATAN -> e.function(MathFunction.ATAN, x);
-      case EXP -> e.function(MathFunction.EXP, x);
-      case LOG -> e.function(MathFunction.LOG, x);
-      case SINH -> e.function(MathFunction.SINH, x);
-      case COSH -> e.function(MathFunction.COSH, x);
+      case EXP -> e.function(MathFunction.EXP, x).markedSteep();
+      case LOG -> e.function(MathFunction.LOG, x).markedSteep();
+      case SINH -> e.function(MathFunction.SINH, x).markedSteep();
+      case COSH -> e.function(MathFunction.COSH, x).markedSteep();
       case TANH -> e.function(MathFunction.TANH, x);
       case SIGNUM -> e.function(MathFunction.SIGNUM, x);
       case FLOOR -> e.function(MathFunction.FLOOR, x);

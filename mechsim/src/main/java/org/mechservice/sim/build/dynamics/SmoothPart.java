@@ -57,12 +57,17 @@ final class SmoothPart {
       Scalar log = e.function(MathFunction.LOG, p.times(2 / eps));
       return half.plus(log.minus(e.constant(0.5)).times(quarter));
     }
-    Scalar power = power(p, n - 1);
+    Scalar power = raised(p, n - 1);
     return power.times(p.squared()).times(1 / (n + 1)).plus(power.times(quarter / (n - 1)));
   }
 
+  /** Returns pos(x)ⁿ for n ≥ 1; with ε = 0 the root of zero is left out where x is negative. */
+  Scalar power(double n) {
+    return eps == 0 && n != 1 ? choose(x, e.zero(), e.zero(), raised(x, n)) : raised(value(), n);
+  }
+
   /** Returns pⁿ for p ≥ 0. */
-  Scalar power(Scalar p, double n) {
+  private Scalar raised(Scalar p, double n) {
     if (n == 0) {
       return e.one();
     } else if (n == 1) {

@@ -195,6 +195,11 @@ public record CompactClass(
   }
 
   @Override
+  public long plannedValues() {
+    return 0;
+  }
+
+  @Override
   public boolean takesNumbers() {
     return false;
   }

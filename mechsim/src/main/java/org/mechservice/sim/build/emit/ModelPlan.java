@@ -8,6 +8,7 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.Function;
 import org.mechservice.sim.build.dynamics.ResidualDerivatives;
+import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
@@ -231,6 +232,20 @@ public final class ModelPlan implements WrittenClass {
     }
     ResidualDerivatives.Derived derived = content.derivatives().get();
     return new Base(TreeStepModel.class, List.of(jointTypes(), derived.tree(), derived.coupled()));
+  }
+
+  @Override
+  public long plannedValues() {
+    return plannedValues(all());
+  }
+
+  /** Returns how many values some programs hold. */
+  static long plannedValues(List<Part> parts) {
+    return parts.stream()
+        .map(part -> part.plan().program().expressions())
+        .distinct()
+        .mapToLong(Expressions::size)
+        .sum();
   }
 
   @Override

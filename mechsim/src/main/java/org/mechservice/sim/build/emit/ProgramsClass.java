@@ -57,6 +57,11 @@ final class ProgramsClass implements WrittenClass {
   }
 
   @Override
+  public long plannedValues() {
+    return ModelPlan.plannedValues(parts);
+  }
+
+  @Override
   public boolean takesNumbers() {
     return hasUserForces || ModelPlan.readNumbers(parts);
   }

@@ -14,6 +14,9 @@ public sealed interface WrittenClass permits ModelPlan, ProgramsClass, CompactCl
    */
   boolean takesNumbers();
 
+  /** Returns how many values the plans of its programs hold. */
+  long plannedValues();
+
   /** Returns the formatted source. */
   String source();
 

@@ -35,6 +35,22 @@ public final class LeanClass {
     return writer.toByteArray();
   }
 
+  /**
+   * Returns a class file that does not list the components of its record either, for where nobody
+   * asks for them: the record's fields and methods are all that its code uses.
+   */
+  public static byte[] withoutComponents(byte[] classFile) {
+    ClassNode node = new ClassNode();
+    new ClassReader(classFile).accept(node, 0);
+    if (node.recordComponents == null) {
+      return classFile;
+    }
+    node.recordComponents = null;
+    ClassWriter writer = new ClassWriter(0);
+    node.accept(writer);
+    return writer.toByteArray();
+  }
+
   private static void strip(FieldNode field) {
     field.signature = null;
     field.visibleAnnotations = null;

@@ -1,5 +1,6 @@
 package org.mechservice.sim.build.javac;
 
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
@@ -23,11 +24,14 @@ public final class ModelCompiler {
   /** What generated code may name. */
   private static final Set<String> VISIBLE_PACKAGES =
       Set.of(
+          "org.mechservice.solver.analysis",
           "org.mechservice.solver.api",
           "org.mechservice.solver.dynamics",
+          "org.mechservice.solver.mechanism",
           "org.mechservice.solver.spatial",
           "org.mechservice.solver.expression",
           "org.mechservice.solver.closure",
+          "org.mechservice.solver.compact",
           "org.mechservice.solver.force",
           "org.mechservice.solver.integration",
           "org.mechservice.solver.standalone");
@@ -46,8 +50,23 @@ public final class ModelCompiler {
    */
   public static SortedMap<String, byte[]> compile(
       String className, String source, SortedMap<String, byte[]> others) {
-    JavaFileObject unit = MemoryFiles.source(className, source);
-    Compilation done = Compilation.of(List.of(unit), OPTIONS, VISIBLE_PACKAGES, others);
+    return compile(className, List.of(MemoryFiles.source(className, source)), others);
+  }
+
+  /**
+   * Compiles all classes of a model, as {@link #compile(String, String, SortedMap)} does one.
+   *
+   * @param sources by fully qualified name
+   */
+  public static SortedMap<String, byte[]> compile(SortedMap<String, String> sources) {
+    List<JavaFileObject> units = new ArrayList<>();
+    sources.forEach((name, text) -> units.add(MemoryFiles.source(name, text)));
+    return compile(String.join(", ", sources.keySet()), units, Collections.emptySortedMap());
+  }
+
+  private static SortedMap<String, byte[]> compile(
+      String className, List<JavaFileObject> units, SortedMap<String, byte[]> others) {
+    Compilation done = Compilation.of(units, OPTIONS, VISIBLE_PACKAGES, others);
     if (!done.succeeded()) {
       throw failure(className, done.diagnostics(), done.messages());
     }

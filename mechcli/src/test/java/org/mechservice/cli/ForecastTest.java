@@ -1,0 +1,48 @@
+package org.mechservice.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.mechservice.client.MechSession;
+import org.mechservice.client.ModelMessage;
+import org.mechservice.client.SimulationOptions;
+
+/** What is said before a run is said of the run asked for, wherever it will be. */
+class ForecastTest {
+  /** A stiff hinge whose file asks for ode15sR. */
+  private static final Path STIFF = Path.of("../examples/extremes/stiff_1e9_c1e5.xml");
+
+  @Test
+  void runIsForecastAsItWillBeRemoteAndLocalInTheSameWords() throws IOException {
+    SimulationOptions asInFile = SimulationOptions.asInFile();
+    SimulationOptions explicit = asInFile.integrator("ode113").endTime(100);
+    try (Service service = Service.open(new ServerOption());
+        MechSession session = service.connection().openSession("")) {
+      assertThat(session.loadModel(STIFF, Optional.empty())).isEmpty();
+      session.prepareRemoteRun(explicit).close();
+      List<ModelMessage> remote = session.warnings();
+      session.prepareLocalRun(asInFile).close();
+      assertThat(session.warnings()).isEmpty();
+      session.prepareLocalRun(explicit).close();
+      assertThat(session.warnings()).isEqualTo(remote).hasSize(1);
+    }
+  }
+
+  @Test
+  void forecastNamesTheJointTheIntegratorAndTheEndOfTheRun() throws IOException {
+    try (Service service = Service.open(new ServerOption());
+        MechSession session = service.connection().openSession("")) {
+      session.loadModel(STIFF, Optional.empty());
+      session
+          .prepareRemoteRun(SimulationOptions.asInFile().integrator("ode113").endTime(100))
+          .close();
+      assertThat(session.warnings().get(0).toString())
+          .startsWith(STIFF + ":26: N-019 joint \"j1\" moves too fast for ode113")
+          .contains("to 100 s, its end");
+    }
+  }
+}

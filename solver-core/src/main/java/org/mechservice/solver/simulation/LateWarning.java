@@ -1,0 +1,41 @@
+package org.mechservice.solver.simulation;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.api.RunReport;
+
+/** A warning for which the whole of a run must be known. */
+final class LateWarning {
+  private LateWarning() {}
+
+  /**
+   * Returns the report with the warning behind its other notes. A strict run that was completed
+   * fails by it.
+   */
+  static RunReport added(RunReport report, Note warning, boolean strict) {
+    List<Note> notes = new ArrayList<>(report.notes());
+    notes.add(warning);
+    boolean ended = strict && report.outcome() instanceof Outcome.Completed;
+    return new RunReport(
+        ended ? new Outcome.Failed(FailureText.ofStrict(warning)) : report.outcome(),
+        report.model(),
+        report.formulation(),
+        report.settings(),
+        report.steps(),
+        report.rejectedSteps(),
+        report.evaluations(),
+        report.rows(),
+        report.timeReached(),
+        report.wallTime(),
+        report.energyDrift(),
+        report.energyScale(),
+        report.stiffnessSuspected(),
+        report.jacobians(),
+        report.factorisations(),
+        report.limits(),
+        notes,
+        report.solverVersion());
+  }
+}

@@ -1,0 +1,106 @@
+package org.mechservice.solver.simulation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.PowerInput;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
+
+/** An energy balance that is far off tells of a motion that is wrong. */
+class EnergyDoubtTest {
+  /** A force that nobody accounts for. */
+  private static final class Pushed extends HarmonicOscillator {
+    private final double push;
+    private final double far;
+
+    Pushed(double push, double far) {
+      this.push = push;
+      this.far = far;
+    }
+
+    @Override
+    public int derivative(double t, double[] y, double[] yDot) {
+      super.derivative(t, y, yDot);
+      yDot[1] += push;
+      return REGULAR;
+    }
+
+    @Override
+    public void initialState(double[] y) {
+      y[0] = far;
+      y[1] = 0;
+    }
+  }
+
+  private static RunReport run(HarmonicOscillator model, double tolerance, boolean strict)
+      throws IOException {
+    RunSettings settings = new RunSettings(0, 2, 0.25, "ode113", tolerance, tolerance);
+    RunRequest request = new RunRequest(settings, Set.of(), strict, OptionalDouble.empty());
+    return new RuntimeSolver().run(model, request, new RecordedRows(), new RunControl());
+  }
+
+  @Test
+  void driftOfAFewHundredthsOfTheScaleIsToldWithItsPart() throws IOException {
+    RunReport report = run(new Pushed(0.1, 1), 1e-8, false);
+    assertThat(report.outcome()).isInstanceOf(Outcome.Completed.class);
+    assertThat(report.notes())
+        .singleElement()
+        .satisfies(
+            note -> {
+              assertThat(note.code()).isEqualTo("N-034");
+              assertThat(note.warning()).isTrue();
+              assertThat(note.text()).containsPattern("off by 0\\.\\d+ of the energy scale");
+            });
+  }
+
+  @Test
+  void itEndsAStrictRun() throws IOException {
+    Failure failure = ((Outcome.Failed) run(new Pushed(0.1, 1), 1e-8, true).outcome()).failure();
+    assertThat(failure.code()).isEqualTo("N-034");
+  }
+
+  @Test
+  void rightMotionsLooseTolerancesAndRestAreNot() throws IOException {
+    assertThat(run(new HarmonicOscillator(), 1e-8, true).notes()).isEmpty();
+    assertThat(run(new Pushed(0.1, 1), 1e-2, true).notes()).isEmpty();
+    assertThat(run(new Pushed(0, 0), 1e-8, true).notes()).isEmpty();
+  }
+
+  /** Takes the speed away between two rows: a damper that is not seen to work at any of them. */
+  private static final class Braked extends HarmonicOscillator implements PowerInput {
+    @Override
+    public int derivative(double t, double[] y, double[] yDot) {
+      super.derivative(t, y, yDot);
+      yDot[1] += brake(t) * y[1];
+      return REGULAR;
+    }
+
+    private static double brake(double t) {
+      double way = (t - 1.1) / 0.05;
+      return Math.abs(way) < 1 ? -20 * (1 - way * way) * (1 - way * way) : 0;
+    }
+
+    @Override
+    public double power(double t, double[] y) {
+      return brake(t) * y[1] * y[1];
+    }
+
+    @Override
+    public boolean holdsAllPower() {
+      return true;
+    }
+  }
+
+  @Test
+  void workThatIsNotMeasuredIsNoDrift() throws IOException {
+    assertThat(run(new Braked(), 1e-8, false).notes()).isEmpty();
+  }
+}
