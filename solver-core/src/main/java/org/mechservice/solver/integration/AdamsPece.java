@@ -131,6 +131,11 @@ abstract class AdamsPece extends SteppingIntegrator {
     return jumps.ahead(progress.time(), tEnd);
   }
 
+  /** Returns whether it crosses what looks like jumps again and again. */
+  final boolean crossesOften() {
+    return jumps.crossesOften(progress.time(), tEnd);
+  }
+
   private StepResult beginAnew(double t, double[] y) {
     stiffness.beginAgain();
     progress.beginAgain(t);

@@ -32,6 +32,11 @@ final class JumpSearch {
   /** Jumps after which is looked how close they lie. */
   private static final int MANY = 1000;
 
+  /** Jumps after which, and those to come from which on, they tell of a law that is steep. */
+  private static final int SOME = 20;
+
+  private static final double OFTEN = 1000;
+
   private boolean active;
   private boolean crossing;
   private int failuresInARow;
@@ -168,6 +173,17 @@ final class JumpSearch {
     double ahead = crossings * (end - t) / (t - since);
     crossings = 0;
     return ahead;
+  }
+
+  /**
+   * Returns whether jumps follow each other so closely that something steep may only look like them
+   * and could be had for less by steps that see it as a slope.
+   *
+   * @param t time reached
+   * @param end of the problem
+   */
+  boolean crossesOften(double t, double end) {
+    return crossings >= SOME && Math.abs(end - t) * crossings > OFTEN * Math.abs(t - since);
   }
 
   /** Returns the step to try from {@code t}, signed; of order 1 if {@link #crossing}. */

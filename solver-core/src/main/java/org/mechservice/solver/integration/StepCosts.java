@@ -28,10 +28,10 @@ final class StepCosts {
   private static final double BACKWARD_FACTORISATIONS = 0.17;
 
   /** Steps that are taken, as a part of those that would just pass: safety factors, late growth. */
-  private static final double SHARE_OF_LONGEST = 0.7;
+  private static final double SHARE_OF_LONGEST = 0.75;
 
   /** Cost relative to the other method's from which on a change pays. */
-  private static final double WORTH_A_CHANGE = 2.0 / 3;
+  private static final double WORTH_A_CHANGE = 0.75;
 
   /** Short steps of the backward formula from order 1 on. */
   private static final double STEPS_TO_BEGIN = 25;

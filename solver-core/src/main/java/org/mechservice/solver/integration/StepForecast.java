@@ -6,15 +6,15 @@ package org.mechservice.solver.integration;
  * <p>Where stability limits its steps, an Adams method knows nothing of longer ones: its
  * differences hold what is left of the fast motion, which the tolerance does not see. Over several
  * of its steps that is small against the motion to be followed. So the places are kept that it came
- * to every third step, and every twelfth, and divided differences over them stand for derivatives:
- * in a step h a formula of order k errs by C_k (k + 1)! h^{k+1} y[t_0, …, t_{k+1}]; {@link
+ * to every third step, and every sixth, and divided differences over them stand for derivatives: in
+ * a step h a formula of order k errs by C_k (k + 1)! h^{k+1} y[t_0, …, t_{k+1}]; {@link
  * BackwardFormulas}. With what is left of the fast motion, up to the tolerance, steps of some two
  * of the distances between places can still pass, so the narrow places tell soon whether implicit
  * steps would be longer, and if they cannot, the wide ones do.
  */
 final class StepForecast {
   private static final int NARROW = 3;
-  private static final int WIDE = 12;
+  private static final int WIDE = 6;
 
   private final PlacesKept narrow = new PlacesKept(NARROW);
   private final PlacesKept wide = new PlacesKept(WIDE);

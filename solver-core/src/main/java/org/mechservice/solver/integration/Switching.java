@@ -5,16 +5,17 @@ import java.util.List;
 /**
  * {@link Ode113} as long as accuracy limits its steps, {@link Ode15s} where stability would and its
  * steps would cost less. A problem that never becomes stiff is integrated by ode113 alone, with the
- * same bits and at no further cost.
+ * same bits; what watching it costs, where stability is near, is a tenth of cheap steps.
  *
  * <p>What steps cost is told by {@link StepCosts}: beside its evaluations a step of ode15s takes
  * several times what one of ode113 does, which with cheap equations decides. ode15s takes over when
  * 13 of the last 16 steps were at the limit of stability, which ode113 sees in the two evaluations
  * of its steps ({@link StiffnessMonitor}), if steps of ode15s would by then be so much longer that
- * they cost at most two thirds ({@link StepForecast}), and stiffness can be expected to last long
- * enough to pay its start. Where the solution has only begun to get smooth, nothing is lost by
+ * they cost at most three quarters ({@link StepForecast}), and stiffness can be expected to last
+ * long enough to pay its start. Where the solution has only begun to get smooth, nothing is lost by
  * waiting: both cost the same until then. It also takes over when ode113 slides along what looks
- * like a jump: friction so steep that no step of its own tells it from one.
+ * like a jump, or crosses such things again and again: friction so steep that no step of its own
+ * tells it from one.
  *
  * <p>ode113 takes over when its steps, as long as they were when it was left or shorter by as much
  * as the fastest motion got faster, would cost three quarters of what ode15s has spent lately
@@ -81,6 +82,9 @@ public final class Switching implements Integrator {
   /** Whether the right-hand side was found to jump where the solution slides. */
   private boolean jumps;
 
+  /** Whether that was asked in the present phase because ode113 crosses jumps often. */
+  private boolean looked;
+
   /** Steps of the present phase, and those at its end that speak for the other method. */
   private long stepsOfPhase;
 
@@ -132,6 +136,7 @@ public final class Switching implements Integrator {
 
   private void beginPhase(boolean stiff) {
     this.stiff = stiff;
+    looked = false;
     stepsOfPhase = 0;
     spentBefore = spent();
     stiffPhase.begin(progress.time(), forecast.meanStep());
@@ -172,7 +177,7 @@ public final class Switching implements Integrator {
   /** Looks at the step just taken: the other method takes the next one if there is evidence. */
   private void watch() {
     stepsOfPhase++;
-    boolean slides = !stiff && !jumps && slidesAlongSteepness();
+    boolean slides = !stiff && !jumps && (slidesAlongSteepness() || crossesSteepness());
     boolean speaksForOther = stiff ? backwardCostsMore() : adamsCostsMore();
     evidence = speaksForOther ? evidence + 1 : 0;
     changeDue = slides || evidence >= (stiff ? neededForAdams : neededForBackward);
@@ -187,10 +192,24 @@ public final class Switching implements Integrator {
     if (ahead <= MANY_JUMPS) {
       return false;
     }
-    adams.interpolate(progress.time(), y, yDot);
-    boolean real = new JumpAhead(system, progress.time(), y).found(progress.stepSize());
+    boolean real = jumpsAhead();
     jumps = real && ahead > JumpSearch.MOST;
     return !real;
+  }
+
+  /** Likewise, asked once in a phase, as soon as a few of them have followed each other. */
+  private boolean crossesSteepness() {
+    if (looked || !adams.crossesOften()) {
+      return false;
+    }
+    looked = true;
+    return !jumpsAhead();
+  }
+
+  /** Returns whether there is a real jump: ode113 is left to cross it, or to end the run there. */
+  private boolean jumpsAhead() {
+    adams.interpolate(progress.time(), y, yDot);
+    return new JumpAhead(system, progress.time(), y).found(progress.stepSize());
   }
 
   /** Returns whether stability limits the steps and those of ode15s would cost less. */
@@ -361,6 +380,7 @@ public final class Switching implements Integrator {
     limitedSince = state.number(limitedSince);
     lastedBefore = state.number(lastedBefore);
     jumps = state.flag(jumps);
+    looked = state.flag(looked);
     stepsOfPhase = state.integer(stepsOfPhase);
     spentBefore = state.number(spentBefore);
     evidence = state.integer(evidence);

@@ -114,6 +114,27 @@ class SwitchingTest {
     assertThat(run.integrator().methodChanges()).hasSize(16);
   }
 
+  /**
+   * The error tests of ode113 take each crossing of the law's slope for a jump, at some of these.
+   */
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9})
+  void steepLawThatIsCrossedAgainAndAgainIsLeftToTheStiffMethod(double tolerance) {
+    // 5 N of friction hold a block that 3 N push: it creeps at 0.75e-6 m/s.
+    Ode held =
+        new Ode(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = y[1];
+              yDot[1] = 3 - 5 * y[1] / Math.hypot(y[1], 1e-6);
+            });
+    IntegratorSettings settings = new IntegratorSettings(tolerance, 0.01 * tolerance);
+    Run run = Run.of(new Switching(settings), held, 0, new double[] {0, 0}, 2);
+    assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+    assertThat(run.integrator().methodChangeCount()).isEqualTo(1);
+    assertThat(run.statistics().evaluations()).isLessThan(1000);
+  }
+
   @ParameterizedTest
   @ValueSource(doubles = {1e-3, 1e-5, 1e-8, 1e-11})
   void problemThatIsNotStiffIsIntegratedByOde113ToTheBit(double tolerance) {
