@@ -9,6 +9,8 @@ import org.mechservice.report.measure.EqualError;
 import org.mechservice.report.measure.MeasuredRun;
 import org.mechservice.report.measure.MethodRunner;
 import org.mechservice.report.measure.Point;
+import org.mechservice.report.measure.Progress;
+import org.mechservice.report.measure.WarmUp;
 import org.mechservice.report.method.Candidate;
 
 /**
@@ -26,7 +28,6 @@ record EqualErrors(double absolutePart, List<Ratio> ratios) {
 
   private static final double[] ERRORS = {1e-4, 1e-6};
   private static final double[] TOLERANCES = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
-  private static final int WARM_UP = 10;
   private static final int REPEATS = 11;
 
   EqualErrors {
@@ -56,14 +57,21 @@ record EqualErrors(double absolutePart, List<Ratio> ratios) {
       double limitSeconds) {
     List<MeasuredRun> first = new ArrayList<>();
     List<MeasuredRun> second = new ArrayList<>();
-    for (int round = -WARM_UP; round <= REPEATS; round++) {
+    WarmUp.until(
+        () ->
+            Arrays.stream(TOLERANCES)
+                .map(
+                    tolerance ->
+                        runner.run(explicit, tolerance, 0, limitSeconds).seconds()
+                            + runner.run(implicit, tolerance, 0, limitSeconds).seconds())
+                .sum(),
+        PaperReport.WARM_SECONDS,
+        Progress.SILENT,
+        0);
+    for (int round = 0; round <= REPEATS; round++) {
       for (double tolerance : TOLERANCES) {
-        MeasuredRun one = runner.run(explicit, tolerance, Math.max(round, 0), limitSeconds);
-        MeasuredRun other = runner.run(implicit, tolerance, Math.max(round, 0), limitSeconds);
-        if (round >= 0) {
-          first.add(one);
-          second.add(other);
-        }
+        first.add(runner.run(explicit, tolerance, round, limitSeconds));
+        second.add(runner.run(implicit, tolerance, round, limitSeconds));
       }
     }
     List<Point> slow = Point.of(first);

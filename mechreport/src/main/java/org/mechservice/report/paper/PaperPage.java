@@ -30,10 +30,9 @@ final class PaperPage {
             + "<p class=\"note\">"
             + String.join(" · ", Machine.facts())
             + " · DTR with DE against RR-JF with ode15sR, relative tolerance 1e-5, absolute 1e-7;"
-            + " processor time, median of 11 runs after "
-            + PaperReport.WARM_UP
-            + ", in turns. RR-JF runs in compact form"
-            + " where the service generates no code for it.</p>";
+            + " processor time, median of 11 runs, in turns, after as many as it takes until they"
+            + " get no faster. RR-JF runs in compact form where the service generates no code for"
+            + " it.</p>";
     return PageFrame.of("The paper's tables, measured again", content);
   }
 

@@ -23,6 +23,7 @@ import org.mechservice.report.measure.PublishedReference;
 import org.mechservice.report.measure.Reference;
 import org.mechservice.report.measure.RunGrid;
 import org.mechservice.report.measure.StateDistance;
+import org.mechservice.report.measure.WarmUp;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.Method;
 import org.mechservice.report.method.MethodList;
@@ -38,8 +39,8 @@ public final class PaperReport {
   private static final double TOLERANCE = 1e-5;
   private static final int REPEATS = 11;
 
-  /** Runs before any is counted: what runs in compact form takes the JIT compiler longer. */
-  static final int WARM_UP = 25;
+  /** Blocks of runs, s, that are compared before any run is counted, to see whether all is warm. */
+  static final double WARM_SECONDS = 3;
 
   /** Set-ups of every scene that count, and those before them. */
   static final int SET_UPS = 7;
@@ -215,20 +216,22 @@ public final class PaperReport {
   private static RunPair interleaved(MethodRunner runner, Candidate explicit, Candidate implicit) {
     List<MeasuredRun> first = new ArrayList<>();
     List<MeasuredRun> second = new ArrayList<>();
-    for (int round = 0; round < WARM_UP + REPEATS; round++) {
+    WarmUp.until(
+        () ->
+            runner.run(explicit, TOLERANCE, 0, LIMIT_SECONDS).seconds()
+                + runner.run(implicit, TOLERANCE, 0, LIMIT_SECONDS).seconds(),
+        WARM_SECONDS,
+        Progress.SILENT,
+        0);
+    for (int round = 0; round < REPEATS; round++) {
       first.add(runner.run(explicit, TOLERANCE, round, LIMIT_SECONDS));
       second.add(runner.run(implicit, TOLERANCE, round, LIMIT_SECONDS));
     }
     return new RunPair(timed(first), timed(second), List.of());
   }
 
-  /** The first runs warm up. */
   private static Timed timed(List<MeasuredRun> runs) {
-    double[] seconds =
-        runs.subList(runs.size() - REPEATS, runs.size()).stream()
-            .mapToDouble(MeasuredRun::seconds)
-            .sorted()
-            .toArray();
+    double[] seconds = runs.stream().mapToDouble(MeasuredRun::seconds).sorted().toArray();
     return new Timed(
         seconds[REPEATS / 2],
         seconds[REPEATS / 4],
