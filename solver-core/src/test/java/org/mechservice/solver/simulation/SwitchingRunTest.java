@@ -9,6 +9,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.RunReport;
@@ -18,12 +19,17 @@ import org.mechservice.solver.api.RunSettings;
 /** A run that changes its method where the motion gets stiff says so, and when. */
 class SwitchingRunTest {
   /** Far over critically damped: from rest, q falls as exp(−t / 1e4) after 1e-4 s. */
-  private static final class DampedOscillator extends HarmonicOscillator {
+  private static final class DampedOscillator extends HarmonicOscillator implements PowerInput {
     @Override
     public int derivative(double t, double[] y, double[] yDot) {
       yDot[0] = y[1];
       yDot[1] = -y[0] - 1e4 * y[1];
       return REGULAR;
+    }
+
+    @Override
+    public double power(double t, double[] y) {
+      return -1e4 * y[1] * y[1];
     }
   }
 
