@@ -7,6 +7,8 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.mechservice.idl.Limit;
 import org.mechservice.idl.MechAdmin;
+import org.omg.CORBA.COMM_FAILURE;
+import org.omg.CORBA.TRANSIENT;
 import org.omg.CORBA.UserException;
 
 /**
@@ -124,7 +126,23 @@ public sealed interface AdminAction {
 
     @Override
     public void perform(MechAdmin admin) throws UserException {
-      admin.shutdownServer(graceSeconds);
+      try {
+        admin.shutdownServer(graceSeconds);
+      } catch (COMM_FAILURE e) {
+        // A server that ends at once may close the connection before its answer is through.
+        if (answers(admin)) {
+          throw e;
+        }
+      }
+    }
+
+    private static boolean answers(MechAdmin admin) throws UserException {
+      try {
+        var unused = admin.getStatus();
+        return true;
+      } catch (COMM_FAILURE | TRANSIENT e) {
+        return false;
+      }
     }
 
     @Override

@@ -208,7 +208,8 @@ class AdminCommandTest {
   void serverIsShutDown() throws Exception {
     try (MechServerProcess doomed =
         MechServerProcess.start(new ServerSettings("doomed", "127.0.0.1", 0, 1))) {
-      assertThat(admin("--server", doomed.url(), "shutdown", "doomed", "--grace", "0")).isZero();
+      int status = admin("--server", doomed.url(), "shutdown", "doomed", "--grace", "0");
+      assertThat(status).as(err.toString()).isZero();
       doomed.awaitShutdown();
     }
   }
