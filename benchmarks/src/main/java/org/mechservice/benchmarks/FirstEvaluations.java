@@ -16,11 +16,11 @@ import java.util.Set;
 import java.util.function.DoubleSupplier;
 import java.util.stream.Collectors;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.sim.build.BuildOptions;
-import org.mechservice.sim.build.CompiledModel;
-import org.mechservice.sim.build.GeneratedModel;
-import org.mechservice.sim.build.ModelFactory;
-import org.mechservice.sim.build.javac.ModelCompiler;
+import org.mechservice.sim.compile.ModelCompiler;
+import org.mechservice.sim.model.BuildOptions;
+import org.mechservice.sim.model.CompiledModel;
+import org.mechservice.sim.model.GeneratedModel;
+import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ModelSource;
 

@@ -5,8 +5,8 @@ import org.hipparchus.ode.ODEState;
 import org.hipparchus.ode.OrdinaryDifferentialEquation;
 import org.hipparchus.ode.sampling.ODEStateInterpolator;
 import org.hipparchus.ode.sampling.ODEStepHandler;
-import org.mechservice.solver.integration.suite.Reference;
-import org.mechservice.solver.integration.suite.SuiteProblem;
+import org.mechservice.solver.ode.suite.Reference;
+import org.mechservice.solver.ode.suite.SuiteProblem;
 
 /** Runs of an integrator of Hipparchus. */
 final class HipparchusRun implements Method.ProblemRun {

@@ -1,10 +1,10 @@
 package org.mechservice.benchmarks;
 
-import org.mechservice.solver.integration.IntegrationStatistics;
-import org.mechservice.solver.integration.Integrator;
-import org.mechservice.solver.integration.StepResult;
-import org.mechservice.solver.integration.suite.Reference;
-import org.mechservice.solver.integration.suite.SuiteProblem;
+import org.mechservice.solver.ode.IntegrationStatistics;
+import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.StepResult;
+import org.mechservice.solver.ode.suite.Reference;
+import org.mechservice.solver.ode.suite.SuiteProblem;
 
 /** Runs of one of our integrators. */
 record OwnRun(Integrator integrator) implements Method.ProblemRun {

@@ -5,10 +5,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Set;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.sim.build.BuildOptions;
-import org.mechservice.sim.build.GeneratedModel;
-import org.mechservice.sim.build.ModelFactory;
-import org.mechservice.sim.build.emit.CodeForm;
+import org.mechservice.sim.emit.CodeForm;
+import org.mechservice.sim.model.BuildOptions;
+import org.mechservice.sim.model.GeneratedModel;
+import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.mechanism.Mechanism;
 

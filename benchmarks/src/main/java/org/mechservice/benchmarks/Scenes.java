@@ -10,8 +10,8 @@ import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.MechmlReader;
 import org.mechservice.mechml.SimulationSettings;
-import org.mechservice.sim.build.BuildOptions;
-import org.mechservice.sim.build.ModelFactory;
+import org.mechservice.sim.model.BuildOptions;
+import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.RunSettings;
 

@@ -1,6 +1,6 @@
 package org.mechservice.benchmarks;
 
-import org.mechservice.solver.integration.suite.SuiteProblem;
+import org.mechservice.solver.ode.suite.SuiteProblem;
 import org.openjdk.jmh.annotations.AuxCounters;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Param;

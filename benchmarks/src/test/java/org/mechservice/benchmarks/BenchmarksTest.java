@@ -11,8 +11,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.mechservice.solver.integration.StepResult;
-import org.mechservice.solver.integration.suite.Kepler;
+import org.mechservice.solver.ode.StepResult;
+import org.mechservice.solver.ode.suite.Kepler;
 
 /** What is measured does what its name says; nothing is timed here. */
 class BenchmarksTest {

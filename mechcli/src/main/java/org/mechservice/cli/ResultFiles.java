@@ -11,7 +11,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.Variable;
-import org.mechservice.solver.standalone.ResultFile;
+import org.mechservice.solver.text.ResultFile;
 
 /** The files that take the rows of one run; there may be none. */
 final class ResultFiles implements ResultSink, AutoCloseable {

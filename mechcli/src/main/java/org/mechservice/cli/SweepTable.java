@@ -13,7 +13,7 @@ import java.util.stream.Collectors;
 import org.mechservice.client.sweep.SweepGrid;
 import org.mechservice.client.sweep.SweepRow;
 import org.mechservice.solver.api.Variable;
-import org.mechservice.solver.standalone.ShortestDecimal;
+import org.mechservice.solver.text.ShortestDecimal;
 
 /**
  * The rows of a sweep in the order of its grid: parameters, how the run ended, its last row,

@@ -12,7 +12,7 @@ import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.unit.Unit;
-import org.mechservice.solver.integration.IntegratorSettings;
+import org.mechservice.solver.ode.IntegratorSettings;
 
 /** Reads {@code integrator}. */
 final class IntegratorReader {

@@ -9,7 +9,7 @@ import org.mechservice.mechml.urdf.UrdfRobot.Freedom;
 import org.mechservice.mechml.urdf.UrdfRobot.Joint;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
-import org.mechservice.solver.standalone.ShortestDecimal;
+import org.mechservice.solver.text.ShortestDecimal;
 
 /**
  * The joints of a robot in MechML. The child's frame at zero is stated by two vectors: the axis and

@@ -7,7 +7,7 @@ import org.mechservice.mechml.diagnosis.Place;
 import org.mechservice.mechml.document.Attribute;
 import org.mechservice.mechml.document.Content;
 import org.mechservice.mechml.document.Element;
-import org.mechservice.solver.standalone.ShortestDecimal;
+import org.mechservice.solver.text.ShortestDecimal;
 
 /** An element of MechML that is being made, with the place of the one it is made from. */
 final class Tag {

@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import org.mechservice.solver.integration.OdeSystem;
-import org.mechservice.solver.integration.ResidualSystem;
 import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
+import org.mechservice.solver.ode.OdeSystem;
+import org.mechservice.solver.ode.ResidualSystem;
 
 /** A problem of the suite as equations, in explicit form where it has one, and in residual form. */
 final class SuiteEquations implements OdeSystem, ResidualSystem {

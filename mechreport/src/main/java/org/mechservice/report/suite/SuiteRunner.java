@@ -7,14 +7,14 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import org.mechservice.report.measure.Progress;
 import org.mechservice.report.measure.WarmUp;
-import org.mechservice.solver.integration.De;
-import org.mechservice.solver.integration.Integrator;
-import org.mechservice.solver.integration.IntegratorSettings;
-import org.mechservice.solver.integration.Ode113;
-import org.mechservice.solver.integration.Ode15s;
-import org.mechservice.solver.integration.Ode15sR;
-import org.mechservice.solver.integration.ResidualIntegrator;
-import org.mechservice.solver.integration.StepResult;
+import org.mechservice.solver.ode.De;
+import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.IntegratorSettings;
+import org.mechservice.solver.ode.Ode113;
+import org.mechservice.solver.ode.Ode15s;
+import org.mechservice.solver.ode.Ode15sR;
+import org.mechservice.solver.ode.ResidualIntegrator;
+import org.mechservice.solver.ode.StepResult;
 
 /** Runs the product's integrators on the suite. */
 final class SuiteRunner {

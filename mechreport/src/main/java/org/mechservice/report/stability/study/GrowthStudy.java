@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 import org.mechservice.report.page.SolverChart;
-import org.mechservice.solver.integration.Integrator;
-import org.mechservice.solver.integration.IntegratorSettings;
-import org.mechservice.solver.integration.Ode113;
-import org.mechservice.solver.integration.Ode15s;
-import org.mechservice.solver.integration.StepResult;
+import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.IntegratorSettings;
+import org.mechservice.solver.ode.Ode113;
+import org.mechservice.solver.ode.Ode15s;
+import org.mechservice.solver.ode.StepResult;
 
 /**
  * Growth per period of an undamped oscillator at a given |hλ|, for each order: the integrators

@@ -6,16 +6,16 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Function;
 import org.mechservice.report.page.SolverChart;
-import org.mechservice.solver.integration.De;
-import org.mechservice.solver.integration.Integrator;
-import org.mechservice.solver.integration.IntegratorSettings;
-import org.mechservice.solver.integration.Ode113;
-import org.mechservice.solver.integration.Ode15s;
-import org.mechservice.solver.integration.Ode15sR;
-import org.mechservice.solver.integration.OdeSystem;
-import org.mechservice.solver.integration.ResidualIntegrator;
-import org.mechservice.solver.integration.ResidualSystem;
-import org.mechservice.solver.integration.StepResult;
+import org.mechservice.solver.ode.De;
+import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.IntegratorSettings;
+import org.mechservice.solver.ode.Ode113;
+import org.mechservice.solver.ode.Ode15s;
+import org.mechservice.solver.ode.Ode15sR;
+import org.mechservice.solver.ode.OdeSystem;
+import org.mechservice.solver.ode.ResidualIntegrator;
+import org.mechservice.solver.ode.ResidualSystem;
+import org.mechservice.solver.ode.StepResult;
 
 /** What rounding noise in forces does to the sequence of steps. */
 final class NoiseStudy implements Study {

@@ -1,6 +1,6 @@
 package org.mechservice.report.stability.study;
 
-import org.mechservice.solver.integration.OdeSystem;
+import org.mechservice.solver.ode.OdeSystem;
 
 /** x'' = −ω² x as a system of two equations scaled to equal size: y' = ω (y₁, −y₀). */
 record Oscillator(double omega) implements OdeSystem {

@@ -1,0 +1,30 @@
+package org.mechservice.sim.emit;
+
+import java.util.Optional;
+import org.mechservice.mechml.SimulationTask;
+import org.mechservice.solver.analysis.EquilibriumSource;
+import org.mechservice.solver.analysis.LinearSource;
+import org.mechservice.solver.analysis.PrescribedSource;
+
+/**
+ * What is computed without integration.
+ *
+ * @param source class of the solver that a model's class extends, made of options and columns
+ * @param options its options as text
+ */
+public record AnalysisTask(Class<?> source, String options) {
+  /** Returns what a simulation asks for; empty if it is integrated in time. */
+  public static Optional<AnalysisTask> of(SimulationTask task) {
+    if (task instanceof SimulationTask.StaticEquilibrium rest) {
+      return Optional.of(
+          new AnalysisTask(EquilibriumSource.class, rest.tolerance() + " " + rest.maxIterations()));
+    } else if (task instanceof SimulationTask.Linearization linear) {
+      String at = linear.atEquilibrium() ? "equilibrium" : "start";
+      return Optional.of(
+          new AnalysisTask(LinearSource.class, at + (linear.modes() ? " modes" : " matrices")));
+    }
+    return task instanceof SimulationTask.Dynamic
+        ? Optional.empty()
+        : Optional.of(new AnalysisTask(PrescribedSource.class, ""));
+  }
+}

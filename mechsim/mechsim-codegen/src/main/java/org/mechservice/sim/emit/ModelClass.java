@@ -1,0 +1,94 @@
+package org.mechservice.sim.emit;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.sim.equations.ResidualDerivatives;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.api.JointVariables;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.UserForceElement;
+
+/**
+ * What the class of a model contains.
+ *
+ * @param mechanism the model
+ * @param description what it says of itself
+ * @param derivative program from [q; v] to [q'; v']
+ * @param residual program from [q; v] and [q'; v'] to the residual, if the formulation has one
+ * @param derivatives those of the residual, if the formulation has them
+ * @param energy program from [q; v] to kinetic and potential energy
+ * @param poses program from [q; v] to the poses of the bodies, if they are asked for
+ * @param power program from [q; v] to the power of what has no potential energy, if there is any
+ * @param forces values of forces, if they are asked for
+ * @param formulas parts of the formulas of forces, if any can be without a value
+ * @param notes further paragraphs of the class comment, for people
+ */
+public record ModelClass(
+    Mechanism mechanism,
+    ModelDescription description,
+    Program derivative,
+    Optional<Program> residual,
+    Optional<ResidualDerivatives.Derived> derivatives,
+    Program energy,
+    Optional<Program> poses,
+    Optional<Program> power,
+    Optional<ForceValues> forces,
+    Optional<FormulaParts> formulas,
+    List<String> notes) {
+  /**
+   * Values that forces put out.
+   *
+   * @param columns names and units
+   * @param program from [q; v] to the values
+   */
+  public record ForceValues(List<Variable> columns, Program program) {}
+
+  /**
+   * Parts of the formulas of forces, to find the one without a value after a failure.
+   *
+   * @param lines what the values are
+   * @param count of the values
+   * @param program from [q; v] to the values
+   */
+  public record FormulaParts(String lines, int count, Program program) {}
+
+  /** The package of generated models. */
+  public static final String PACKAGE = "org.mechservice.model";
+
+  /** Returns whether forces written as classes act on the model. */
+  boolean hasUserForces() {
+    return hasUserForces(mechanism);
+  }
+
+  /** Returns whether forces written as classes act on a mechanism. */
+  public static boolean hasUserForces(Mechanism mechanism) {
+    for (ForceElement force : mechanism.forces()) {
+      if (force instanceof UserForceElement) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Returns the class's simple name. */
+  public String simpleName() {
+    return JavaText.className(description.name());
+  }
+
+  /** Returns the joints that have states, in state order. */
+  public static List<JointVariables> joints(Mechanism mechanism) {
+    List<JointVariables> joints = new ArrayList<>();
+    for (int j = 0; j < mechanism.joints().size(); j++) {
+      Joint joint = mechanism.joints().get(j);
+      if (!mechanism.isDriven(j)) {
+        joints.add(new JointVariables(joint.name(), joint.type()));
+      }
+    }
+    return joints;
+  }
+}

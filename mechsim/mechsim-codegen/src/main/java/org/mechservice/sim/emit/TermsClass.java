@@ -1,0 +1,65 @@
+package org.mechservice.sim.emit;
+
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.sim.symbolic.Program;
+
+/**
+ * What the class of the terms of a model with loops contains ({@link
+ * org.mechservice.solver.closure.LoopTerms}).
+ *
+ * @param modelName the model's name in its file
+ * @param hasUserForces whether the class is given loads of forces that users have written
+ * @param stateCount number of states [q; v] and counted angles
+ * @param velocityCount number of v among them
+ * @param loops program of the method of that name
+ * @param equations program of the method of that name
+ * @param energy program of the method of that name
+ * @param power program of the method of that name
+ * @param poses program of the method of that name, if the poses of the bodies are asked for
+ * @param ofResidual programs of the recursive residual, if the formulation has one
+ * @param notes further paragraphs of the class comment, for people
+ */
+public record TermsClass(
+    String modelName,
+    boolean hasUserForces,
+    int stateCount,
+    int velocityCount,
+    Program loops,
+    Program equations,
+    Program energy,
+    Program power,
+    Optional<Program> poses,
+    Optional<OfResidual> ofResidual,
+    List<String> notes) {
+  /** Returns the program of the derivatives of the residual, if the class has it. */
+  public Optional<Program> derivatives() {
+    return ofResidual.flatMap(OfResidual::derivatives);
+  }
+
+  /** Returns the same without that program. */
+  public TermsClass withoutDerivatives() {
+    return new TermsClass(
+        modelName,
+        hasUserForces,
+        stateCount,
+        velocityCount,
+        loops,
+        equations,
+        energy,
+        power,
+        poses,
+        ofResidual.map(
+            programs -> new OfResidual(programs.offset(), programs.residual(), Optional.empty())),
+        notes);
+  }
+
+  /**
+   * Programs of the recursive residual.
+   *
+   * @param offset program of the method of that name
+   * @param residual program of the method of that name
+   * @param derivatives program of the method of that name, if the class has it
+   */
+  public record OfResidual(Program offset, Program residual, Optional<Program> derivatives) {}
+}

@@ -1,0 +1,50 @@
+package org.mechservice.sim.emit;
+
+import java.util.List;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.dynamics.WrittenValues;
+
+/** Plans the class of what the events of a model watch and assign, and of its outputs. */
+public final class ValuesPlan {
+  private static final List<Head.Argument> STATE =
+      List.of(new Head.Argument("t", false, Program.TIME), new Head.Argument("y", true, 0));
+
+  private ValuesPlan() {}
+
+  /**
+   * Plans the class.
+   *
+   * @param modelName the model's name in its file
+   * @param triggers program of the method of that name
+   * @param assignments program of the method of that name
+   * @param outputs program of the method of that name
+   */
+  public static WrittenClass of(
+      String modelName, Program triggers, Program assignments, Program outputs, CodeForm form) {
+    ProgramsClass programs =
+        new ProgramsClass(
+            JavaText.className(modelName) + "Values",
+            documentation(modelName),
+            List.of(WrittenValues.class),
+            false,
+            form);
+    programs.add(head("triggers"), triggers);
+    programs.add(head("assignments"), assignments);
+    programs.add(head("outputs"), outputs);
+    return programs;
+  }
+
+  private static Head head(String name) {
+    return new Head(name, STATE, "values", false, true);
+  }
+
+  private static List<String> documentation(String modelName) {
+    return List.of(
+        JavaText.comment(
+            "What the events of model \""
+                + modelName
+                + "\" watch and assign, and its outputs; generated."),
+        "",
+        "<p>" + ModelSource.LEGEND);
+  }
+}

@@ -1,0 +1,126 @@
+package org.mechservice.sim.equations;
+
+import java.util.function.Function;
+import java.util.function.ToIntFunction;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarVector;
+
+/**
+ * y' = f(t, y) of an open chain, totally recursive (DTR, NUMERICS §2): a sweep out gives the forces
+ * that the motion needs while no joint accelerates, a sweep in the articulated inertias and what is
+ * left of those forces, a second sweep out the joint accelerations.
+ */
+public final class ArticulatedBodyEquations {
+  private final Program program;
+  private final Links mechanism;
+  private final Coordinates coordinates;
+
+  ArticulatedBodyEquations(Program program, Links mechanism) {
+    this.program = program;
+    this.mechanism = mechanism;
+    this.coordinates = new Coordinates(program, mechanism);
+  }
+
+  /**
+   * Derives the program from the state [q; v] to its derivative [q'; v'].
+   *
+   * @param mechanism the open chain
+   * @return a program whose guards return the index, among the joints that have states, of the
+   *     joint beyond which there is no inertia
+   */
+  public static Program derive(Links mechanism) {
+    Program program = new Program();
+    ArticulatedBodyEquations equations = new ArticulatedBodyEquations(program, mechanism);
+    new PositionRates(program, mechanism, equations.coordinates).putOut();
+    equations.accelerations(needed -> equations.appliedForces(needed, true), true);
+    return program;
+  }
+
+  /**
+   * Derives the same with given joint forces and no others.
+   *
+   * @param forceInput index of the input that holds a joint's force, N·m or N; −1: there is none
+   */
+  static Program derive(Links mechanism, ToIntFunction<Link> forceInput) {
+    Program program = new Program();
+    ArticulatedBodyEquations equations = new ArticulatedBodyEquations(program, mechanism);
+    new PositionRates(program, mechanism, equations.coordinates).putOut();
+    equations.accelerations(
+        needed ->
+            i -> given(program.expressions(), forceInput.applyAsInt(mechanism.links().get(i))),
+        true);
+    return program;
+  }
+
+  private static ScalarVector given(Expressions expressions, int input) {
+    Scalar zero = expressions.zero();
+    return new ScalarVector(zero, zero, input < 0 ? zero : expressions.input(input));
+  }
+
+  Coordinates coordinates() {
+    return coordinates;
+  }
+
+  /** Takes what acts on the links from what they need; returns what acts in the joints. */
+  JointForces appliedForces(Wrench[] needed) {
+    return appliedForces(needed, false);
+  }
+
+  private JointForces appliedForces(Wrench[] needed, boolean checked) {
+    Loads loads = new AppliedForces(program, mechanism, coordinates).loads(checked);
+    for (int i = 0; i < needed.length; i++) {
+      needed[i] = needed[i].minus(loads.on(i));
+    }
+    return loads;
+  }
+
+  /**
+   * Derives the accelerations.
+   *
+   * @param forces given the wrenches that the links need, takes away those that act on them and
+   *     returns what acts in the joints
+   * @param putOut whether the accelerations are put out, and singular joints told
+   * @return what the accelerations were found from
+   */
+  Solved accelerations(Function<Wrench[], JointForces> forces, boolean putOut) {
+    Wrench[] needed = new ForceSweep(program, mechanism, coordinates).sweep();
+    JointForces inJoints = forces.apply(needed);
+    InertiaSweep inertias =
+        new InertiaSweep(program, mechanism, coordinates, needed, inJoints, putOut);
+    AccelerationSweep accelerations =
+        new AccelerationSweep(program, mechanism, coordinates, inertias, putOut);
+    if (inertias.sweep()) {
+      accelerations.sweep();
+    }
+    return new Solved(mechanism, inertias, accelerations, inJoints);
+  }
+
+  /**
+   * Solved equations.
+   *
+   * @param mechanism what they are of
+   * @param inertias second sweep
+   * @param accelerations third sweep
+   * @param inJoints applied joint forces
+   */
+  record Solved(
+      Links mechanism,
+      InertiaSweep inertias,
+      AccelerationSweep accelerations,
+      JointForces inJoints) {
+
+    /** Returns the force that the motion of a driven link takes beyond those applied, N·m or N. */
+    Scalar drivingForce(int i) {
+      Freedom freedom = Freedom.of(mechanism.links().get(i)).get(0);
+      Wrench column = inertias.inertia(i).along(freedom);
+      Scalar taken =
+          column
+              .moment()
+              .dot(accelerations.alpha(i))
+              .plus(column.force().dot(accelerations.acceleration(i)));
+      return taken.plus(freedom.along(inertias.wrench(i))).minus(inJoints.of(i).at(freedom.axis()));
+    }
+  }
+}

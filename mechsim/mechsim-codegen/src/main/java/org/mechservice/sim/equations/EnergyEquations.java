@@ -1,0 +1,176 @@
+package org.mechservice.sim.equations;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarMatrix;
+import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.spatial.InertiaTensor;
+
+/**
+ * Kinetic energy ½ Σ (m v·v + ω·I ω) over the centres of mass and potential energy −Σ m g·p of an
+ * tree, p from the world origin, with that of springs and of rods that close loops.
+ *
+ * <p>Positions are not needed for that: the direction of gravity goes outwards in body axes, and
+ * with it the height of each joint.
+ */
+public final class EnergyEquations {
+  /**
+   * What goes outwards.
+   *
+   * @param omega angular velocity, rad/s
+   * @param velocity velocity of the computing origin, m/s
+   * @param gravity g in computing axes, m/s²
+   * @param fall g·p of the computing origin, m²/s²
+   */
+  private record Movement(
+      ScalarVector omega, ScalarVector velocity, ScalarVector gravity, Scalar fall) {}
+
+  private final Program program = new Program();
+  private final Expressions expressions = program.expressions();
+  private final Coordinates coordinates;
+  private final Links mechanism;
+
+  private EnergyEquations(Links mechanism) {
+    this.mechanism = MassiveRodTerms.withEnds(mechanism);
+    this.coordinates = new Coordinates(program, mechanism);
+  }
+
+  /**
+   * Derives the program from the state [q; v] to kinetic energy (output 0) and potential energy
+   * (output 1), J.
+   */
+  public static Program derive(Links mechanism) {
+    return new EnergyEquations(mechanism).derive();
+  }
+
+  private Program derive() {
+    Scalar kinetic = expressions.zero();
+    Scalar potential = expressions.constant(potentialOfFixedMass());
+    List<Movement> movements = new ArrayList<>();
+    for (Link link : mechanism.links()) {
+      program.section(
+          "Energy: "
+              + link.title()
+              + ".\nT += (m (v + omega x c)^2 + omega.I omega) / 2, U -= m g.(p + c)",
+          link.bodyLabel());
+      Movement parent = link.parent() == Links.ROOT ? root() : movements.get(link.parent());
+      Movement movement = named(link, outwards(link, parent));
+      movements.add(movement);
+      kinetic = kinetic.plus(kinetic(link, movement));
+      ScalarVector center = ScalarVector.of(expressions, link.centerOfMass());
+      Scalar fall = movement.fall().plus(movement.gravity().dot(center));
+      potential = potential.minus(fall.times(link.mass()));
+      program.named("T_" + link.bodyLabel(), kinetic);
+      program.named("U_" + link.bodyLabel(), potential);
+    }
+    AppliedForces applied = new AppliedForces(program, mechanism, coordinates);
+    VelocityRows rows = new VelocityRows(expressions, mechanism, coordinates);
+    MassiveRodTerms rods = new MassiveRodTerms(expressions, mechanism, applied.kinematics(), rows);
+    potential = potential.plus(applied.potential()).plus(rods.potential(mechanism.mechanism()));
+    kinetic = kinetic.plus(rods.kinetic());
+    program.section("Kinetic and potential energy.", "energy");
+    program.output(0, kinetic);
+    program.output(1, potential);
+    return program;
+  }
+
+  private Movement root() {
+    Mechanism described = mechanism.mechanism();
+    ScalarVector none = ScalarVector.zero(expressions);
+    double fall = described.gravity().dot(described.root().position());
+    return new Movement(
+        none, none, ScalarVector.of(expressions, mechanism.gravity()), expressions.constant(fall));
+  }
+
+  private Movement named(Link link, Movement movement) {
+    String label = link.bodyLabel();
+    program.named("omega_" + label, movement.omega());
+    program.named("v_" + label, movement.velocity());
+    program.named("g_" + label, movement.gravity());
+    program.named("fall_" + label, movement.fall());
+    return movement;
+  }
+
+  private Movement outwards(Link link, Movement parent) {
+    ScalarVector offset = ScalarVector.of(expressions, link.offset());
+    AxesChange axes = link.axes();
+    Movement atJoint =
+        new Movement(
+            axes.toChild(parent.omega()),
+            axes.toChild(parent.velocity().plus(parent.omega().cross(offset))),
+            axes.toChild(parent.gravity()),
+            parent.fall().plus(parent.gravity().dot(offset)));
+    if (link.isBall()) {
+      return link.inverse() ? turnedBack(link, atJoint) : turnedBall(link, atJoint);
+    }
+    Movement slid = link.slides() ? slid(link, atJoint) : atJoint;
+    return link.turns() ? turned(link, slid) : slid;
+  }
+
+  private Movement turned(Link link, Movement joint) {
+    Scalar cosine = coordinates.cosine(link);
+    Scalar back = coordinates.sine(link).negated();
+    ScalarVector omega = joint.omega().turned(2, cosine, back);
+    return new Movement(
+        new ScalarVector(omega.x(), omega.y(), omega.z().plus(coordinates.velocity(link))),
+        joint.velocity().turned(2, cosine, back),
+        joint.gravity().turned(2, cosine, back),
+        joint.fall());
+  }
+
+  private Movement slid(Link link, Movement joint) {
+    Scalar zero = expressions.zero();
+    ScalarVector way = new ScalarVector(zero, zero, coordinates.way(link));
+    ScalarVector rate = new ScalarVector(zero, zero, coordinates.wayRate(link));
+    return new Movement(
+        joint.omega(),
+        joint.velocity().plus(joint.omega().cross(way)).plus(rate),
+        joint.gravity(),
+        joint.fall().plus(joint.gravity().dot(way)));
+  }
+
+  private Movement turnedBall(Link link, Movement joint) {
+    ScalarMatrix toChild = coordinates.ballRotation(link).transposed();
+    ScalarVector omega = joint.omega().plus(coordinates.ballVelocity(link));
+    return new Movement(
+        toChild.times(omega),
+        toChild.times(joint.velocity()),
+        toChild.times(joint.gravity()),
+        joint.fall());
+  }
+
+  private Movement turnedBack(Link link, Movement joint) {
+    ScalarMatrix toChild = coordinates.ballRotation(link).transposed();
+    ScalarVector back = coordinates.ballVelocity(link).map(Scalar::negated);
+    return new Movement(
+        toChild.times(joint.omega()).plus(back),
+        toChild.times(joint.velocity()),
+        toChild.times(joint.gravity()),
+        joint.fall());
+  }
+
+  /** −m g·p of what is welded to the root. */
+  private double potentialOfFixedMass() {
+    Mechanism described = mechanism.mechanism();
+    double atRoot = described.gravity().dot(described.root().position());
+    return -mechanism.fixedMass() * (atRoot + mechanism.gravity().dot(mechanism.fixedCenter()));
+  }
+
+  private Scalar kinetic(Link link, Movement movement) {
+    ScalarVector omega = movement.omega();
+    ScalarVector center = ScalarVector.of(expressions, link.centerOfMass());
+    ScalarVector velocity = movement.velocity().plus(omega.cross(center));
+    InertiaTensor inertia = link.inertia();
+    double[][] tensor = {
+      {inertia.xx(), inertia.xy(), inertia.xz()},
+      {inertia.xy(), inertia.yy(), inertia.yz()},
+      {inertia.xz(), inertia.yz(), inertia.zz()}
+    };
+    ScalarMatrix half = ScalarMatrix.of((i, j) -> expressions.constant(tensor[i][j] / 2));
+    return velocity.dot(velocity).times(link.mass() / 2).plus(omega.dot(half.times(omega)));
+  }
+}

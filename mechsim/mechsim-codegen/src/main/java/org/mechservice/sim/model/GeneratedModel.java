@@ -1,0 +1,162 @@
+package org.mechservice.sim.model;
+
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import org.mechservice.sim.emit.CompactClass;
+import org.mechservice.sim.emit.ModelClass;
+import org.mechservice.sim.emit.WrittenClass;
+import org.mechservice.solver.api.ColumnGroup;
+
+/**
+ * A model specialised to its scene: what its class computes, planned, ready to be written as Java
+ * source or as a class file. Immutable.
+ */
+public final class GeneratedModel {
+  private final WrittenClass written;
+  private final Optional<CompactClass> columns;
+  private final Optional<WrittenClass> values;
+  private final GeneratedFacts facts;
+
+  /**
+   * @param written what the class computes
+   * @param columns what extends it by columns that no code is generated for
+   * @param values what its events watch and assign, and its outputs
+   * @param modelName the model's name in its file
+   * @param formulation formulation its equations are written in
+   * @param formulationReason why this formulation
+   * @param operations additions, multiplications and divisions of one evaluation of the derivative
+   * @param leftOut what the scene does not need
+   * @param fromData what the data beside the code compute
+   */
+  GeneratedModel(
+      WrittenClass written,
+      Optional<CompactClass> columns,
+      Optional<WrittenClass> values,
+      String modelName,
+      String formulation,
+      String formulationReason,
+      int operations,
+      List<Omission> leftOut,
+      List<Omission> fromData) {
+    this.written = written;
+    this.columns = columns;
+    this.values = values;
+    this.facts =
+        new GeneratedFacts(
+            columns.isPresent() ? name(columns.get()) : name(written),
+            name(written),
+            modelName,
+            formulation,
+            formulationReason,
+            operations,
+            written.code(),
+            dataColumns(),
+            leftOut,
+            fromData);
+  }
+
+  private Set<ColumnGroup> dataColumns() {
+    Set<ColumnGroup> groups = EnumSet.noneOf(ColumnGroup.class);
+    parts()
+        .filter(part -> part instanceof CompactClass data && !data.columns().isEmpty())
+        .forEach(part -> groups.addAll(ColumnGroup.of(((CompactClass) part).columns())));
+    return groups;
+  }
+
+  /** Returns what remains to be said when its classes are written. */
+  public GeneratedFacts facts() {
+    return facts;
+  }
+
+  /** Returns how many values its plans hold, each of which takes some hundred bytes. */
+  public long plannedValues() {
+    return parts().mapToLong(WrittenClass::plannedValues).sum();
+  }
+
+  /** Returns the fully qualified name of the class to be instantiated. */
+  public String className() {
+    return facts.className();
+  }
+
+  /** Returns the fully qualified name of the class that has the equations. */
+  public String sourceName() {
+    return facts.sourceName();
+  }
+
+  private static String name(WrittenClass written) {
+    return ModelClass.PACKAGE + "." + written.simpleName();
+  }
+
+  /** Returns the class that has the equations as formatted source, for people. */
+  public String source() {
+    return written.source();
+  }
+
+  /**
+   * Returns the sources of all its classes, that of {@link #source} first: compiled together they
+   * are the model.
+   */
+  public List<SourceFile> sources() {
+    return parts().map(part -> new SourceFile(name(part), part.source())).toList();
+  }
+
+  private Stream<WrittenClass> parts() {
+    return Stream.of(Stream.of(written), columns.stream(), values.stream()).flatMap(part -> part);
+  }
+
+  /**
+   * Returns the class files by binary name; that of the equations computes what {@link #source}
+   * says, bit by bit.
+   */
+  SortedMap<String, byte[]> classFiles() {
+    SortedMap<String, byte[]> files = new TreeMap<>();
+    files.put(sourceName(), written.classFile());
+    if (columns.isPresent()) {
+      files.put(name(columns.get()), columns.get().classFile());
+    }
+    if (values.isPresent()) {
+      files.put(name(values.get()), values.get().classFile());
+    }
+    return files;
+  }
+
+  /** Returns the formulation its equations are written in. */
+  public String formulation() {
+    return facts.formulation();
+  }
+
+  /** Returns why this formulation. */
+  public String formulationReason() {
+    return facts.formulationReason();
+  }
+
+  /** Returns additions, multiplications and divisions of one evaluation of the derivative. */
+  public int operations() {
+    return facts.operations();
+  }
+
+  /** Returns how the model computes, and how many operations each part of it takes. */
+  public String code() {
+    return facts.code();
+  }
+
+  /** Returns what the scene does not need. */
+  public List<Omission> leftOut() {
+    return facts.leftOut();
+  }
+
+  /** Returns what is computed from the data beside the code; nothing of a model that is data. */
+  public List<Omission> fromData() {
+    return facts.fromData();
+  }
+
+  /** Returns the model's name in its file. */
+  public String modelName() {
+    return facts.modelName();
+  }
+}

@@ -1,0 +1,88 @@
+package org.mechservice.sim.model;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.emit.ModelClass;
+import org.mechservice.sim.emit.TermsClass;
+import org.mechservice.sim.equations.EnergyEquations;
+import org.mechservice.sim.equations.Links;
+import org.mechservice.sim.equations.LoopCode;
+import org.mechservice.sim.equations.PoseEquations;
+import org.mechservice.sim.equations.PowerEquations;
+import org.mechservice.sim.equations.ResidualDerivatives;
+import org.mechservice.sim.scene.FormulationChoice;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.closure.CountedAngles;
+import org.mechservice.solver.closure.LoopEquations;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/**
+ * The terms of a model with loops, derived: what is expensive and its own, while the solver closes
+ * the loops.
+ */
+final class LoopTermsClass {
+  private LoopTermsClass() {}
+
+  /** Derives the programs that a formulation and the columns asked for need. */
+  static TermsClass derive(
+      MechmlModel model, Links links, BuildOptions options, FormulationChoice choice) {
+    Mechanism mechanism = links.mechanism();
+    int rows = new LoopEquations(new TreeGeometry(mechanism)).count();
+    Program loops = LoopCode.loops(links, rows);
+    Program equations = LoopCode.equations(links, rows);
+    Optional<TermsClass.OfResidual> ofResidual =
+        choice.formulation().startsWith("RR")
+            ? Optional.of(
+                new TermsClass.OfResidual(
+                    LoopCode.offset(links, rows),
+                    LoopCode.residual(links),
+                    derivatives(links, choice)))
+            : Optional.empty();
+    return new TermsClass(
+        mechanism.name(),
+        ModelClass.hasUserForces(mechanism),
+        links.positionCount() + links.velocityCount() + CountedAngles.of(mechanism).size(),
+        links.velocityCount(),
+        loops,
+        equations,
+        EnergyEquations.derive(links),
+        PowerEquations.ofForces(links),
+        options.columns().contains(ColumnGroup.BODIES)
+            ? Optional.of(PoseEquations.derive(links))
+            : Optional.empty(),
+        ofResidual,
+        notes(choice, loops, equations, ofResidual, LeftOut.of(model, links, options, equations)));
+  }
+
+  /** How forces of users change is added by their classes. */
+  private static Optional<Program> derivatives(Links links, FormulationChoice choice) {
+    return choice.formulation().equals("RR-JF")
+        ? Optional.of(ResidualDerivatives.ofLoops(links))
+        : Optional.empty();
+  }
+
+  private static List<String> notes(
+      FormulationChoice choice,
+      Program loops,
+      Program equations,
+      Optional<TermsClass.OfResidual> ofResidual,
+      List<Omission> leftOut) {
+    List<String> notes = new ArrayList<>();
+    notes.add("Formulation " + choice.formulation() + " (" + choice.reason() + ").");
+    notes.add(
+        equations.operationCount()
+            + " additions, multiplications and divisions give the terms of the equations of"
+            + " motion, "
+            + loops.operationCount()
+            + " those of the loops alone.");
+    ofResidual.ifPresent(
+        programs ->
+            notes.add(programs.residual().operationCount() + " give the residual of the tree."));
+    notes.add(LeftOut.sentence(leftOut));
+    return notes;
+  }
+}

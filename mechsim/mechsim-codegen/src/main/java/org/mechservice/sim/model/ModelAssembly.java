@@ -1,0 +1,251 @@
+package org.mechservice.sim.model;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.emit.AnalysisTask;
+import org.mechservice.sim.emit.CompactClass;
+import org.mechservice.sim.emit.ModelClass;
+import org.mechservice.sim.emit.ModelPlan;
+import org.mechservice.sim.emit.TermsClass;
+import org.mechservice.sim.emit.TermsPlan;
+import org.mechservice.sim.emit.WrittenClass;
+import org.mechservice.sim.equations.Links;
+import org.mechservice.sim.equations.ResidualDerivatives;
+import org.mechservice.sim.scene.FormulationChoice;
+import org.mechservice.sim.scene.GenerationLimits;
+import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.StartRole;
+
+/**
+ * Puts a model together, its formulation chosen: code where code is written for it, and data in its
+ * place or beside it for what the code does not compute.
+ */
+final class ModelAssembly {
+  /** Operations below which no class was ever too large; writing such a one twice takes long. */
+  private static final int SURELY_WRITTEN = 20_000;
+
+  private final MechmlModel model;
+  private final Mechanism mechanism;
+  private final BuildOptions options;
+  private final FormulationChoice choice;
+
+  ModelAssembly(MechmlModel model, BuildOptions options, FormulationChoice choice) {
+    this.model = model;
+    this.mechanism = model.mechanism();
+    this.options = options;
+    this.choice = choice;
+  }
+
+  /**
+   * Returns the model, generated if that is wanted and possible; its reason says which.
+   *
+   * @throws ModelBuildException S-092 if the loops cannot be closed at the start
+   */
+  GeneratedModel generated() {
+    List<String> beyond = GenerationLimits.notGenerated(model.watchedMechanism(), choice);
+    boolean open = mechanism.closures().isEmpty();
+    if (!open) {
+      requireClosedLoops();
+    }
+    return options.compact() || !beyond.isEmpty() ? compact(beyond) : open ? tree() : looped();
+  }
+
+  /** Returns a model that is not integrated; its data say what is done with it. */
+  GeneratedModel analysis(AnalysisTask task) {
+    Set<ColumnGroup> further = DataColumns.of(model, options, false);
+    further.add(ColumnGroup.JOINTS);
+    CompactClass data = data(further, Optional.empty(), Optional.empty(), Optional.of(task));
+    return ofData(data, choice);
+  }
+
+  private GeneratedModel compact(List<String> beyond) {
+    String form =
+        beyond.isEmpty()
+            ? "compact form, as asked for"
+            : "compact form, since no code is generated yet for " + String.join(", ", beyond);
+    Set<ColumnGroup> further = DataColumns.of(model, options, mechanism.closures().isEmpty());
+    CompactClass data = data(further, Optional.empty(), Optional.empty(), Optional.empty());
+    return ofData(data, choice.because("; " + form));
+  }
+
+  private GeneratedModel ofData(CompactClass data, FormulationChoice reason) {
+    Optional<CompactClass> none = Optional.empty();
+    return assembled(data, none, Optional.empty(), reason, 0, List.of(), List.of());
+  }
+
+  private void requireClosedLoops() {
+    ClosedMechanism closed =
+        new ClosedMechanism(mechanism, choice.formulation(), options.settings());
+    if (!closed.isAssembled()) {
+      throw new ModelBuildException(
+          "S-092",
+          closed.findings().stream()
+              .filter(finding -> !finding.kind().isWarning())
+              .map(finding -> finding.note().text())
+              .collect(Collectors.joining(" ", "", " " + wayToClose())));
+    }
+  }
+
+  /** Driven and fixed joints are what assembly must leave alone: often one too many. */
+  private String wayToClose() {
+    String held =
+        IntStream.range(0, mechanism.joints().size())
+            .filter(j -> mechanism.isDriven(j) || mechanism.startRoles().get(j) == StartRole.FIXED)
+            .mapToObj(j -> "\"" + mechanism.joints().get(j).name() + "\"")
+            .collect(Collectors.joining(", "));
+    return held.isEmpty()
+        ? "Check the lengths in this loop, and start nearer to a position that closes it."
+        : "Check the lengths in this loop, start nearer to a position that closes it, or let joints"
+            + " move that are driven or fixed: "
+            + held
+            + ".";
+  }
+
+  private GeneratedModel assembled(
+      WrittenClass written,
+      Optional<CompactClass> beside,
+      Optional<WrittenClass> values,
+      FormulationChoice reason,
+      int operations,
+      List<Omission> leftOut,
+      List<Omission> fromData) {
+    return new GeneratedModel(
+        written,
+        beside,
+        values,
+        mechanism.name(),
+        choice.formulation(),
+        reason.reason(),
+        operations,
+        leftOut,
+        fromData);
+  }
+
+  /**
+   * @param further columns that are computed from the data
+   * @param generated the class the data are beside; none if they are the model
+   * @param values what its events watch and assign, and its outputs, if they are code
+   */
+  private CompactClass data(
+      Set<ColumnGroup> further,
+      Optional<WrittenClass> generated,
+      Optional<WrittenClass> values,
+      Optional<AnalysisTask> task) {
+    return new CompactClass(
+        DataColumns.data(model, options, choice, further),
+        BuiltColumns.labels(further),
+        generated,
+        values,
+        task);
+  }
+
+  private GeneratedModel tree() {
+    Links links = Links.of(mechanism);
+    Program derivative = TreeClass.derivative(links, choice);
+    int operations = derivative.operationCount();
+    List<String> noFaster = GenerationLimits.noFaster(choice.formulation(), operations);
+    if (!noFaster.isEmpty()) {
+      return compact(noFaster);
+    }
+    Optional<ResidualDerivatives.Derived> derivatives =
+        choice.formulation().equals("RR-JF")
+            ? Optional.of(ResidualDerivatives.derive(links))
+            : Optional.empty();
+    List<String> tooLong =
+        GenerationLimits.tooLong(
+            derivatives.map(derived -> derived.program().operationCount()).orElse(0));
+    if (!tooLong.isEmpty()) {
+      return compact(tooLong);
+    }
+    List<Omission> leftOut = LeftOut.of(model, links, options, derivative);
+    ModelPlan written =
+        ModelPlan.of(
+            TreeClass.derive(links, options, choice, derivative, derivatives, leftOut),
+            options.form());
+    List<String> tooLarge = tooLarge(written, operations);
+    if (!tooLarge.isEmpty()) {
+      return compact(tooLarge);
+    }
+    Set<ColumnGroup> further = DataColumns.of(model, options, !ModelClass.hasUserForces(mechanism));
+    ValuesClass.Derived values = ValuesClass.derive(model, links, options);
+    Optional<CompactClass> beside =
+        further.isEmpty() && !needsData(model.watchedMechanism())
+            ? Optional.empty()
+            : Optional.of(data(further, Optional.of(written), values.plan(), Optional.empty()));
+    return assembled(
+        written,
+        beside,
+        values.plan(),
+        choice.callingForcesOf(mechanism),
+        operations,
+        leftOut,
+        FromData.of(model, further, values.fromData(), Optional.empty()));
+  }
+
+  /** Parameters, user forces and what happens along a run are kept as data beside the code. */
+  private static boolean needsData(Mechanism mechanism) {
+    return !mechanism.parameters().isEmpty()
+        || ModelClass.hasUserForces(mechanism)
+        || !mechanism.events().isEmpty()
+        || mechanism.mayJump();
+  }
+
+  /** Code for the terms of the equations; their closure, and what is seldom wanted, from data. */
+  private GeneratedModel looped() {
+    Links links = Links.of(mechanism);
+    TermsClass terms = LoopTermsClass.derive(model, links, options, choice);
+    int operations = terms.equations().operationCount();
+    List<String> noFaster = GenerationLimits.noFaster(choice.formulation(), operations);
+    if (!noFaster.isEmpty()) {
+      return compact(noFaster);
+    }
+    int ofDerivatives = terms.derivatives().map(Program::operationCount).orElse(0);
+    boolean worthIt = GenerationLimits.areWorthCode(ofDerivatives);
+    return looped(links, worthIt ? terms : terms.withoutDerivatives());
+  }
+
+  /** Returns the model with these terms, whatever they cost. */
+  GeneratedModel looped(Links links, TermsClass terms) {
+    WrittenClass written = TermsPlan.of(terms, options.form());
+    int operations = terms.equations().operationCount();
+    int ofDerivatives = terms.derivatives().map(Program::operationCount).orElse(0);
+    List<String> tooLarge = tooLarge(written, operations + ofDerivatives);
+    if (!tooLarge.isEmpty()) {
+      return compact(tooLarge);
+    }
+    boolean leftToData = choice.formulation().equals("RR-JF") && terms.derivatives().isEmpty();
+    Optional<String> why =
+        leftToData ? Optional.of(GenerationLimits.TOO_LONG_DERIVATIVES) : Optional.empty();
+    Set<ColumnGroup> further = DataColumns.of(model, options, false);
+    ValuesClass.Derived values = ValuesClass.derive(model, links, options);
+    return assembled(
+        written,
+        Optional.of(data(further, Optional.of(written), values.plan(), Optional.empty())),
+        values.plan(),
+        choice.callingForcesOf(mechanism),
+        operations,
+        LeftOut.of(model, links, options, terms.equations()),
+        FromData.of(model, further, values.fromData(), why));
+  }
+
+  /** Tries to write a large class: how many bodies fit depends on their joints and forces. */
+  private static List<String> tooLarge(WrittenClass written, int operations) {
+    if (operations < SURELY_WRITTEN) {
+      return List.of();
+    }
+    try {
+      written.classFile();
+      return List.of();
+    } catch (ModelBuildException e) {
+      return List.of("so large a scene (" + e.getMessage() + ")");
+    }
+  }
+}

@@ -1,0 +1,99 @@
+package org.mechservice.sim.model;
+
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.compile.ModelCompiler;
+import org.mechservice.sim.emit.AnalysisTask;
+import org.mechservice.sim.jar.Packing;
+import org.mechservice.sim.scene.FormulationChoice;
+import org.mechservice.sim.user.UserClasses;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/**
+ * The way from a mechanism to code: generate, compile, pack. Thread-safe; every step is a pure
+ * function of its arguments.
+ */
+public final class ModelFactory {
+  private ModelFactory() {}
+
+  /**
+   * Writes the model class of a mechanism: code specialised to it, or, where that is asked for or
+   * no code is generated yet, data for the formulations of the solver; the reason says which.
+   *
+   * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
+   *     the formulation (S-081) or the integrator (S-082) does not fit or exist, or a name cannot
+   *     be kept (S-083); the message says why and what does
+   */
+  public static GeneratedModel generate(MechmlModel model, BuildOptions options) {
+    Mechanism mechanism = model.watchedMechanism();
+    ModelNames.requireUsable(mechanism);
+    Optional<AnalysisTask> task = AnalysisTask.of(model.settings().task());
+    if (task.isPresent()) {
+      String name = model.settings().task().element();
+      FormulationChoice asked = new FormulationChoice(name, "none", "the simulation asks for it");
+      return new ModelAssembly(model, options, asked).analysis(task.get());
+    }
+    String integrator = options.settings().integrator();
+    StandaloneMain.requireIntegrator(integrator);
+    FormulationChoice resolved =
+        FormulationChoice.of(
+            options.formulation(), options.closure(), options.settings(), mechanism);
+    FormulationChoice choice =
+        options
+            .integratorReason()
+            .map(why -> resolved.because("; auto: " + integrator + ", since at the start " + why))
+            .orElse(resolved);
+    return new ModelAssembly(model, options, choice).generated();
+  }
+
+  /**
+   * Writes the class file of a generated model and loads it; classes of users are loaded when it is
+   * instantiated.
+   *
+   * @param userClasses those of the model's forces
+   * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
+   *     the class is too large (S-085)
+   */
+  public static CompiledModel compile(
+      MechmlModel model, BuildOptions options, GeneratedModel generated, UserClasses userClasses) {
+    return new CompiledModel(model, generated, options, generated.classFiles(), userClasses);
+  }
+
+  /** Writes and loads the class of a model without classes of users. */
+  public static CompiledModel compile(
+      MechmlModel model, BuildOptions options, GeneratedModel generated) {
+    return compile(model, options, generated, UserClasses.NONE);
+  }
+
+  /**
+   * Compiles the sources of a generated model in memory: another way to the same results, kept as
+   * the proof that the source is what runs.
+   *
+   * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
+   *     this JVM has no compiler (S-084) or the class is too large (S-085)
+   */
+  static CompiledModel compileSource(
+      MechmlModel model, BuildOptions options, GeneratedModel generated) {
+    SortedMap<String, String> sources = new TreeMap<>();
+    generated.sources().forEach(source -> sources.put(source.className(), source.text()));
+    SortedMap<String, byte[]> classFiles = ModelCompiler.compile(sources);
+    return new CompiledModel(model, generated, options, classFiles, UserClasses.NONE);
+  }
+
+  /** Packs the model's own classes, description and manifest; it runs with {@link #runtimeJar}. */
+  public static PackedJar modelJar(CompiledModel model, String mechmlSha256, Packing packing) {
+    return ModelJars.model(model, mechmlSha256, packing);
+  }
+
+  /** Packs the model with just the solver classes it reaches; starts with {@code java -jar}. */
+  public static PackedJar standaloneJar(CompiledModel model, String mechmlSha256, Packing packing) {
+    return ModelJars.standalone(model, mechmlSha256, packing);
+  }
+
+  /** Returns the solver of this process, packed. */
+  public static PackedJar runtimeJar() {
+    return RuntimeJar.current().jar();
+  }
+}

@@ -1,0 +1,10 @@
+package org.mechservice.sim.model;
+
+/**
+ * Something the generated class does not contain: the scene does not need it, or data beside the
+ * class compute it.
+ *
+ * @param what what was left out, such as {@code loop closures}
+ * @param why why
+ */
+public record Omission(String what, String why) {}

@@ -1,0 +1,73 @@
+package org.mechservice.sim.scene;
+
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.text.ShortestDecimal;
+
+/**
+ * Says before a run that an explicit integrator will need very many steps: the fastest motion of
+ * the equations linearised at the start, times the length of the run.
+ */
+public final class StiffnessForecast {
+  /** Steps from which the user is told; a run of this length takes from seconds to minutes. */
+  private static final double MANY_STEPS = 1e6;
+
+  private static final Set<String> EXPLICIT = Set.of("ode113", "DE");
+
+  private StiffnessForecast() {}
+
+  /**
+   * Forecasts a run.
+   *
+   * @param settings of the run, with its integrator
+   * @return what to tell the user; empty if the run needs no very many steps, if its integrator is
+   *     implicit, or if nothing can be said: of user forces, or where the equations have no
+   *     derivative
+   */
+  public static Optional<Finding> of(Mechanism mechanism, RunSettings settings) {
+    return FastestMotion.of(mechanism, settings)
+        .filter(motion -> limits(motion, settings.integrator()))
+        .filter(motion -> steps(motion, settings) >= MANY_STEPS)
+        .map(motion -> finding(motion, settings));
+  }
+
+  /** Returns whether it makes no difference which of two integrators a run has. */
+  static boolean isSame(String integrator, String other) {
+    return integrator.equals(other) || !(EXPLICIT.contains(integrator) || EXPLICIT.contains(other));
+  }
+
+  /** What swings undamped has to be followed by every method. */
+  private static boolean limits(FastestMotion motion, String integrator) {
+    return EXPLICIT.contains(integrator) || !motion.isDamped();
+  }
+
+  private static double steps(FastestMotion motion, RunSettings settings) {
+    return motion.modulus() * (settings.tEnd() - settings.tStart());
+  }
+
+  private static Finding finding(FastestMotion motion, RunSettings settings) {
+    String advice =
+        motion.isDamped()
+            ? "use integrator \"auto\", \"ode15s\" or \"ode15sR\", whose steps such a motion does"
+                + " not limit once it has died away"
+            : "hardly damped, it has to be followed by every method as long as it is excited: end"
+                + " the run earlier, lower the stiffness, make the part rigid, or give it damping"
+                + " and use integrator \"auto\"";
+    return new Finding(
+        "N-019",
+        String.format(
+            Locale.ROOT,
+            "joint \"%s\" moves too fast%s: at the start it %s; to %s s, its end, the run"
+                + " will take some %.0e steps; %s",
+            motion.joint().name(),
+            motion.isDamped() ? " for " + settings.integrator() : "",
+            motion.text(),
+            ShortestDecimal.format(settings.tEnd()),
+            steps(motion, settings),
+            advice),
+        motion.joint().origin());
+  }
+}

@@ -1,0 +1,130 @@
+package org.mechservice.sim.user;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import javax.tools.Diagnostic;
+import javax.tools.JavaFileObject;
+import org.mechservice.sim.compile.Compilation;
+import org.mechservice.solver.api.UserForce;
+
+/** Compiles sources of users against Java and the force interface. */
+final class SourceCompiler {
+  private static final List<String> OPTIONS =
+      List.of(
+          "--release",
+          "17",
+          "--limit-modules",
+          "java.base",
+          "-g:lines",
+          "-proc:none",
+          "-implicit:none",
+          "-Xlint:none");
+  private static final Set<String> VISIBLE_PACKAGES = Set.of(UserForce.class.getPackageName());
+
+  /** More would hide the first, which is as a rule the cause of the others. */
+  private static final int MOST_ERRORS = 10;
+
+  private static final Pattern PACKAGE =
+      Pattern.compile("(?m)^\\s*package\\s+([A-Za-z0-9_$.]{1,300})\\s*;");
+
+  /** How classes are called by nearly everybody; constants are written in capitals. */
+  private static final Pattern CLASS_NAME = Pattern.compile("[A-Z][A-Za-z0-9_$]*[a-z][\\w$]*");
+
+  private final Map<String, String> sources;
+  private final Findings findings;
+
+  private SourceCompiler(Map<String, String> sources, Findings findings) {
+    this.sources = sources;
+    this.findings = findings;
+  }
+
+  /**
+   * Returns class files by binary name; none if there is an error.
+   *
+   * @param sources texts by file name
+   * @param others class files they may name, by binary name; not modified
+   * @param findings told what the compiler says, and which classes it misses
+   */
+  static SortedMap<String, byte[]> compile(
+      Map<String, String> sources, SortedMap<String, byte[]> others, Findings findings) {
+    return new SourceCompiler(sources, findings).compile(others);
+  }
+
+  private SortedMap<String, byte[]> compile(SortedMap<String, byte[]> others) {
+    List<JavaFileObject> units = new ArrayList<>();
+    sources.forEach(
+        (name, text) ->
+            units.add(Compilation.source(name.substring(0, name.lastIndexOf('.')), text)));
+    try {
+      Compilation done = Compilation.of(units, OPTIONS, VISIBLE_PACKAGES, others);
+      if (done.succeeded()) {
+        return done.classFiles();
+      }
+      tell(done);
+    } catch (IllegalStateException | StackOverflowError e) {
+      giveUp();
+    }
+    return Collections.emptySortedMap();
+  }
+
+  private void tell(Compilation failed) {
+    List<Diagnostic<? extends JavaFileObject>> errors =
+        failed.diagnostics().stream()
+            .filter(said -> said.getKind() == Diagnostic.Kind.ERROR)
+            .toList();
+    errors.stream().limit(MOST_ERRORS).forEach(this::tell);
+    if (errors.isEmpty()) {
+      giveUp();
+    }
+  }
+
+  /** Sources nested too deeply are more than the compiler's stack takes. */
+  private void giveUp() {
+    findings.add("S-123", first(), "the compiler gives up on this source; write it more simply");
+  }
+
+  private String first() {
+    return sources.keySet().iterator().next();
+  }
+
+  private void tell(Diagnostic<? extends JavaFileObject> said) {
+    JavaFileObject source = said.getSource();
+    String file = source == null ? first() : name(source);
+    int line = (int) Math.max(0, said.getLineNumber());
+    String missing = missingClass(said, file);
+    if (missing.isEmpty()) {
+      String text = said.getMessage(Locale.ROOT).replaceAll("\\s*\\R\\s*", "; ");
+      findings.add("S-123", file, line, (int) Math.max(0, said.getColumnNumber()), text);
+    } else {
+      findings.missing(missing, file + ":" + line + " needs");
+    }
+  }
+
+  private static String name(JavaFileObject source) {
+    return source.toUri().getPath().substring(1);
+  }
+
+  /** Returns the class that a source needs and nobody has, as far as its text tells; or nothing. */
+  private String missingClass(Diagnostic<? extends JavaFileObject> said, String file) {
+    String text = sources.getOrDefault(file, "");
+    int from = (int) said.getPosition();
+    String code = String.valueOf(said.getCode());
+    if (from < 0 || said.getEndPosition() > text.length() || !code.contains("cant.resolve")) {
+      return "";
+    }
+    Matcher name = CLASS_NAME.matcher(text.substring(from, (int) said.getEndPosition()));
+    if (!name.matches()) {
+      return "";
+    }
+    Matcher stated = PACKAGE.matcher(text);
+    String prefix = stated.find() ? stated.group(1) + "." : "";
+    return prefix + name.group();
+  }
+}

@@ -1,0 +1,93 @@
+package org.mechservice.sim.user;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Collections;
+import java.util.List;
+import java.util.SortedMap;
+import org.mechservice.mechml.MechmlException;
+import org.mechservice.sim.jar.Sha256;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.force.UserForceElement;
+
+/**
+ * The classes that a model's forces name, and those these need: checked, none of them loaded.
+ * Immutable.
+ */
+public final class UserClasses {
+  /** Those of a model that names none. */
+  public static final UserClasses NONE = new UserClasses(Collections.emptySortedMap());
+
+  private final SortedMap<String, byte[]> classFiles;
+
+  private UserClasses(SortedMap<String, byte[]> classFiles) {
+    this.classFiles = Collections.unmodifiableSortedMap(classFiles);
+  }
+
+  /**
+   * Takes in what came with a model. Sources are compiled, without annotation processors and
+   * against nothing but Java and the force interface. Nothing is loaded.
+   *
+   * @param mechanism says which classes its forces are
+   * @param files what came; those that no force needs are left aside
+   * @param compile whether sources may be compiled here
+   * @throws MechmlException if a class is missing (S-121), a source may not (S-120) or cannot
+   *     (S-123) be compiled, a class file cannot be used (S-124), a class is no force (S-068)
+   */
+  public static UserClasses admit(Mechanism mechanism, List<UserFile> files, boolean compile)
+      throws MechmlException {
+    List<UserForceElement> forces =
+        mechanism.forces().stream()
+            .filter(UserForceElement.class::isInstance)
+            .map(UserForceElement.class::cast)
+            .toList();
+    if (forces.isEmpty()) {
+      return NONE;
+    }
+    Findings findings = new Findings();
+    SortedMap<String, byte[]> given = GivenClasses.of(files, compile, findings);
+    findings.throwIfAny();
+    SortedMap<String, byte[]> needed = new NeededClasses(given, findings).of(forces);
+    findings.throwIfAny();
+    return new UserClasses(needed);
+  }
+
+  /**
+   * Makes sure that the classes may run on a machine of somebody else.
+   *
+   * @throws MechmlException S-156 if one uses what it may not; says in which method and line
+   */
+  public void requireHarmless() throws MechmlException {
+    Findings findings = new Findings();
+    HarmlessCode.check(classFiles, findings);
+    findings.throwIfAny();
+  }
+
+  /** Returns whether there are none. */
+  public boolean isEmpty() {
+    return classFiles.isEmpty();
+  }
+
+  /** Returns class file bytes by binary class name; not to be modified. */
+  public SortedMap<String, byte[]> classFiles() {
+    return classFiles;
+  }
+
+  /** Returns a number that tells these classes from others; empty if there are none. */
+  public String sha256() {
+    StringBuilder all = new StringBuilder();
+    classFiles.forEach((name, bytes) -> all.append(name).append(Sha256.of(bytes)));
+    return all.isEmpty() ? "" : Sha256.of(all.toString().getBytes(StandardCharsets.UTF_8));
+  }
+
+  /**
+   * Returns a loader of class files, by binary name, that see Java and the force interface alone.
+   */
+  public static ClassLoader loaderOf(SortedMap<String, byte[]> classFiles) {
+    return new UserClassLoader(classFiles);
+  }
+
+  /** Returns a loader of these classes, for which they see Java and the force interface alone. */
+  public ClassLoader loader() {
+    return loaderOf(classFiles);
+  }
+}

@@ -1,0 +1,29 @@
+package org.mechservice.sim.user;
+
+import java.util.regex.Pattern;
+
+/**
+ * A file that came with a model: source or class file of a class.
+ *
+ * @param name its path below the model's folder, such as {@code car/Road.java}
+ * @param content its bytes; not modified
+ */
+@SuppressWarnings("ArrayRecordComponent") // never compared; bytes as they came
+public record UserFile(String name, byte[] content) {
+  private static final Pattern USABLE =
+      Pattern.compile("(?:[A-Za-z0-9_$]{1,100}/){0,20}[A-Za-z0-9_$]{1,200}\\.(?:class|java)");
+
+  /** Returns whether it may be what its name says. */
+  boolean isUsable() {
+    return USABLE.matcher(name).matches();
+  }
+
+  boolean isSource() {
+    return name.endsWith(".java");
+  }
+
+  /** Returns the path without its end, as Java writes names: {@code car.Road}. */
+  String statedClass() {
+    return name.substring(0, name.lastIndexOf('.')).replace('/', '.');
+  }
+}

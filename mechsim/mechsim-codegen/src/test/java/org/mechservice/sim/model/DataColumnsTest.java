@@ -1,0 +1,217 @@
+package org.mechservice.sim.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.jar.JarEntry;
+import java.util.jar.JarInputStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.jar.Packing;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.ExtendedModel;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.simulation.RuntimeSolver;
+import org.mechservice.solver.standalone.Launcher;
+import org.objectweb.asm.ClassReader;
+import org.objectweb.asm.tree.ClassNode;
+
+/** Columns that no code is generated for travel as data with the models that asked for them. */
+class DataColumnsTest {
+  private static final RunSettings SETTINGS = new RunSettings(0, 0.2, 0.1, "DE", 1e-6, 1e-6);
+  private static final long SEED = 2;
+  private static final String ANALYSIS = "solver/analysis/";
+
+  private static CompiledModel pendulum(boolean compact, ColumnGroup... columns) {
+    BuildOptions options = new BuildOptions("DTR", "auto", compact, Set.of(columns), SETTINGS);
+    MechmlModel model = Scenes.model(Scenes.pendulum());
+    return ModelFactory.compile(model, options, ModelFactory.generate(model, options));
+  }
+
+  private static List<double[]> rows(CompiledModel model, List<Variable> names, ColumnGroup... of)
+      throws IOException {
+    List<double[]> rows = new ArrayList<>();
+    ResultSink sink =
+        new ResultSink() {
+          @Override
+          public void begin(List<Variable> columns) {
+            names.addAll(columns);
+          }
+
+          @Override
+          public void row(double[] values) {
+            rows.add(values.clone());
+          }
+        };
+    RunRequest request = new RunRequest(SETTINGS, Set.of(of));
+    RunReport report =
+        new RuntimeSolver().run(model.newInstance(), request, sink, new RunControl());
+    assertThat(report.outcome()).isInstanceOf(Outcome.Completed.class);
+    return rows;
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void motionIsTheSameToTheBitWithColumnsAndWithout(boolean compact) throws IOException {
+    List<Variable> with = new ArrayList<>();
+    List<Variable> without = new ArrayList<>();
+    List<double[]> extended =
+        rows(pendulum(compact, ColumnGroup.REACTIONS), with, ColumnGroup.REACTIONS);
+    List<double[]> plain = rows(pendulum(compact), without);
+    assertThat(with.subList(0, without.size())).isEqualTo(without);
+    assertThat(with).contains(new Variable("j3.fz", "N"), new Variable("j5.tx", "N·m"));
+    assertThat(with).hasSize(without.size() + 5 * 6);
+    for (int i = 0; i < plain.size(); i++) {
+      assertThat(Arrays.copyOf(extended.get(i), without.size())).containsExactly(plain.get(i));
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void valuesOfForcesAreColumnsAlsoWhereSomethingHappensAlongTheRun(boolean compact) {
+    Mechanism pushed = RandomForces.on(RandomTrees.driven(SEED, 4), SEED);
+    assertThat(forceColumns(RandomEvents.on(pushed, SEED), compact))
+        .isEqualTo(forceColumns(Scenes.model(pushed), compact))
+        .isNotEmpty();
+  }
+
+  private static List<Variable> forceColumns(MechmlModel model, boolean compact) {
+    BuildOptions options =
+        new BuildOptions("DTR", "auto", compact, Set.of(ColumnGroup.FORCES), SETTINGS);
+    Model built =
+        ModelFactory.compile(model, options, ModelFactory.generate(model, options)).newInstance();
+    return ExtendedModel.columnsOf(built).columns(ColumnGroup.FORCES);
+  }
+
+  @Test
+  void modelJarHasWhatTheRuntimeLacksOnlyIfAskedFor() throws IOException {
+    assertThat(entries(ModelFactory.modelJar(pendulum(false), "", Packing.SMALLEST)))
+        .noneMatch(name -> name.contains("solver"));
+    assertThat(
+            entries(
+                ModelFactory.modelJar(
+                    pendulum(false, ColumnGroup.REACTIONS), "", Packing.SMALLEST)))
+        .anyMatch(name -> name.contains(ANALYSIS))
+        .contains(
+            "org/mechservice/model/FiveBarPendulum.class",
+            "org/mechservice/model/FiveBarPendulumWithColumns.class");
+    assertThat(entries(ModelFactory.runtimeJar())).noneMatch(name -> name.contains(ANALYSIS));
+  }
+
+  @Test
+  void standaloneJarHasColumnsOnlyIfAskedFor() throws IOException {
+    assertThat(solverOf(ModelFactory.standaloneJar(pendulum(false), "", Packing.SMALLEST)))
+        .noneMatch(name -> name.contains("solver.analysis."));
+    assertThat(
+            solverOf(
+                ModelFactory.standaloneJar(
+                    pendulum(false, ColumnGroup.REACTIONS), "", Packing.SMALLEST)))
+        .anyMatch(name -> name.contains("solver.analysis.ReactionColumns"));
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"REACTIONS", "MOMENTUM", "OUTPUTS"})
+  void aJarCarriesTheClassesOfTheColumnsAskedForAlone(ColumnGroup group) throws IOException {
+    CompiledModel model = pushed(group);
+    assertThat(entries(ModelFactory.modelJar(model, "", Packing.SMALLEST)))
+        .filteredOn(ColumnClasses.paths()::contains)
+        .hasSize(1)
+        .allMatch(path -> ColumnClasses.needed(path, model) != null);
+  }
+
+  /** Compact, so that none of the columns is code. */
+  private static CompiledModel pushed(ColumnGroup group) {
+    Mechanism pushed = RandomForces.on(RandomTrees.driven(SEED, 4), SEED);
+    MechmlModel model = RandomEvents.on(pushed, SEED);
+    BuildOptions options = new BuildOptions("DTR", "auto", true, Set.of(group), SETTINGS);
+    return ModelFactory.compile(model, options, ModelFactory.generate(model, options));
+  }
+
+  /** The machine it runs on has nothing but the JAR. */
+  @ParameterizedTest
+  @EnumSource(names = {"REACTIONS", "FORCES", "MOMENTUM", "OUTPUTS"})
+  void aStandaloneJarPutsOutTheColumnsItWasBuiltWith(ColumnGroup group, @TempDir Path folder)
+      throws Exception {
+    Path jar = folder.resolve("p.jar");
+    Files.write(jar, ModelFactory.standaloneJar(pushed(group), "", Packing.SMALLEST).bytes());
+    Path rows = folder.resolve("rows.csv");
+    Process process =
+        new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-jar",
+                jar.toString(),
+                "--columns",
+                group.label(),
+                "--out",
+                rows.toString())
+            .redirectErrorStream(true)
+            .start();
+    String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertThat(process.waitFor()).as(said).isZero();
+    assertThat(Files.readAllLines(rows)).hasSizeGreaterThan(1);
+  }
+
+  @Test
+  void theClassesOfColumnsAreClassesOfTheSolver() {
+    assertThat(ColumnClasses.paths()).allSatisfy(p -> assertThat(SolverFiles.lean(p)).isNotNull());
+  }
+
+  /** Components are listed for those who take records apart, which data are read by alone. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void recordsListTheirComponentsWhereDataAreRead(boolean compact) throws IOException {
+    Map<String, byte[]> solver =
+        solverClasses(ModelFactory.standaloneJar(pendulum(compact), "", Packing.SMALLEST));
+    ClassNode settings = new ClassNode();
+    new ClassReader(solver.get(RunSettings.class.getName())).accept(settings, 0);
+    assertThat(settings.recordComponents != null).isEqualTo(compact);
+  }
+
+  private static List<String> entries(PackedJar jar) throws IOException {
+    List<String> names = new ArrayList<>();
+    try (JarInputStream stream = new JarInputStream(new ByteArrayInputStream(jar.bytes()))) {
+      for (JarEntry e = stream.getNextJarEntry(); e != null; e = stream.getNextJarEntry()) {
+        names.add(e.getName());
+      }
+    }
+    return names;
+  }
+
+  private static Set<String> solverOf(PackedJar jar) throws IOException {
+    return solverClasses(jar).keySet();
+  }
+
+  private static Map<String, byte[]> solverClasses(PackedJar jar) throws IOException {
+    Map<String, byte[]> classes = new TreeMap<>();
+    try (JarInputStream stream = new JarInputStream(new ByteArrayInputStream(jar.bytes()))) {
+      for (JarEntry e = stream.getNextJarEntry(); e != null; e = stream.getNextJarEntry()) {
+        if (e.getName().equals(Launcher.SOLVER)) {
+          Launcher.read(stream, classes);
+        }
+      }
+    }
+    return classes;
+  }
+}

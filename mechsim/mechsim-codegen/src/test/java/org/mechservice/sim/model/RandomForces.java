@@ -1,0 +1,204 @@
+package org.mechservice.sim.model;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.expression.BodyFrame;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.mechanism.force.Bushing;
+import org.mechservice.solver.mechanism.force.Contact;
+import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.ForceTorque;
+import org.mechservice.solver.mechanism.force.JointForce;
+import org.mechservice.solver.mechanism.force.JointFriction;
+import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.Side;
+import org.mechservice.solver.mechanism.force.SpringDamper;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+
+/** Random forces of every kind on a given tree. */
+final class RandomForces {
+  private static final List<Side> SIDES = List.of(Side.values());
+
+  private final Random random;
+  private final Mechanism tree;
+  private final List<ForceElement> forces = new ArrayList<>();
+
+  private RandomForces(long seed, Mechanism tree) {
+    this.random = new Random(seed);
+    this.tree = tree;
+  }
+
+  /** Returns the tree with some forces of each kind. */
+  static Mechanism on(Mechanism tree, long seed) {
+    return of(ForceElement.class, tree, seed);
+  }
+
+  /** Returns the tree with some forces of a kind. */
+  static Mechanism of(Class<? extends ForceElement> kind, Mechanism tree, long seed) {
+    RandomForces forces = new RandomForces(seed, tree);
+    for (int round = 0; round < 2; round++) {
+      forces.addOneOfEach();
+    }
+    return new Mechanism(
+        "forced" + seed,
+        tree.root(),
+        tree.gravity(),
+        tree.bodies(),
+        tree.joints(),
+        tree.motions(),
+        tree.startRoles(),
+        List.of(),
+        forces.forces.stream().filter(kind::isInstance).toList(),
+        List.of());
+  }
+
+  private void addOneOfEach() {
+    Side side = SIDES.get(random.nextInt(3));
+    Expression preload = side == Side.BOTH ? number(5) : Expression.ZERO;
+    Expression eps = random.nextBoolean() ? Expression.ZERO : positive(0.1);
+    forces.add(
+        new SpringDamper(
+            name(),
+            point(),
+            point(),
+            positive(100),
+            positive(3),
+            positive(0.5),
+            preload,
+            side,
+            eps,
+            Origin.NONE));
+    forces.add(bushing());
+    forces.add(contact());
+    forces.add(
+        new ForceTorque(
+            name(),
+            point(),
+            random.nextBoolean() ? ForceTorque.Axes.WORLD : ForceTorque.Axes.BODY,
+            List.of(formula(), number(2), formula(), number(1), formula(), Expression.ZERO),
+            Origin.NONE));
+    coordinates(true)
+        .forEach(
+            c ->
+                forces.add(
+                    new JointSpringDamper(
+                        name(),
+                        c,
+                        positive(20),
+                        positive(2),
+                        number(0.3),
+                        preload,
+                        side,
+                        eps,
+                        Origin.NONE)));
+    coordinates(false)
+        .forEach(
+            c -> {
+              forces.add(
+                  new JointFriction(
+                      name(), c, positive(2), positive(1), positive(0.1), Origin.NONE));
+              forces.add(new JointForce(name(), c, formula(), Origin.NONE));
+            });
+  }
+
+  /** Returns one coordinate of a random joint that has any: a position, or a velocity. */
+  private List<JointCoordinate> coordinates(boolean position) {
+    for (int tries = 0; tries < 20; tries++) {
+      int joint = random.nextInt(tree.joints().size());
+      JointType type = tree.joints().get(joint).type();
+      int euler = position && type.hasEulerParameters() ? 4 : 0;
+      int count = (position ? type.positionCount() : type.velocityCount()) - euler;
+      if (count > 0) {
+        return List.of(new JointCoordinate(joint, euler + random.nextInt(count)));
+      }
+    }
+    return List.of();
+  }
+
+  private ForceElement bushing() {
+    List<Expression> stiffness = new ArrayList<>();
+    List<Expression> damping = new ArrayList<>();
+    List<Expression> preload = new ArrayList<>();
+    for (int i = 0; i < 36; i++) {
+      stiffness.add(i % 7 == 0 ? positive(50) : random.nextBoolean() ? number(5) : Expression.ZERO);
+      damping.add(i % 7 == 0 ? positive(2) : Expression.ZERO);
+    }
+    for (int i = 0; i < 6; i++) {
+      preload.add(number(3));
+    }
+    Bushing.Law law = random.nextBoolean() ? Bushing.Law.ENERGY : Bushing.Law.LINEAR;
+    return new Bushing(name(), frame(), frame(), stiffness, damping, preload, law, Origin.NONE);
+  }
+
+  private ForceElement contact() {
+    Expression x = new Expression.Argument();
+    Expression bump =
+        new Expression.Product(
+            positive(0.2),
+            new Expression.Call(Function.SIN, List.of(new Expression.Product(number(2), x))));
+    return new Contact(
+        name(),
+        point(),
+        positive(0.3),
+        frame(),
+        random.nextBoolean() ? Expression.ZERO : bump,
+        positive(100),
+        positive(3),
+        Expression.of(random.nextBoolean() ? 1 : 1.5),
+        positive(0.2),
+        random.nextBoolean() ? Expression.ZERO : positive(0.5),
+        positive(0.1),
+        Origin.NONE);
+  }
+
+  /** A formula of time, a coordinate, a point's place and a point's velocity. */
+  private Expression formula() {
+    Expression t = new Expression.Time();
+    Expression place = new Expression.PointPosition(point(), random.nextInt(3));
+    Expression speed = new Expression.PointVelocity(point(), random.nextInt(3));
+    Expression sum = new Expression.Sum(new Expression.Product(number(1), place), speed);
+    for (JointCoordinate c : coordinates(true)) {
+      sum = new Expression.Sum(sum, new Expression.CoordinatePosition(c));
+    }
+    return new Expression.Sum(
+        new Expression.Call(Function.TANH, List.of(sum)),
+        new Expression.Call(Function.COS, List.of(new Expression.Product(t, number(3)))));
+  }
+
+  private String name() {
+    return "f" + forces.size();
+  }
+
+  private BodyPoint point() {
+    return new BodyPoint(random.nextInt(-1, tree.bodies().size()), vector().times(0.4));
+  }
+
+  private BodyFrame frame() {
+    Rotation axes =
+        random.nextInt(3) == 0
+            ? Rotation.IDENTITY
+            : Rotation.about(vector().normalized(), 2 * random.nextDouble());
+    return new BodyFrame(random.nextInt(-1, tree.bodies().size()), vector().times(0.4), axes);
+  }
+
+  private Vector3 vector() {
+    return new Vector3(
+        2 * random.nextDouble() - 1, 2 * random.nextDouble() - 1, 0.1 + random.nextDouble());
+  }
+
+  private Expression number(double size) {
+    return Expression.of(size * (2 * random.nextDouble() - 1));
+  }
+
+  private Expression positive(double size) {
+    return Expression.of(size * (0.2 + random.nextDouble()));
+  }
+}

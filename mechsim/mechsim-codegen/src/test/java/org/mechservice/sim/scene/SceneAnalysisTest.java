@@ -1,0 +1,61 @@
+package org.mechservice.sim.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.mechservice.sim.model.RandomTrees;
+import org.mechservice.sim.model.Scenes;
+import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.spatial.Vector3;
+
+class SceneAnalysisTest {
+  private static Mechanism withLastBody(Body body) {
+    Mechanism pendulum = Scenes.pendulum();
+    List<Body> bodies = new ArrayList<>(pendulum.bodies());
+    bodies.set(4, body);
+    return new Mechanism("changed", pendulum.root(), pendulum.gravity(), bodies, pendulum.joints());
+  }
+
+  @Test
+  void everyJointOfATreeIsInTheRoadmapOnce() {
+    Mechanism tree = RandomTrees.tree(3, 12);
+    SceneAnalysis scene = SceneAnalysis.of(tree);
+    assertThat(scene.degreesOfFreedom()).isEqualTo(12);
+    assertThat(scene.roadmap()).extracting(RoadmapEntry::position).doesNotHaveDuplicates();
+    assertThat(scene.roadmap())
+        .extracting(RoadmapEntry::joint)
+        .containsExactlyElementsOf(tree.joints().stream().map(joint -> joint.name()).toList());
+  }
+
+  @Test
+  void branchesAreDrawnBelowTheirBody() {
+    assertThat(TreeDrawing.of(Scenes.timingModel("driver41").mechanism()))
+        .hasSize(42)
+        .startsWith(
+            "Ground", "+- j_pelvis (P): pelvis, 11 kg", "   +- j_lumb_y (R): lumb_y, massless")
+        .contains("   +- j_rhip_y (R): rhip_y, massless");
+  }
+
+  @Test
+  void aJointThatMovesNoMassIsFound() {
+    Origin origin = new Origin("p.xml", 12);
+    Body nothing = new Body("tip", 0, Vector3.ZERO, InertiaTensor.ZERO, origin);
+    assertThat(SceneAnalysis.of(withLastBody(nothing)).findings())
+        .extracting(Finding::toString)
+        .containsExactly(
+            "S-086 joint \"j5\" moves body \"tip\" and nothing beyond it that has mass: its"
+                + " acceleration is not defined; give a body there mass and inertia, or leave the"
+                + " joint out");
+  }
+
+  @Test
+  void slenderAndRoundBodiesAreNotFound() {
+    assertThat(SceneAnalysis.of(Scenes.pendulum()).findings()).isEmpty();
+    assertThat(SceneAnalysis.of(Scenes.timingModel("driver41").mechanism()).findings()).isEmpty();
+  }
+}

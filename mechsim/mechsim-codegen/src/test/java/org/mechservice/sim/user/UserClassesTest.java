@@ -1,0 +1,196 @@
+package org.mechservice.sim.user;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.mechservice.mechml.Diagnostic;
+import org.mechservice.mechml.MechmlException;
+import org.mechservice.mechml.MechmlReader;
+import org.mechservice.solver.api.UserForce;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/** What classes of users have to be before they are let in. */
+class UserClassesTest {
+  private static final Mechanism CART = cart();
+
+  private static Mechanism cart() {
+    try {
+      return MechmlReader.read("pushed.xml", PushedCart.file()).mechanism();
+    } catch (MechmlException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private static List<Diagnostic> refused(UserFile... files) {
+    return catchThrowableOfType(
+            MechmlException.class, () -> UserClasses.admit(CART, List.of(files), true))
+        .diagnostics();
+  }
+
+  private static String only(List<Diagnostic> said) {
+    assertThat(said).hasSize(1);
+    return said.get(0).toString();
+  }
+
+  @Test
+  void sourceBecomesAClassThatImplementsTheForce() throws Exception {
+    UserClasses classes =
+        UserClasses.admit(CART, List.of(PushedCart.asSource(PushedCart.source())), true);
+    assertThat(classes.loader().loadClass("car.Push").getConstructor().newInstance())
+        .isInstanceOf(UserForce.class);
+  }
+
+  @Test
+  void admittingLoadsNothing() throws Exception {
+    System.clearProperty(PushedCart.TRACE);
+    UserClasses classes =
+        UserClasses.admit(CART, List.of(PushedCart.asSource(PushedCart.source())), true);
+    assertThat(System.getProperty(PushedCart.TRACE)).isNull();
+    classes.loader().loadClass("car.Push").getConstructor().newInstance();
+    assertThat(System.clearProperty(PushedCart.TRACE)).isEqualTo("yes");
+  }
+
+  @Test
+  void loadedClassSeesTheForceInterfaceAndNothingElseOfTheProcess() throws Exception {
+    UserClasses classes =
+        UserClasses.admit(CART, List.of(PushedCart.asSource(PushedCart.source())), true);
+    assertThat(
+            catchThrowableOfType(
+                ClassNotFoundException.class,
+                () -> classes.loader().loadClass("org.mechservice.solver.mechanism.Mechanism")))
+        .isNotNull();
+  }
+
+  @Test
+  void missingClassIsNamedByItsFile() {
+    Diagnostic said = refused().get(0);
+    assertThat(said.code()).isEqualTo("S-121");
+    assertThat(said.file()).isEqualTo("car/Push.class");
+    assertThat(said.message()).startsWith("force \"push\" (pushed.xml:");
+  }
+
+  @Test
+  void classThatASourceUsesIsAskedForToo() {
+    String text = PushedCart.source().replace("(slide, 3)", "(slide, Strength.of())");
+    assertThat(refused(PushedCart.asSource(text)).get(0).file()).isEqualTo("car/Strength.class");
+  }
+
+  @Test
+  void classThatAClassFileUsesIsAskedForToo() {
+    String text =
+        PushedCart.source()
+            .replace("(slide, 3)", "(slide, Strength.of())")
+            .replace(
+                "public class", "class Strength { static int of() { return 3; } } public class");
+    assertThat(refused(PushedCart.compiled("Push", text, "17")).get(0).file())
+        .isEqualTo("car/Strength.class");
+  }
+
+  @Test
+  void compilersWordIsGivenWithItsPlace() {
+    String text = PushedCart.source().replace("loads.addJointForce", "loads.pushWith");
+    assertThat(only(refused(PushedCart.asSource(text))))
+        .startsWith("car/Push.java:20:10: S-123 cannot find symbol; symbol:   method pushWith");
+  }
+
+  @Test
+  void sourceSeesNoMoreOfTheProductThanTheInterface() {
+    String text =
+        PushedCart.source()
+            .replace("package car;", "package car; import org.mechservice.solver.linear.*;");
+    assertThat(only(refused(PushedCart.asSource(text))))
+        .contains("S-123 package org.mechservice.solver.linear does not exist");
+  }
+
+  @Test
+  void sourceSeesNoModuleOfJavaButItsBase() {
+    String text = PushedCart.source().replace("package car;", "package car; import java.sql.*;");
+    assertThat(only(refused(PushedCart.asSource(text)))).contains("S-123", "java.sql");
+  }
+
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "implements UserForce | implements Runnable | does not implement",
+        "public class | class | is not public",
+        "public class | public abstract class | is abstract",
+        "private int slide; | private int slide; Push(int x) {} | has no public constructor",
+      })
+  @ParameterizedTest
+  void classThatCannotBeTheForceSaysWhy(String from, String to, String why) {
+    String text = PushedCart.source().replace(from, to);
+    String complete =
+        to.contains("Runnable")
+            ? text.replace("private int", "public void run() {} private int")
+            : text;
+    assertThat(only(refused(PushedCart.asSource(complete))))
+        .startsWith("car.Push: S-068 force \"push\" (pushed.xml:")
+        .contains(why);
+  }
+
+  @Test
+  void otherPackageInsideTheFileIsRefused() {
+    String text = PushedCart.source().replace("package car;", "package bus;");
+    assertThat(only(refused(PushedCart.asSource(text))))
+        .contains("S-124")
+        .contains("what came is bus.Push");
+  }
+
+  @Test
+  void packagesOfTheProductAreTaken() {
+    UserFile intruder =
+        new UserFile(
+            "X.java",
+            "package org.mechservice.solver.api; public class X {}"
+                .getBytes(StandardCharsets.UTF_8));
+    assertThat(refused(intruder).get(0).message()).contains("in a package of Java or MechService");
+  }
+
+  @Test
+  void classFileThatReachesBehindTheInterfaceIsRefused() {
+    String text =
+        PushedCart.source()
+            .replace(
+                "private int slide;",
+                "private int slide; Object o = new org.mechservice.solver.linear.DenseLu(3);");
+    assertThat(only(refused(PushedCart.compiled("Push", text, "17"))))
+        .contains("S-124")
+        .contains("not part of the force interface");
+  }
+
+  @Test
+  void damagedClassFilesAreRefusedWhateverTheDamage() {
+    byte[] good = PushedCart.compiled("Push", PushedCart.source(), "17").content();
+    for (int cut = 0; cut < good.length; cut += 7) {
+      byte[] bad = java.util.Arrays.copyOf(good, cut);
+      assertThat(refused(new UserFile("car/Push.class", bad)).get(0).code()).isEqualTo("S-124");
+    }
+  }
+
+  @Test
+  void classOfANewerJavaIsRefusedWithTheWayOut() {
+    byte[] file = PushedCart.compiled("Push", PushedCart.source(), "17").content().clone();
+    file[7] = 65;
+    assertThat(only(refused(new UserFile("car/Push.class", file))))
+        .contains("compiled for Java 21")
+        .contains("--release 17");
+  }
+
+  @Test
+  void fileOfNoKnownKindIsRefused() {
+    assertThat(refused(new UserFile("../car/Push.class", new byte[0])).get(0).code())
+        .isEqualTo("S-124");
+  }
+
+  @Test
+  void sourceThatIsTooMuchForTheCompilerIsRefused() {
+    String deep = "(".repeat(100_000) + "3" + ")".repeat(100_000);
+    String text = PushedCart.source().replace("(slide, 3)", "(slide, " + deep + ")");
+    assertThat(refused(PushedCart.asSource(text)).get(0).code()).isEqualTo("S-123");
+  }
+}

@@ -1,0 +1,196 @@
+package org.mechservice.sim.worker;
+
+import java.io.BufferedOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.util.List;
+import java.util.Optional;
+import java.util.ServiceLoader;
+import java.util.concurrent.Semaphore;
+import org.mechservice.sim.compile.ModelClassLoader;
+import org.mechservice.sim.user.UserClasses;
+import org.mechservice.solver.api.Checkpoints;
+import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.api.Variable;
+
+/** A worker: computes the one run it is told to, and ends. */
+public final class WorkerMain implements ResultSink {
+  // From the worker
+  static final byte COLUMNS = 'C';
+  static final byte ROW = 'R';
+  static final byte STEP = 'P';
+  static final byte WAIT = 'W';
+  static final byte CHECKPOINT = 'K';
+  static final byte END = 'E';
+  static final byte REFUSED = 'X';
+  // To the worker
+  static final byte GO_ON = 'G';
+  static final byte STOP = 'S';
+  static final byte SAVE = 'V';
+
+  private final DataInputStream in;
+  private final DataOutputStream out;
+  private final AskingControl control = new AskingControl();
+  private final Semaphore answers = new Semaphore(0);
+  private volatile byte answer;
+
+  private WorkerMain(InputStream in, OutputStream out) {
+    this.in = new DataInputStream(in);
+    this.out = new DataOutputStream(new BufferedOutputStream(out));
+  }
+
+  /** Computes what standard input says; rows and result go to standard output. */
+  public static void main(String[] arguments) throws IOException {
+    OutputStream out = System.out;
+    // Nothing a class prints may get between the messages.
+    System.setOut(new PrintStream(OutputStream.nullOutputStream(), false, "US-ASCII"));
+    new WorkerMain(System.in, out).work();
+    Runtime.getRuntime().halt(0);
+  }
+
+  private void work() throws IOException {
+    WorkerOrder order = WorkerOrder.read(in);
+    CheckpointOrder checkpoints = CheckpointOrder.read(in);
+    Thread listener = new Thread(this::listen, "orders");
+    listener.setDaemon(true);
+    listener.start();
+    try {
+      RunReport report = run(order, new SentCheckpoints(checkpoints));
+      out.writeByte(END);
+      new WorkerResult(report.asMap(), report.outcome()).write(out);
+    } catch (IllegalArgumentException e) {
+      out.writeByte(REFUSED);
+      out.writeUTF(String.valueOf(e.getMessage()));
+    }
+    out.flush();
+  }
+
+  private RunReport run(WorkerOrder order, Checkpoints checkpoints) throws IOException {
+    Solver solver =
+        ServiceLoader.load(Solver.class, WorkerMain.class.getClassLoader())
+            .findFirst()
+            .orElseThrow(() -> new IllegalStateException("no solver on the class path"));
+    ClassLoader classes =
+        new ModelClassLoader(order.classFiles(), UserClasses.loaderOf(order.userClassFiles()));
+    try {
+      ModelSource source =
+          ModelSource.from(classes.loadClass(order.className()).getConstructor().newInstance());
+      return solver.run(source.model(order.values()), order.request(), this, control, checkpoints);
+    } catch (ReflectiveOperationException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  /** Asks the host after every step whether to go on, and waits for the answer. */
+  private final class AskingControl extends RunControl {
+    /** Whether the host has let the run go on from the present step already. */
+    private boolean letGo;
+
+    /** Returns whether the host wants a checkpoint of this step before it is asked to go on. */
+    @Override
+    public boolean holdsAt(double time, double stepSize, int order, long steps) {
+      boolean save = ask(STEP, time, stepSize, order, steps) == SAVE && !stopRequested();
+      letGo = !save;
+      return save;
+    }
+
+    @Override
+    public boolean proceed(double time, double stepSize, int order, long steps) {
+      if (!letGo) {
+        ask(WAIT, time, stepSize, order, steps);
+      }
+      letGo = false;
+      return !stopRequested();
+    }
+
+    private byte ask(byte kind, double time, double stepSize, int order, long steps) {
+      try {
+        out.writeByte(kind);
+        out.writeDouble(time);
+        out.writeDouble(stepSize);
+        out.writeInt(order);
+        out.writeLong(steps);
+        out.flush();
+      } catch (IOException e) {
+        stop(); // nobody listens any more
+        return STOP;
+      }
+      answers.acquireUninterruptibly();
+      return answer;
+    }
+  }
+
+  /** Leaves checkpoints where the host wants them. */
+  private final class SentCheckpoints implements Checkpoints {
+    private final CheckpointOrder order;
+
+    SentCheckpoints(CheckpointOrder order) {
+      this.order = order;
+    }
+
+    @Override
+    public String modelHash() {
+      return order.modelHash();
+    }
+
+    /** {@inheritDoc} Finite: where the control holds the run, and where it is stopped. */
+    @Override
+    public double secondsBetween() {
+      return order.possible() ? Double.MAX_VALUE : Double.POSITIVE_INFINITY;
+    }
+
+    @Override
+    public Optional<byte[]> saved() {
+      return order.saved();
+    }
+
+    @Override
+    public void keep(byte[] checkpoint) throws IOException {
+      out.writeByte(CHECKPOINT);
+      out.writeInt(checkpoint.length);
+      out.write(checkpoint);
+    }
+  }
+
+  /** Whoever gave the order may stop it at any time; when he is gone, nobody wants it any more. */
+  private void listen() {
+    try {
+      for (int order = in.read(); order >= 0; order = in.read()) {
+        if (order == STOP) {
+          control.stop();
+        }
+        answer = (byte) order;
+        answers.release();
+      }
+    } catch (IOException e) {
+      // The same as the end of the stream.
+    }
+    Runtime.getRuntime().halt(1);
+  }
+
+  @Override
+  public void begin(List<Variable> columns) throws IOException {
+    out.writeByte(COLUMNS);
+    out.writeInt(columns.size());
+    for (Variable column : columns) {
+      out.writeUTF(column.name());
+      out.writeUTF(column.unit());
+    }
+  }
+
+  @Override
+  public void row(double[] values) throws IOException {
+    out.writeByte(ROW);
+    for (double value : values) {
+      out.writeDouble(value);
+    }
+  }
+}

@@ -1,9 +1,0 @@
-package org.mechservice.sim.build;
-
-/**
- * The source of a generated class.
- *
- * @param className fully qualified
- * @param text formatted
- */
-public record SourceFile(String className, String text) {}

@@ -1,5 +1,0 @@
-/** From the source of a model to its class file, in memory. */
-@NullMarked
-package org.mechservice.sim.build.javac;
-
-import org.jspecify.annotations.NullMarked;

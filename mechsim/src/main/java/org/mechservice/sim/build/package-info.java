@@ -1,5 +1,0 @@
-/** From a mechanism to a generated class, its compiled form and the JARs that carry it. */
-@NullMarked
-package org.mechservice.sim.build;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,9 +1,0 @@
-/**
- * Classes that users have written for their forces: the one place where they are admitted ({@link
- * org.mechservice.sim.build.user.UserClasses#admit}) and the one where they are loaded ({@link
- * org.mechservice.sim.build.user.UserClasses#loader}).
- */
-@NullMarked
-package org.mechservice.sim.build.user;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,17 @@
+package org.mechservice.solver.ode;
+
+import java.util.List;
+
+/**
+ * A problem whose equations jump at known places. Implemented beside {@link OdeSystem} or {@link
+ * ResidualSystem}.
+ *
+ * <p>A step ends exactly at each place, and the next one begins there anew at order 1. The
+ * equations are never evaluated at the place itself but one rounding unit before it for the steps
+ * that lead there and one after it for those that follow, so that it does not matter which of the
+ * two values they have at the jump.
+ */
+public interface PiecewiseSystem {
+  /** Returns the places, in any order; those outside of the interval are left alone. */
+  List<Double> breakpoints();
+}

@@ -1,0 +1,45 @@
+package org.mechservice.solver.ode;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/** Counts which components made steps be tried again, shorter. */
+final class StepLimits {
+  private double[] inaccurate = {};
+  private double[] unsolved = {};
+
+  void begin(int dimension) {
+    inaccurate = new double[dimension];
+    unsolved = new double[dimension];
+  }
+
+  /**
+   * Takes note of a rejected step.
+   *
+   * @param component −1 if none can be named
+   */
+  void rejected(Attempt attempt, int component) {
+    if (component >= 0) {
+      (attempt == Attempt.TOO_INACCURATE ? inaccurate : unsolved)[component]++;
+    }
+  }
+
+  /** Returns the components that were named, those named most often first. */
+  List<IntegrationStatistics.Limit> list() {
+    List<IntegrationStatistics.Limit> limits = new ArrayList<>();
+    for (int l = 0; l < inaccurate.length; l++) {
+      if (inaccurate[l] + unsolved[l] > 0) {
+        limits.add(new IntegrationStatistics.Limit(l, (long) inaccurate[l], (long) unsolved[l]));
+      }
+    }
+    limits.sort(Comparator.comparingLong(limit -> -limit.inaccurate() - limit.unsolved()));
+    return limits;
+  }
+
+  /** Carries the counts over. */
+  void transfer(StateTransfer state) {
+    state.numbers(inaccurate);
+    state.numbers(unsolved);
+  }
+}

@@ -1,0 +1,68 @@
+package org.mechservice.solver.ode;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** What the Adams methods do beyond every integrator. */
+abstract class AdamsContract extends IntegratorContract {
+  /** One to two digits. */
+  @Override
+  double accumulation() {
+    return 100;
+  }
+
+  @Override
+  double notFiniteReduction() {
+    return 0.25;
+  }
+
+  /** A block on a spring with friction as a jump: once at rest, it would have to stay there. */
+  @Test
+  void slidingAlongAJumpEndsTheRunInsteadOfCrossingItForEver() {
+    Ode dry =
+        new Ode(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = y[1];
+              yDot[1] = -Math.signum(y[1]) - y[0];
+            });
+    Run run = Run.of(create(1e-8), dry, 0, new double[] {3.3, 0}, 20);
+    assertThat(run.result()).isEqualTo(StepResult.FAILED);
+    assertThat(run.integrator().failure().cause())
+        .isEqualTo(IntegrationFailure.Cause.STEP_TOO_SMALL);
+    assertThat(run.integrator().time()).isCloseTo(2 * Math.PI, within(1e-3));
+    assertThat(run.atEnd()).containsExactly(new double[] {-0.7, 0}, within(1e-4));
+    assertThat(run.statistics().evaluations()).isLessThan(100_000);
+  }
+
+  @Test
+  void stepsGrowWithTheSeventhRootOfTheToleranceAtOrderSix() {
+    assertStepsGrowWithTheRootOfTheTolerance(6);
+  }
+
+  @Test
+  void roundOffDoesNotAccumulateAtTightTolerances() {
+    // 100 000 steps of 1e-3, each adding 1e-4 to a million: added plainly, every sum is wrong by up
+    // to half an ulp in the same direction, some 1e-6 in the end. Carried along, it stays at an
+    // ulp.
+    Ode steady = new Ode(1, (t, y, yDot) -> yDot[0] = 0.1);
+    IntegratorSettings settings =
+        new IntegratorSettings(5e-14, List.of(5e-14), 1e-3, 0, 0, Long.MAX_VALUE, () -> false);
+    Run run = Run.of(create(settings), steady, 0, new double[] {1e6}, 100);
+    assertThat(run.statistics().steps()).isGreaterThanOrEqualTo(100_000);
+    assertThat(run.atEnd()[0]).isCloseTo(1e6 + 10, within(4 * Math.ulp(1e6)));
+  }
+
+  @Test
+  void noEquationsAreSolved() {
+    IntegrationStatistics statistics =
+        Run.of(create(1e-6), new Ode(1, (t, y, yDot) -> yDot[0] = -y[0]), 0, new double[] {1}, 1)
+            .statistics();
+    assertThat(statistics.jacobians()).isZero();
+    assertThat(statistics.factorisations()).isZero();
+    assertThat(statistics.solutions()).isZero();
+  }
+}

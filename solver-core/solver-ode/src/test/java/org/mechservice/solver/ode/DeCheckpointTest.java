@@ -1,0 +1,8 @@
+package org.mechservice.solver.ode;
+
+class DeCheckpointTest extends CheckpointContract {
+  @Override
+  Integrator create(IntegratorSettings settings) {
+    return new De(settings);
+  }
+}

@@ -1,0 +1,251 @@
+package org.mechservice.solver.ode;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.mechservice.solver.ode.EventFunctions.Direction;
+import org.mechservice.solver.ode.EventFunctions.Reaction;
+
+/** Where events are found, and which, whatever the integrator. */
+abstract class EventLocationContract {
+  static final double GRAVITY = 9.81;
+
+  /** y'' = −y from (0, 1): sin t, cos t. */
+  static final Ode CIRCLE =
+      new Ode(
+          2,
+          (t, y, yDot) -> {
+            yDot[0] = y[1];
+            yDot[1] = -y[0];
+          });
+
+  /** Steps of at most 0.1. */
+  static final IntegratorSettings TENTH =
+      new IntegratorSettings(1e-6, List.of(1e-6), 0.1, 0, 0, Long.MAX_VALUE, () -> false);
+
+  static final Ode FALL =
+      new Ode(
+          2,
+          (t, y, yDot) -> {
+            yDot[0] = y[1];
+            yDot[1] = -GRAVITY;
+          });
+
+  abstract Integrator create(IntegratorSettings settings);
+
+  final Integrator create(double tolerance) {
+    return create(new IntegratorSettings(tolerance, tolerance));
+  }
+
+  /** Functions written down in a test, with a record of what occurred. */
+  static class Watch implements EventFunctions {
+    final List<Double> times = new ArrayList<>();
+    final List<List<Integer>> functions = new ArrayList<>();
+    private final int count;
+    private final Values values;
+    private final Direction direction;
+    private final Reaction reaction;
+    private double hysteresis;
+
+    interface Values {
+      void evaluate(double t, double[] y, double[] g);
+    }
+
+    Watch(int count, Direction direction, Reaction reaction, Values values) {
+      this.count = count;
+      this.direction = direction;
+      this.reaction = reaction;
+      this.values = values;
+    }
+
+    Watch withHysteresis(double band) {
+      hysteresis = band;
+      return this;
+    }
+
+    @Override
+    public int count() {
+      return count;
+    }
+
+    @Override
+    public void evaluate(double t, double[] y, double[] g) {
+      values.evaluate(t, y, g);
+    }
+
+    @Override
+    public Direction direction(int function) {
+      return direction;
+    }
+
+    @Override
+    public double hysteresis(int function) {
+      return hysteresis;
+    }
+
+    @Override
+    public Reaction occurred(double t, double[] y, boolean[] occurred) {
+      times.add(t);
+      List<Integer> which = new ArrayList<>();
+      for (int i = 0; i < occurred.length; i++) {
+        if (occurred[i]) {
+          which.add(i);
+        }
+      }
+      functions.add(which);
+      return reaction;
+    }
+  }
+
+  /** A ball that keeps a share of its speed at each bounce. */
+  static final class Bounces extends Watch {
+    private final double restitution;
+
+    Bounces(double restitution) {
+      super(1, Direction.FALLING, Reaction.RESTART, (t, y, g) -> g[0] = y[0]);
+      this.restitution = restitution;
+    }
+
+    @Override
+    public Reaction occurred(double t, double[] y, boolean[] occurred) {
+      y[1] = -restitution * y[1];
+      return super.occurred(t, y, occurred);
+    }
+  }
+
+  static Run run(EventIntegration integrator, OdeSystem system, double[] y0, double tEnd) {
+    return Run.of(integrator, system, 0, y0, tEnd);
+  }
+
+  // Location
+
+  @ParameterizedTest
+  @EnumSource(Direction.class)
+  void zerosOfTheLookedForDirectionAreFound(Direction direction) {
+    Watch zeros = new Watch(1, direction, Reaction.CONTINUE, (t, y, g) -> g[0] = y[0] - 0.5);
+    run(new EventIntegration(create(1e-10), zeros), CIRCLE, new double[] {0, 1}, 20);
+    List<Double> expected = new ArrayList<>();
+    for (int turn = 0; turn < 4; turn++) {
+      double first = StrictMath.asin(0.5) + 2 * Math.PI * turn;
+      double second = Math.PI - StrictMath.asin(0.5) + 2 * Math.PI * turn;
+      if (direction != Direction.FALLING && first < 20) {
+        expected.add(first);
+      }
+      if (direction != Direction.RISING && second < 20) {
+        expected.add(second);
+      }
+    }
+    assertThat(zeros.times).hasSameSizeAs(expected);
+    for (int i = 0; i < expected.size(); i++) {
+      assertThat(zeros.times.get(i)).isCloseTo(expected.get(i), within(1e-7));
+    }
+  }
+
+  @Test
+  void zeroOfTheInterpolatedSolutionIsLocatedToRoundOff() {
+    Watch zeros = new Watch(1, Direction.EITHER, Reaction.STOP, (t, y, g) -> g[0] = y[0] - 0.5);
+    EventIntegration integrator = new EventIntegration(create(TENTH), zeros);
+    integrator.start(CIRCLE, 0, new double[] {0, 1}, 20);
+    StepResult result = StepResult.ADVANCED;
+    while (result == StepResult.ADVANCED) {
+      result = integrator.step();
+    }
+    assertThat(result).isEqualTo(StepResult.REACHED_END);
+    double t = integrator.time();
+    double[] y = Run.state(integrator, t, 2);
+    double width = EventSearch.width(t, 0.1);
+    // |g| at the place reported: the slope is 0.87, and y is known to round-off.
+    assertThat(y[0] - 0.5).isBetween(0.0, width + 4 * Math.ulp(0.5));
+  }
+
+  @Test
+  void eventsOfFunctionsThatVanishTogetherAreReportedTogether() {
+    Watch zeros =
+        new Watch(
+            3,
+            Direction.EITHER,
+            Reaction.CONTINUE,
+            (t, y, g) -> {
+              g[0] = y[0] - 0.5;
+              g[1] = 7 * (0.5 - y[0]);
+              g[2] = y[1];
+            });
+    run(new EventIntegration(create(1e-8), zeros), CIRCLE, new double[] {0, 1}, 3);
+    assertThat(zeros.functions).containsExactly(List.of(0, 1), List.of(2), List.of(0, 1));
+  }
+
+  @Test
+  void eventsInsideOneStepComeInTheirOrder() {
+    // A constant solution takes steps of a tenth of the interval: three zeros in the second one.
+    Ode still = new Ode(1, (t, y, yDot) -> yDot[0] = 0);
+    Watch zeros =
+        new Watch(
+            3,
+            Direction.EITHER,
+            Reaction.CONTINUE,
+            (t, y, g) -> {
+              g[0] = t - 0.17;
+              g[1] = t - 0.13;
+              g[2] = (t - 0.15) * (t - 0.15) * (t - 0.15);
+            });
+    run(new EventIntegration(create(1e-6), zeros), still, new double[] {1}, 1);
+    assertThat(zeros.functions).containsExactly(List.of(1), List.of(2), List.of(0));
+    assertThat(zeros.times.get(0)).isCloseTo(0.13, within(1e-13));
+    assertThat(zeros.times.get(1)).isCloseTo(0.15, within(1e-13));
+    assertThat(zeros.times.get(2)).isCloseTo(0.17, within(1e-13));
+  }
+
+  @Test
+  void twoZerosOfAFunctionInsideOneLongStepAreBothFound() {
+    Ode still = new Ode(1, (t, y, yDot) -> yDot[0] = 0);
+    Watch zeros =
+        new Watch(
+            1, Direction.EITHER, Reaction.CONTINUE, (t, y, g) -> g[0] = (t - 0.52) * (t - 0.57));
+    run(new EventIntegration(create(TENTH), zeros), still, new double[] {1}, 1);
+    assertThat(zeros.times).hasSize(2);
+  }
+
+  @Test
+  void functionThatIsZeroAtTheStartHasNoEventThere() {
+    Watch zeros = new Watch(1, Direction.EITHER, Reaction.CONTINUE, (t, y, g) -> g[0] = y[0]);
+    run(new EventIntegration(create(1e-8), zeros), CIRCLE, new double[] {0, 1}, 4);
+    assertThat(zeros.times).hasSize(1);
+    assertThat(zeros.times.get(0)).isCloseTo(Math.PI, within(1e-6));
+  }
+
+  @Test
+  void functionThatIsZeroAllTheTimeHasNoEvent() {
+    Watch zeros = new Watch(1, Direction.EITHER, Reaction.CONTINUE, (t, y, g) -> g[0] = 0);
+    run(new EventIntegration(create(1e-8), zeros), CIRCLE, new double[] {0, 1}, 4);
+    assertThat(zeros.times).isEmpty();
+  }
+
+  @Test
+  void wiggleInsideTheHysteresisIsOneEvent() {
+    // Crosses 0 many times near t = 1, never farther than 0.02 on the way.
+    Watch.Values wiggle = (t, y, g) -> g[0] = t - 1 + 0.02 * StrictMath.sin(200 * t);
+    Ode still = new Ode(1, (t, y, yDot) -> yDot[0] = 0);
+    IntegratorSettings fine =
+        new IntegratorSettings(1e-6, List.of(1e-6), 1e-3, 0, 0, Long.MAX_VALUE, () -> false);
+    Watch all = new Watch(1, Direction.EITHER, Reaction.CONTINUE, wiggle);
+    run(new EventIntegration(create(fine), all), still, new double[] {1}, 2);
+    assertThat(all.times).hasSizeGreaterThan(2);
+    Watch one = new Watch(1, Direction.EITHER, Reaction.CONTINUE, wiggle).withHysteresis(0.045);
+    run(new EventIntegration(create(fine), one), still, new double[] {1}, 2);
+    assertThat(one.times).hasSize(1);
+  }
+
+  @Test
+  void eventsAreFoundBackwardsInTime() {
+    Watch zeros = new Watch(1, Direction.EITHER, Reaction.CONTINUE, (t, y, g) -> g[0] = y[0] - 0.5);
+    Run.of(new EventIntegration(create(1e-10), zeros), CIRCLE, 0, new double[] {0, 1}, -8);
+    assertThat(zeros.times).hasSize(2);
+    assertThat(zeros.times.get(0)).isCloseTo(-Math.PI - Math.PI / 6, within(1e-7));
+    assertThat(zeros.times.get(1)).isCloseTo(-2 * Math.PI + Math.PI / 6, within(1e-7));
+  }
+}

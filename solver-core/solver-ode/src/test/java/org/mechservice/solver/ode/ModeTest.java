@@ -1,0 +1,155 @@
+package org.mechservice.solver.ode;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.ode.IntegratorSettings.Mode;
+import org.mechservice.solver.ode.suite.SuiteProblem;
+
+/** What the modes promise beyond, or in spite of, the published programs. */
+class ModeTest {
+  /** Runs of a method over problems and tolerances: digits delivered, and cost. */
+  private record Runs(int count, int withDigitsLessOne, double logEvaluations) {
+    static Runs of(IntegratorFactory integrators, List<SuiteProblem> problems, Mode mode) {
+      int count = 0;
+      int delivered = 0;
+      double cost = 0;
+      for (SuiteProblem problem : problems) {
+        for (int k = 3; k <= 10; k++) {
+          IntegratorSettings settings = Run.settings(problem, StrictMath.pow(10, -k));
+          Run run = Run.of(integrators.create(settings.withMode(mode)), problem);
+          double digits = problem.reference().mixedDigits(run.atEnd(), problem.reference().atEnd());
+          count++;
+          delivered += digits >= k - 1 ? 1 : 0;
+          cost += StrictMath.log((double) run.statistics().evaluations());
+        }
+      }
+      return new Runs(count, delivered, cost);
+    }
+
+    double share() {
+      return (double) withDigitsLessOne / count;
+    }
+
+    /** Returns the geometric mean of the evaluations relative to those of other runs. */
+    double costRelativeTo(Runs other) {
+      return StrictMath.exp((logEvaluations - other.logEvaluations) / count);
+    }
+  }
+
+  static Stream<Named<IntegratorFactory>> adamsMethods() {
+    return Stream.of(Named.of("ode113", Ode113::new), Named.of("DE", De::new));
+  }
+
+  @ParameterizedTest
+  @MethodSource("adamsMethods")
+  void adamsMethodsDeliverTheDigitsAskedForLessOneInAccurateMode(IntegratorFactory method) {
+    List<SuiteProblem> problems = SuiteProblem.nonstiff();
+    Runs accurate = Runs.of(method, problems, Mode.ACCURATE);
+    assertThat(accurate.share()).isGreaterThanOrEqualTo(0.70);
+    assertThat(accurate.costRelativeTo(Runs.of(method, problems, Mode.STANDARD)))
+        .isLessThanOrEqualTo(1.35);
+  }
+
+  @Test
+  void ode15sDeliversTheDigitsAskedForLessOneInAccurateMode() {
+    List<SuiteProblem> problems = SuiteProblem.stiff();
+    Runs accurate = Runs.of(Ode15s::new, problems, Mode.ACCURATE);
+    assertThat(accurate.share()).isGreaterThanOrEqualTo(0.80);
+    assertThat(accurate.costRelativeTo(Runs.of(Ode15s::new, problems, Mode.STANDARD)))
+        .isLessThanOrEqualTo(1.6);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-3, 1e-6, 1e-9, 1e-12})
+  void standardModeOfTheAdamsMethodsIsFaithfulWhereNothingJumps(double tolerance) {
+    for (IntegratorFactory integrators : List.<IntegratorFactory>of(Ode113::new, De::new)) {
+      for (SuiteProblem problem : SuiteProblem.nonstiff()) {
+        IntegratorSettings settings = Run.settings(problem, tolerance);
+        Run standard = Run.of(integrators.create(settings.withMode(Mode.STANDARD)), problem);
+        Run faithful = Run.of(integrators.create(settings.withMode(Mode.FAITHFUL)), problem);
+        assertThat(standard.atEnd()).as(problem.name()).isEqualTo(faithful.atEnd());
+        assertThat(standard.statistics()).isEqualTo(faithful.statistics());
+      }
+    }
+  }
+
+  @Test
+  void internalToleranceIsToldInSettingsAndStatistics() {
+    IntegratorSettings settings = new IntegratorSettings(1e-6, 1e-6);
+    assertThat(settings.toleranceFactor()).isEqualTo(1);
+    assertThat(settings.withMode(Mode.FAITHFUL).toleranceFactor()).isEqualTo(1);
+    IntegratorSettings accurate = settings.withMode(Mode.ACCURATE);
+    assertThat(accurate.toleranceFactor()).isEqualTo(0.05);
+    SuiteProblem problem = SuiteProblem.named("EulerRigidBody");
+    for (IntegratorFactory integrators :
+        List.<IntegratorFactory>of(Ode113::new, De::new, Ode15s::new, Ode15sR::new)) {
+      assertThat(Run.of(integrators.create(settings), problem).statistics().toleranceFactor())
+          .isEqualTo(1);
+      assertThat(Run.of(integrators.create(accurate), problem).statistics().toleranceFactor())
+          .isEqualTo(0.05);
+    }
+  }
+
+  @Test
+  void internalToleranceStaysAboveTheLimitOfTheArithmetic() {
+    IntegratorSettings tight = new IntegratorSettings(1e-13, 1e-13).withMode(Mode.ACCURATE);
+    assertThat(tight.toleranceFactor())
+        .isCloseTo(IntegratorSettings.SMALLEST_RELATIVE_TOLERANCE / 1e-13, within(1e-12));
+    Run run = Run.of(new Ode113(tight), SuiteProblem.named("EulerRigidBody"));
+    assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {3, 4, 5, 6, 7, 8, 9})
+  void undeclaredJumpsCostAtMost25RejectedStepsEach(int k) {
+    // Suite: step_force, not declared.
+    Ode pushed =
+        new Ode(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = y[1];
+              yDot[1] = (t >= 1 && t < 2 ? 50 : 0) - 0.4 * y[1] - 100 * y[0];
+            });
+    double tolerance = StrictMath.pow(10, -k);
+    IntegratorSettings standard = new IntegratorSettings(tolerance, tolerance);
+    List<Integrator> integrators =
+        List.of(
+            new Ode113(standard),
+            new De(standard),
+            new Ode15s(standard),
+            new Ode15sR(standard),
+            new Switching(standard),
+            new Ode15s(standard.withMode(Mode.ACCURATE)),
+            new Ode15sR(standard.withMode(Mode.ACCURATE)));
+    for (Integrator integrator : integrators) {
+      integrator.start(pushed, 0, new double[2], 5);
+      long atFirst = 0;
+      long atSecond = 0;
+      StepResult result = StepResult.ADVANCED;
+      while (result == StepResult.ADVANCED) {
+        long before = integrator.statistics().rejectedSteps();
+        double from = integrator.time();
+        result = integrator.step();
+        long rejected = integrator.statistics().rejectedSteps() - before;
+        atFirst += from < 1.1 ? rejected : 0;
+        atSecond += from >= 1.8 && from < 2.1 ? rejected : 0;
+      }
+      assertThat(atFirst).isLessThanOrEqualTo(25);
+      assertThat(atSecond).isLessThanOrEqualTo(25);
+      double[] atEnd = Run.state(integrator, 5, 2);
+      double worst =
+          Math.max(
+              Math.abs(atEnd[0] - 0.18039197239119287) / 1.18,
+              Math.abs(atEnd[1] - 4.400526629628046) / 5.4);
+      assertThat(-StrictMath.log10(worst)).isGreaterThanOrEqualTo(k - 2);
+    }
+  }
+}

@@ -1,0 +1,14 @@
+package org.mechservice.solver.ode;
+
+class Ode15sManifoldTest extends ManifoldContract {
+  @Override
+  Integrator create(IntegratorSettings settings) {
+    return new Ode15s(settings);
+  }
+
+  /** Low order: two to three times the steps of an Adams method, each with an error of one sign. */
+  @Override
+  double accumulation() {
+    return 5000;
+  }
+}

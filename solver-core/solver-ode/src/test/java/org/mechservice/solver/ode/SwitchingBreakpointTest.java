@@ -1,0 +1,8 @@
+package org.mechservice.solver.ode;
+
+class SwitchingBreakpointTest extends BreakpointContract {
+  @Override
+  Integrator create(IntegratorSettings settings) {
+    return new Switching(settings);
+  }
+}

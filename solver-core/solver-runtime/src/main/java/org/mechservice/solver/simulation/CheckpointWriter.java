@@ -1,0 +1,107 @@
+package org.mechservice.solver.simulation;
+
+import java.io.IOException;
+import java.util.Optional;
+import org.mechservice.solver.api.Checkpoints;
+import org.mechservice.solver.api.DependentStates;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelState;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.ode.StateTransfer;
+
+/** Leaves checkpoints on the way of a run, and takes one up that fits the run to the bit. */
+final class CheckpointWriter {
+  private static final double NANOSECONDS = 1e9;
+  private static final String AROUND_COMPONENTS = "[\\[\\], ]+";
+
+  private final Model model;
+  private final RunRequest request;
+  private final Checkpoints store;
+  private long lastAt = System.nanoTime();
+
+  /**
+   * @throws IllegalArgumentException if checkpoints are asked for and the model cannot be saved
+   */
+  CheckpointWriter(Model model, RunRequest request, Checkpoints store) {
+    this.model = model;
+    this.request = request;
+    this.store = store;
+    boolean asked = store.saved().isPresent() || Double.isFinite(store.secondsBetween());
+    if (asked && !canBeSaved(model)) {
+      throw new IllegalArgumentException(
+          "S-072 model \""
+              + model.description().name()
+              + "\" does not tell the state of its loops, so a run of it cannot be saved; run it"
+              + " without checkpoints");
+    }
+  }
+
+  /** Returns whether a run of a model can be taken up again with the same bits. */
+  static boolean canBeSaved(Model model) {
+    return !(model instanceof DependentStates) || model instanceof ModelState;
+  }
+
+  Optional<byte[]> saved() {
+    return store.saved();
+  }
+
+  /**
+   * Takes a checkpoint up.
+   *
+   * @throws IllegalArgumentException S-071 if it does not belong to this run
+   */
+  void restore(byte[] saved, StateTransfer.Part run) {
+    try {
+      StateTransfer.restore(saved, state -> transfer(state, run));
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException("S-071 " + e.getMessage(), e);
+    }
+  }
+
+  /**
+   * Keeps a checkpoint if the time has come.
+   *
+   * @param stands whether the run ends or is held here, perhaps to be taken up later
+   * @return whether it was due
+   */
+  boolean keepIfDue(boolean stands, StateTransfer.Part run) throws IOException {
+    double distance = store.secondsBetween();
+    double since = (System.nanoTime() - lastAt) / NANOSECONDS;
+    boolean due = since >= distance || (stands && Double.isFinite(distance));
+    if (due) {
+      store.keep(StateTransfer.save(state -> transfer(state, run)));
+      lastAt = System.nanoTime();
+    }
+    return due;
+  }
+
+  private void transfer(StateTransfer state, StateTransfer.Part run) {
+    state.require("model", model.description().name());
+    state.require("formulation", model.description().formulation());
+    state.require("hash of the model", store.modelHash());
+    state.require("solver version", SolverVersion.CURRENT);
+    requireSettings(state, request.settings().toString());
+    state.require("list of column groups", request.columns().stream().sorted().toList());
+    state.require("energy balance", request.maxDrift().isPresent() ? "watched" : "not watched");
+    run.transfer(state);
+  }
+
+  /**
+   * Settings are carried over as the text of their record, which in one version of the solver has
+   * the same components in the same order; those that differ are named.
+   */
+  private static void requireSettings(StateTransfer state, String here) {
+    String[] now = here.split(AROUND_COMPONENTS, -1);
+    String[] saved = state.text(here).split(AROUND_COMPONENTS, -1);
+    String different = "";
+    for (int i = 0; i < Math.min(now.length, saved.length); i++) {
+      if (!now[i].equals(saved[i])) {
+        different += ", " + now[i] + " instead of " + saved[i];
+      }
+    }
+    if (!different.isEmpty()) {
+      throw new IllegalArgumentException(
+          "the run has other settings than the saved state" + different);
+    }
+  }
+}

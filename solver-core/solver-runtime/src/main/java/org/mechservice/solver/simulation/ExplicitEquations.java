@@ -1,0 +1,31 @@
+package org.mechservice.solver.simulation;
+
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.OdeSystem;
+import org.mechservice.solver.ode.StepResult;
+
+/** A model in explicit form as the integrator sees it. */
+class ExplicitEquations extends ModelEquations implements OdeSystem {
+  private final ExplicitModel model;
+
+  ExplicitEquations(ExplicitModel model) {
+    super(model, model.description().stateCount());
+    this.model = model;
+  }
+
+  @Override
+  StepResult start(Integrator integrator, double t0, double[] y0, double tEnd) {
+    return integrator.start(this, t0, y0, tEnd);
+  }
+
+  @Override
+  StepResult resume(Integrator integrator, byte[] saved) {
+    return integrator.resume(this, saved);
+  }
+
+  @Override
+  public void derivative(double t, double[] y, double[] yDot) {
+    note(model.derivative(t, y, yDot), yDot);
+  }
+}

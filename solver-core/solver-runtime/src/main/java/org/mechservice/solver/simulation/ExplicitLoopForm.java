@@ -1,0 +1,57 @@
+package org.mechservice.solver.simulation;
+
+import org.mechservice.solver.api.DependentStates;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ProjectedStates;
+import org.mechservice.solver.ode.ProjectedSystem;
+
+/** y' = f(t, y) of mechanisms with closed loops. */
+public final class ExplicitLoopForm implements EquationForm {
+  @Override
+  public ModelEquations of(Model model) {
+    ExplicitModel explicit = ExplicitForm.explicit(model);
+    if (model instanceof DependentStates loops) {
+      return new InIndependentStates(explicit, loops);
+    }
+    return model instanceof ProjectedStates loops
+        ? new OnManifold(explicit, loops)
+        : new ExplicitEquations(explicit);
+  }
+
+  /** Loops closed by completing independent states. */
+  private static final class InIndependentStates extends ExplicitEquations
+      implements LoopCompletion {
+    private final DependentStates loops;
+
+    InIndependentStates(ExplicitModel model, DependentStates loops) {
+      super(model);
+      this.loops = loops;
+    }
+
+    @Override
+    public DependentStates loops() {
+      return loops;
+    }
+  }
+
+  /** Loops kept closed by projection. */
+  private static final class OnManifold extends ExplicitEquations implements ProjectedSystem {
+    private final ProjectedStates loops;
+
+    OnManifold(ExplicitModel model, ProjectedStates loops) {
+      super(model);
+      this.loops = loops;
+    }
+
+    @Override
+    public boolean project(double t, double[] y) {
+      return loops.project(beside(t), y);
+    }
+
+    @Override
+    public void projectionAccepted(double t, double[] y) {
+      loops.accepted(t, y);
+    }
+  }
+}

@@ -1,0 +1,283 @@
+package org.mechservice.solver.simulation;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.mechservice.solver.api.Defects;
+import org.mechservice.solver.api.DirectedForces;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.ode.Attempt;
+import org.mechservice.solver.ode.IntegrationFailure;
+import org.mechservice.solver.ode.Integrator;
+
+/** Says in the words of mechanics why a run could not go on. */
+final class FailureText {
+  /** Where times lie farther apart than this, s, steps cannot be short. */
+  private static final double COARSE = 1e-10;
+
+  private FailureText() {}
+
+  /**
+   * Explains a failure of the integrator.
+   *
+   * @param singularJoint joint at which the inertia was singular in the last evaluation, or {@link
+   *     ExplicitModel#REGULAR}
+   * @param event the event it may lie at; empty if none can be named
+   * @param motion of the state that keeps steps short, with a space behind it; empty if not known
+   */
+  static Failure of(
+      IntegrationFailure failure,
+      ModelDescription model,
+      int singularJoint,
+      String event,
+      String motion) {
+    return switch (failure.cause()) {
+      case NOT_FINITE ->
+          singularJoint == ExplicitModel.REGULAR
+              ? failure(
+                  "N-001",
+                  "The accelerations are not finite.",
+                  failure,
+                  state(model, failure.worstComponent()),
+                  "Check masses, inertias and forces for values that are zero, huge or opposite.")
+              : singularInertia(
+                  failure.time(), failure.stepSize(), failure.order(), model, singularJoint);
+      case STEP_TOO_SMALL ->
+          failure(
+              "N-003",
+              "The error test fails however small the step.",
+              failure,
+              state(model, failure.worstComponent()),
+              Math.ulp(failure.time()) > COARSE
+                  ? "Times this large lie too far apart for steps: begin the run near t = 0."
+                  : motion
+                      + "The motion is singular or very stiff there; take ode15s, loosen the tolerances,"
+                      + " or check the values that act on this joint.");
+      case TOLERANCE_TOO_TIGHT ->
+          failure(
+              "N-004",
+              "The tolerances ask for more digits than double precision has.",
+              failure,
+              state(model, failure.worstComponent()),
+              "Loosen the relative or the absolute tolerance.");
+      case NO_CONVERGENCE ->
+          failure(
+              "N-006",
+              "The equations of an implicit step cannot be solved at any step size.",
+              failure,
+              state(model, failure.worstComponent()),
+              motion
+                  + "Look for a force that jumps or has a vertical slope there; tighten the"
+                  + " tolerances if it does not.");
+      case SINGULAR_MATRIX ->
+          failure(
+              "N-007",
+              "The matrix of an implicit step is singular at every step size.",
+              failure,
+              state(model, failure.worstComponent()),
+              "Check the values that act on this joint for huge ones.");
+      case INCONSISTENT_START ->
+          failure(
+              "N-011",
+              "No accelerations and multipliers were found that obey the equations at the start.",
+              failure,
+              state(model, failure.worstComponent()),
+              "Check the initial state, masses and inertias, and constraints that contradict.");
+      case NOT_COMPLETED ->
+          failure(
+              "N-020",
+              "The loops cannot be closed at any step size: no position fits the independent"
+                  + " coordinates.",
+              failure,
+              "",
+              "The mechanism locks or branches there; check its dimensions, or end the run"
+                  + " before.");
+      case EVENTS_ACCUMULATE ->
+          failure(
+              "N-021",
+              "Events follow each other ever closer.",
+              failure,
+              event,
+              "End the run before, or let the state that changes come to rest: a bounce below a"
+                  + " certain speed, a switch without play.");
+      case EVENT_NOT_FINITE ->
+          failure(
+              "N-022",
+              "A quantity whose change of sign is an event is not finite.",
+              failure,
+              event,
+              "Check the expressions of the model's events.");
+      case TOO_MANY_STEPS ->
+          failure(
+              "N-005",
+              "The steps allowed are used up: the end is more than 1e11 steps away.",
+              failure,
+              state(model, failure.worstComponent()),
+              motion
+                  + "Lower the stiffness or frequency that acts on this joint, give it damping and take"
+                  + " ode15s, allow longer steps, or end the run earlier.");
+    };
+  }
+
+  /** Returns the steps that were tried last. */
+  static List<Failure.Step> steps(IntegrationFailure failure) {
+    return failure.lastSteps().stream()
+        .map(s -> new Failure.Step(s.time(), s.stepSize(), s.order(), s.error(), told(s.attempt())))
+        .toList();
+  }
+
+  private static String told(Attempt attempt) {
+    return switch (attempt) {
+      case PASSED -> "accepted";
+      case TOO_INACCURATE -> "error too large";
+      case NOT_CONVERGING -> Failure.Step.UNSOLVED;
+      case SINGULAR_MATRIX -> "its matrix was singular";
+      case NOT_COMPLETED -> "the loops could not be closed";
+      case NOT_FINITE -> "something was not finite";
+      case STOPPED -> "stopped";
+    };
+  }
+
+  /** Returns whether steps had become too short, or were to the last. */
+  static boolean staysShort(IntegrationFailure.Cause cause) {
+    return switch (cause) {
+      case STEP_TOO_SMALL, NO_CONVERGENCE, TOO_MANY_STEPS -> true;
+      default -> false;
+    };
+  }
+
+  /** Returns whether a failure can come from loops that lock, branch or stay open. */
+  static boolean mayLieInLoops(IntegrationFailure.Cause cause) {
+    return switch (cause) {
+      case NOT_FINITE,
+          STEP_TOO_SMALL,
+          TOLERANCE_TOO_TIGHT,
+          NO_CONVERGENCE,
+          SINGULAR_MATRIX,
+          NOT_COMPLETED ->
+          true;
+      default -> false;
+    };
+  }
+
+  /** Explains an output time at which dependent coordinates were not found. */
+  static Failure loopsOpen(double t) {
+    return new Failure(
+        "N-020",
+        "The loops cannot be closed at this output time.",
+        t,
+        0,
+        0,
+        "",
+        "Tighten the tolerances; the mechanism may branch there.");
+  }
+
+  /** Explains a warning that ends a strict run. */
+  static Failure ofStrict(RunNotes.Note warning) {
+    return new Failure(
+        warning.code(),
+        warning.text(),
+        warning.time(),
+        0,
+        0,
+        "",
+        "The run is strict, so this ends it; leave out --strict to go on all the same.");
+  }
+
+  /**
+   * Explains a run whose energy drifts.
+   *
+   * @param limiting the state that made steps be rejected most often; empty if none was
+   * @param stiff whether stability, not accuracy, keeps the steps small
+   */
+  static Failure energyDrifts(
+      double t,
+      Integrator integrator,
+      EnergyMonitor energy,
+      double bound,
+      RunSettings settings,
+      Optional<String> limiting,
+      boolean stiff) {
+    double scale = energy.scale().orElse(0);
+    String tighter = "Tighten the tolerances: the relative one is " + settings.relativeTolerance();
+    return new Failure(
+        "N-016",
+        String.format(
+            Locale.ROOT,
+            "The energy, less the work put in, has drifted by %.4g J, which is %.4g of the energy"
+                + " scale of %.4g J; at most %s is allowed.",
+            energy.latestDrift(),
+            energy.latestDrift() / scale,
+            scale,
+            Double.toString(bound)),
+        t,
+        integrator.stepSize(),
+        integrator.order(),
+        limiting.map(s -> "state \"" + s + "\", which limits the steps most").orElse(""),
+        tighter
+            + (stiff ? "; the motion is stiff, so take an implicit integrator such as ode15s" : "")
+            + ". A force that jumps needs an event, or a smaller largest step.");
+  }
+
+  /** Repeats what the model itself had to say. */
+  static Failure of(Defects.Defect defect, double t, double stepSize, int order) {
+    return new Failure(
+        defect.code(), defect.cause(), t, stepSize, order, defect.part(), defect.advice());
+  }
+
+  /** Explains an evaluation of generated code at which a force lost its direction. */
+  static Defects.Defect withoutDirection(DirectedForces forces, int result) {
+    return new Defects.Defect(
+        "N-031",
+        "force " + forces.directedForce(DirectedForces.force(result)),
+        "It has no direction: its two points coincide, or its frames are turned by half a turn.",
+        "Move a point or turn a frame, or use an element that suits the motion.");
+  }
+
+  /** Explains a start without accelerations. */
+  static Failure singularStart(double t, ModelDescription model, int joint) {
+    return singularInertia(t, 0, 0, model, joint);
+  }
+
+  /** Explains a row that holds a number that is not finite, although the state was accepted. */
+  static Failure notFiniteColumn(double t, String column, String largestState) {
+    return new Failure(
+        "N-001",
+        "An output is not finite.",
+        t,
+        0,
+        0,
+        "column " + column,
+        "The largest state is " + largestState + ": check what acts on it.");
+  }
+
+  private static Failure singularInertia(
+      double t, double stepSize, int order, ModelDescription model, int joint) {
+    return new Failure(
+        "N-002",
+        "The inertia is singular: nothing beyond this joint resists its motion.",
+        t,
+        stepSize,
+        order,
+        "joint \"" + model.joints().get(joint).name() + "\"",
+        "Give a body beyond it mass or inertia, or remove the joint; two turning axes that coincide"
+            + " do this too.");
+  }
+
+  private static Failure failure(
+      String code, String cause, IntegrationFailure failure, String part, String advice) {
+    return new Failure(
+        code, cause, failure.time(), failure.stepSize(), failure.order(), part, advice);
+  }
+
+  private static String state(ModelDescription model, int component) {
+    if (component >= model.stateCount()) {
+      return "a multiplier of the loops";
+    }
+    return component < 0 ? "" : "state \"" + model.states().get(component).name() + "\"";
+  }
+}

@@ -1,0 +1,173 @@
+package org.mechservice.solver.simulation;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.mechservice.solver.api.Defects;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.MomentumBalance;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.ode.IntegrationFailure;
+import org.mechservice.solver.ode.IntegrationStatistics;
+import org.mechservice.solver.ode.Integrator;
+
+/**
+ * What ends a run before its end: the model or the integrator cannot go on, a row cannot be
+ * written, a balance has drifted too far, or a warning is not to be passed over. Asks whoever knows
+ * most of it for the cause: the equations of their defect, else the integrator.
+ */
+final class FailuresOfRun {
+  /** In place of a column: the loops cannot be closed at an output time. */
+  static final int LOOPS_OPEN = -2;
+
+  /** In place of a column: the balance of energy, or that of momentum, has drifted too far. */
+  private static final int ENERGY_DRIFTED = -3;
+
+  private static final int MOMENTUM_DRIFTED = -4;
+
+  private final ModelEquations equations;
+  private final RunEvents events;
+  private final Integrator integrator;
+  private final RowWriter rows;
+  private final Optional<MomentumBalance> momentum;
+  private final RunSettings settings;
+  private final OptionalDouble maxDrift;
+  private final ModelDescription description;
+
+  FailuresOfRun(
+      ModelEquations equations,
+      RunEvents events,
+      Integrator integrator,
+      RowWriter rows,
+      Optional<MomentumBalance> momentum,
+      RunRequest request) {
+    this.equations = equations;
+    this.events = events;
+    this.integrator = integrator;
+    this.rows = rows;
+    this.momentum = momentum;
+    settings = request.settings();
+    maxDrift = request.maxDrift();
+    description = equations.model().description();
+  }
+
+  /**
+   * Explains why there was no first step: the model itself may have refused, before the integrator
+   * could begin.
+   */
+  Outcome atStart(double[] y, double[] yDot) {
+    double t = settings.tStart();
+    Optional<Defects.Defect> defect = equations.defect(t, y, yDot, List.of());
+    if (defect.isPresent()) {
+      return failed(FailureText.of(defect.get(), t, 0, 0));
+    }
+    return equations.singularJoint() == ExplicitModel.REGULAR
+        ? ofIntegrator(y, yDot)
+        : failed(FailureText.singularStart(t, description, equations.singularJoint()));
+  }
+
+  /**
+   * Explains why the integrator cannot go on.
+   *
+   * @param y state at the last accepted step; not modified
+   * @param yDot its derivative; not modified
+   */
+  Outcome ofIntegrator(double[] y, double[] yDot) {
+    IntegrationFailure failure = integrator.failure();
+    List<Failure.Step> tried = FailureText.steps(failure);
+    Optional<Defects.Defect> defect = equations.defect(integrator.time(), y, yDot, tried);
+    if (defect.isEmpty() && FailureText.mayLieInLoops(failure.cause())) {
+      defect = equations.obstacle();
+    }
+    Failure told =
+        defect.isPresent()
+            ? FailureText.of(defect.get(), failure.time(), failure.stepSize(), failure.order())
+            : FailureText.of(
+                failure,
+                description,
+                equations.singularJoint(),
+                events.part(),
+                FailureText.staysShort(failure.cause())
+                    ? LocalMotion.of(equations, failure.worstComponent(), integrator.time(), y)
+                        .said()
+                    : "");
+    return failed(told.after(tried));
+  }
+
+  /** Returns what stands in place of a column if a balance has drifted too far. */
+  int drifted() {
+    if (maxDrift.isEmpty()) {
+      return RowWriter.ALL_FINITE;
+    }
+    double most = maxDrift.getAsDouble();
+    if (rows.energyMonitor().exceeds(most)) {
+      return ENERGY_DRIFTED;
+    }
+    return momentum.isPresent() && momentum.get().exceeds(most)
+        ? MOMENTUM_DRIFTED
+        : RowWriter.ALL_FINITE;
+  }
+
+  /**
+   * Explains why there is no row.
+   *
+   * @param column that is not finite, or what stands in place of one
+   */
+  Outcome ofRow(double t, int column) {
+    return failed(
+        switch (column) {
+          case LOOPS_OPEN -> loopsOpen(t);
+          case ENERGY_DRIFTED -> energyDrifts(t);
+          case MOMENTUM_DRIFTED ->
+              momentum
+                  .orElseThrow()
+                  .failure(maxDrift.orElseThrow(), t, integrator.stepSize(), integrator.order());
+          default -> FailureText.notFiniteColumn(t, rows.columnName(column), rows.largestState());
+        });
+  }
+
+  private Failure loopsOpen(double t) {
+    return equations
+        .obstacle()
+        .map(obstacle -> FailureText.of(obstacle, t, 0, 0))
+        .orElseGet(() -> FailureText.loopsOpen(t));
+  }
+
+  private Failure energyDrifts(double t) {
+    IntegrationStatistics done = integrator.statistics();
+    return FailureText.energyDrifts(
+        t,
+        integrator,
+        rows.energyMonitor(),
+        maxDrift.orElseThrow(),
+        settings,
+        limits(done).stream().findFirst().map(RunReport.Limit::state),
+        done.stiffnessSuspected());
+  }
+
+  /** Ends a strict run at a warning. */
+  Outcome ofWarning(RunNotes.Note warning) {
+    return failed(FailureText.ofStrict(warning));
+  }
+
+  /** Returns which states made steps be tried again, those that did most often first. */
+  List<RunReport.Limit> limits(IntegrationStatistics done) {
+    List<RunReport.Limit> limits = new ArrayList<>();
+    for (IntegrationStatistics.Limit limit : done.limits()) {
+      String name = equations.name(limit.component());
+      limits.add(new RunReport.Limit(name, limit.inaccurate(), limit.unsolved()));
+    }
+    return limits;
+  }
+
+  private static Outcome failed(Failure failure) {
+    return new Outcome.Failed(failure);
+  }
+}

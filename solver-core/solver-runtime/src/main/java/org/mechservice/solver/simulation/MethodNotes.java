@@ -1,0 +1,41 @@
+package org.mechservice.solver.simulation;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.MethodChange;
+
+/** Says in the run report where the integrator changed its method, and why. */
+final class MethodNotes {
+  private static final String CODE = "N-015";
+
+  private MethodNotes() {}
+
+  /** Returns a note of each change that is remembered, and how many there were besides. */
+  static List<RunNotes.Note> of(Integrator integrator) {
+    List<RunNotes.Note> notes = new ArrayList<>();
+    List<MethodChange> changes = integrator.methodChanges();
+    for (MethodChange change : changes) {
+      notes.add(new RunNotes.Note(CODE, change.time(), false, text(change)));
+    }
+    long further = integrator.methodChangeCount() - changes.size();
+    if (further > 0) {
+      double last = changes.get(changes.size() - 1).time();
+      notes.add(new RunNotes.Note(CODE, last, false, "Then the method changed " + further + "x."));
+    }
+    return notes;
+  }
+
+  private static String text(MethodChange change) {
+    float size = (float) Math.abs(change.stepSize());
+    return change.stiff()
+        ? "ode15s takes over from ode113: the motion has become stiff; stability, not accuracy, held"
+            + " the step at "
+            + size
+            + " s."
+        : "ode113 takes over from ode15s: the motion is no longer stiff; at a step of "
+            + size
+            + " s it costs less.";
+  }
+}

@@ -1,0 +1,230 @@
+package org.mechservice.solver.simulation;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.solver.api.Defects;
+import org.mechservice.solver.api.DependentStates;
+import org.mechservice.solver.api.DirectedForces;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.JointVariables;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.ModelState;
+import org.mechservice.solver.api.ProjectedStates;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.StateJumps;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.PiecewiseSystem;
+import org.mechservice.solver.ode.SavedSystem;
+import org.mechservice.solver.ode.StateTransfer;
+import org.mechservice.solver.ode.StepResult;
+import org.mechservice.solver.ode.UnitGroups;
+
+/**
+ * What every form of a model's equations tells an integrator: which states are Euler parameters;
+ * and what the last evaluation that failed had to say.
+ */
+public abstract class ModelEquations implements UnitGroups, PiecewiseSystem, SavedSystem {
+  private static final int EULER_PARAMETERS = 4;
+
+  private final ExplicitModel model;
+  private final int dimension;
+  private final int[] groupStarts;
+  private final boolean[] angle;
+  private List<Double> breakpoints = List.of();
+  private RunEvents events = new RunEvents();
+  private int result = ExplicitModel.REGULAR;
+
+  ModelEquations(ExplicitModel model, int dimension) {
+    this.model = model;
+    this.dimension = dimension;
+    this.groupStarts = groupStarts(model.description());
+    angle = new boolean[dimension];
+    List<Variable> states = model.description().states();
+    for (int i = 0; i < states.size(); i++) {
+      angle[i] = states.get(i).unit().equals("rad");
+    }
+  }
+
+  private static int[] groupStarts(ModelDescription description) {
+    List<Integer> starts = new ArrayList<>();
+    int position = 0;
+    for (JointVariables joint : description.joints()) {
+      if (joint.type().hasEulerParameters()) {
+        starts.add(position);
+      }
+      position += joint.type().positionCount();
+    }
+    return starts.stream().mapToInt(Integer::intValue).toArray();
+  }
+
+  /**
+   * Returns the absolute tolerance of each unknown; that of displacements for multipliers.
+   *
+   * @param settings with tolerances by kind of state
+   */
+  final List<Double> absoluteTolerances(RunSettings settings) {
+    List<Variable> states = model.description().states();
+    List<Double> tolerances = new ArrayList<>();
+    for (int i = 0; i < dimension; i++) {
+      String unit = i < states.size() ? states.get(i).unit() : "m";
+      tolerances.add(settings.absoluteTolerance(unit));
+    }
+    return tolerances;
+  }
+
+  /** {@inheritDoc} An angle counts as a whole turn at most (NUMERICS §5). */
+  @Override
+  public final double largestSize(int component) {
+    return angle[component] ? 2 * Math.PI : Double.POSITIVE_INFINITY;
+  }
+
+  /** Returns the number of unknowns: states, and multipliers if the form has them. */
+  public final int dimension() {
+    return dimension;
+  }
+
+  /**
+   * Begins to integrate.
+   *
+   * @param y0 unknowns at the start, the states being given; multipliers are overwritten
+   */
+  abstract StepResult start(Integrator integrator, double t0, double[] y0, double tEnd);
+
+  /** Goes on with an integration of these equations that was saved. */
+  abstract StepResult resume(Integrator integrator, byte[] saved);
+
+  /** Carries the model's own state over, if it has one. */
+  @Override
+  public final void transfer(StateTransfer state) {
+    if (model instanceof ModelState own) {
+      transfer(own, state);
+    }
+  }
+
+  /** Carries over what has a state of its own. */
+  static void transfer(ModelState own, StateTransfer state) {
+    double[] numbers = new double[own.stateLength()];
+    own.saveState(numbers);
+    state.numbers(numbers);
+    if (state.restoring()) {
+      own.restoreState(numbers);
+    }
+  }
+
+  /**
+   * Makes an interpolated state exact, where the model's loops determine it.
+   *
+   * @param y unknowns; overwritten
+   * @return false if the loops cannot be closed there
+   */
+  final boolean closeLoops(double t, double[] y) {
+    if (model instanceof DependentStates loops) {
+      return loops.complete(beside(t), y);
+    }
+    return !(model instanceof ProjectedStates loops) || loops.project(beside(t), y);
+  }
+
+  /**
+   * Closes the loops after an event.
+   *
+   * @param y unknowns; overwritten
+   * @param set whether the event set each of them; not modified
+   * @return false if the loops cannot be closed
+   */
+  final boolean closeLoopsAfterJump(double t, double[] y, boolean[] set) {
+    return model instanceof StateJumps loops ? loops.jump(t, y, set) : closeLoops(t, y);
+  }
+
+  /** Takes what happens along the run. */
+  final void follow(RunEvents along) {
+    events = along;
+  }
+
+  /** Returns where to evaluate instead of at {@code t}, at which a prescribed motion may jump. */
+  public final double beside(double t) {
+    return events.beside(t);
+  }
+
+  /** Takes the times at which the equations jump. */
+  final void breakAt(List<Double> times) {
+    breakpoints = List.copyOf(times);
+  }
+
+  @Override
+  public final List<Double> breakpoints() {
+    return breakpoints;
+  }
+
+  /** Returns the name of an unknown. */
+  final String name(int unknown) {
+    List<Variable> states = model.description().states();
+    return unknown < states.size()
+        ? states.get(unknown).name()
+        : "multiplier " + (unknown - states.size());
+  }
+
+  /** Returns the model. */
+  final ExplicitModel model() {
+    return model;
+  }
+
+  /** Keeps what an evaluation returned; values of one that failed are made not finite. */
+  final void note(int evaluated, double[] values) {
+    result = evaluated;
+    if (evaluated != ExplicitModel.REGULAR) {
+      Arrays.fill(values, Double.NaN);
+    }
+  }
+
+  /**
+   * Returns the joint at which the last evaluation was singular, or {@link ExplicitModel#REGULAR}.
+   */
+  final int singularJoint() {
+    return result >= 0 ? result : ExplicitModel.REGULAR;
+  }
+
+  /**
+   * Returns why a run failed, if the model can tell; for the arguments see {@link
+   * Defects#withoutValue}.
+   */
+  final Optional<Defects.Defect> defect(
+      double t, double[] y, double[] yDot, List<Failure.Step> tried) {
+    Optional<Defects.Defect> formula =
+        model instanceof Defects able ? able.withoutValue(t, y, yDot, tried) : Optional.empty();
+    return formula.isPresent() ? formula : defect();
+  }
+
+  /** Returns why the last evaluation failed, if the model can tell. */
+  Optional<Defects.Defect> defect() {
+    if (result <= DirectedForces.FIRST && model instanceof DirectedForces forces) {
+      return Optional.of(FailureText.withoutDirection(forces, result));
+    }
+    return result == Defects.DEFECT && model instanceof Defects able
+        ? Optional.of(able.lastDefect())
+        : Optional.empty();
+  }
+
+  /** Returns what may have kept the integration from going on, if the model can tell. */
+  final Optional<Defects.Defect> obstacle() {
+    return model instanceof Defects able ? able.obstacle() : Optional.empty();
+  }
+
+  @Override
+  public final int groupCount() {
+    return groupStarts.length;
+  }
+
+  @Override
+  public final int groupStart(int group) {
+    return groupStarts[group];
+  }
+
+  @Override
+  public final int groupSize(int group) {
+    return EULER_PARAMETERS;
+  }
+}

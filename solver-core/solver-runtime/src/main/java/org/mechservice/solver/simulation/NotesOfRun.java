@@ -1,0 +1,75 @@
+package org.mechservice.solver.simulation;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.MomentumBalance;
+import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.StateTransfer;
+
+/** What is noted in a run: by its model, its rows, its events and its method. */
+final class NotesOfRun {
+  private final ExplicitModel model;
+  private final RowWriter rows;
+  private final RunEvents events;
+  private final Integrator integrator;
+  private final Optional<MomentumBalance> momentum;
+
+  /** What the model had noted when the run that is taken up was saved. */
+  private final List<Note> notedBefore = new ArrayList<>();
+
+  NotesOfRun(
+      ExplicitModel model,
+      RowWriter rows,
+      RunEvents events,
+      Integrator integrator,
+      Optional<MomentumBalance> momentum) {
+    this.momentum = momentum;
+    this.model = model;
+    this.rows = rows;
+    this.events = events;
+    this.integrator = integrator;
+  }
+
+  /** Returns all notes so far. */
+  List<Note> all() {
+    List<Note> notes = ofModel();
+    notes.addAll(rows.notes());
+    notes.addAll(events.notes());
+    notes.addAll(MethodNotes.of(integrator));
+    momentum.ifPresent(balance -> notes.add(balance.note()));
+    return notes;
+  }
+
+  Optional<Note> firstWarning() {
+    return all().stream().filter(Note::warning).findFirst();
+  }
+
+  /** Returns the model's notes; one taken up repeats those of its start. */
+  private List<Note> ofModel() {
+    List<Note> notes = new ArrayList<>(notedBefore);
+    if (model instanceof RunNotes noted) {
+      noted.notes().stream().filter(note -> !notedBefore.contains(note)).forEach(notes::add);
+    }
+    return notes;
+  }
+
+  /** Carries the model's notes over. */
+  void transfer(StateTransfer state) {
+    List<Note> noted = ofModel();
+    int count = state.integer(noted.size());
+    for (int i = 0; i < count; i++) {
+      Note note = i < noted.size() ? noted.get(i) : new Note("", 0, false, "");
+      String code = state.text(note.code());
+      double time = state.number(note.time());
+      boolean warning = state.flag(note.warning());
+      Note carried = new Note(code, time, warning, state.text(note.text()));
+      if (state.restoring()) {
+        notedBefore.add(carried);
+      }
+    }
+  }
+}

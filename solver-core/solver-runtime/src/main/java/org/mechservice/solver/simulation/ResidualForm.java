@@ -1,0 +1,123 @@
+package org.mechservice.solver.simulation;
+
+import org.mechservice.solver.api.DependentStates;
+import org.mechservice.solver.api.LinearisedModel;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ProjectedStates;
+import org.mechservice.solver.api.ResidualModel;
+import org.mechservice.solver.ode.LinearisedSystem;
+import org.mechservice.solver.ode.ProjectedSystem;
+
+/** F(t, y, y') = 0 of open chains and closed loops, for ode15sR. */
+public final class ResidualForm implements EquationForm {
+  @Override
+  public ModelEquations of(Model model) {
+    if (!(model instanceof ResidualModel residual)) {
+      throw new IllegalArgumentException(
+          "S-061 model \""
+              + model.description().name()
+              + "\" has no residual form F(t, y, y') = 0");
+    }
+    if (model instanceof LinearisedModel linearised) {
+      if (model instanceof ProjectedStates loops) {
+        return new OnManifold(linearised, loops);
+      }
+      return model instanceof DependentStates loops
+          ? new LinearisedInIndependentStates(linearised, loops)
+          : new Linearised(linearised);
+    }
+    return model instanceof DependentStates loops
+        ? new InIndependentStates(residual, loops)
+        : new ResidualEquations(residual);
+  }
+
+  /** Loops closed by completing independent states. */
+  private static final class InIndependentStates extends ResidualEquations
+      implements LoopCompletion {
+    private final DependentStates loops;
+
+    InIndependentStates(ResidualModel model, DependentStates loops) {
+      super(model);
+      this.loops = loops;
+    }
+
+    @Override
+    public DependentStates loops() {
+      return loops;
+    }
+  }
+
+  /** With the model's own linear algebra. */
+  private static class Linearised extends ResidualEquations implements LinearisedSystem {
+    private final LinearisedModel model;
+
+    Linearised(LinearisedModel model) {
+      super(model);
+      this.model = model;
+    }
+
+    @Override
+    public boolean linearise(double t, double[] y, double[] yDot) {
+      return model.linearise(t, y, yDot);
+    }
+
+    @Override
+    public boolean factor(double hGamma) {
+      return model.factor(hGamma);
+    }
+
+    @Override
+    public void solve(double[] r) {
+      model.solve(r);
+    }
+
+    @Override
+    public boolean solveForDerivative(double[] r) {
+      return model.solveForDerivative(r);
+    }
+
+    @Override
+    public int singularComponent() {
+      return model.singularUnknown();
+    }
+  }
+
+  /** With the model's own linear algebra, loops closed by completing independent states. */
+  private static final class LinearisedInIndependentStates extends Linearised
+      implements LoopCompletion {
+    private final DependentStates loops;
+
+    LinearisedInIndependentStates(LinearisedModel model, DependentStates loops) {
+      super(model);
+      this.loops = loops;
+    }
+
+    @Override
+    public DependentStates loops() {
+      return loops;
+    }
+  }
+
+  /**
+   * With the model's own linear algebra, loops among the equations. What the iteration leaves of
+   * their residuals would not shrink with the next step, so it is projected away.
+   */
+  private static final class OnManifold extends Linearised implements ProjectedSystem {
+    private final ProjectedStates loops;
+
+    OnManifold(LinearisedModel model, ProjectedStates loops) {
+      super(model);
+      this.loops = loops;
+    }
+
+    @Override
+    public boolean project(double t, double[] y) {
+      return loops.project(beside(t), y);
+    }
+
+    @Override
+    public void projectionAccepted(double t, double[] y) {
+      loops.accepted(t, y);
+    }
+  }
+}

@@ -1,0 +1,164 @@
+package org.mechservice.solver.simulation;
+
+import java.io.IOException;
+import java.util.List;
+import org.mechservice.solver.api.BodyPoses;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.Energies;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.PowerInput;
+import org.mechservice.solver.api.ResultColumns;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.ode.StateTransfer;
+
+/** Completes states to rows and hands them to the sink. */
+final class RowWriter {
+  /** Returned by {@link #write} when every number of the row is finite. */
+  static final int ALL_FINITE = -1;
+
+  private final ExplicitModel model;
+  private final ResultColumns further;
+  private final RowLayout layout;
+  private final ResultSink sink;
+  private final UnitOutput unitOutput;
+  private final EnergyMonitor energyMonitor = new EnergyMonitor();
+  private final boolean balanceWatched;
+  private final double[] row;
+  private final double[] yDot;
+  private final double[] poses;
+  private final int positionCount;
+  private long rows;
+
+  /**
+   * @param further columns that the model names itself
+   * @throws IllegalArgumentException if the model was built without a column group that is asked
+   *     for
+   * @throws IOException if the sink cannot take results
+   */
+  RowWriter(ExplicitModel model, ResultColumns further, RunRequest request, ResultSink sink)
+      throws IOException {
+    this.model = model;
+    this.further = further;
+    this.sink = sink;
+    layout = new RowLayout(model, further, request.columns());
+    row = new double[layout.columns().size()];
+    yDot = new double[model.description().stateCount()];
+    positionCount = model.description().positionCount();
+    balanceWatched = request.maxDrift().isPresent();
+    unitOutput = new UnitOutput(model.description());
+    poses =
+        layout.bodies() != RowLayout.ABSENT && model instanceof BodyPoses posed
+            ? new double[posed.bodies().size() * BodyPoses.NUMBERS_PER_BODY]
+            : new double[0];
+    sink.begin(layout.columns());
+  }
+
+  /**
+   * Puts out the row of one state.
+   *
+   * @param time what the row says, s
+   * @param t time to evaluate at: the same, but for jumps of a prescribed motion
+   * @param y state, which multipliers may follow; not modified
+   * @param work of what has no potential energy, J
+   * @param turnover what of it was put in and what was taken out, added up, J
+   * @return {@link #ALL_FINITE}, or the column of the first number that is not finite; the row is
+   *     then not put out
+   * @throws IOException if the sink cannot keep the row
+   */
+  int write(double time, double t, double[] y, double work, double turnover) throws IOException {
+    row[0] = time;
+    System.arraycopy(y, 0, row, 1, yDot.length);
+    unitOutput.normalize(t, row, 1);
+    if (layout.accelerations() != RowLayout.ABSENT) {
+      model.derivative(t, y, yDot);
+      System.arraycopy(
+          yDot, positionCount, row, layout.accelerations(), yDot.length - positionCount);
+    }
+    if (layout.bodies() != RowLayout.ABSENT) {
+      ((BodyPoses) model).poses(t, y, poses);
+      System.arraycopy(poses, 0, row, layout.bodies(), poses.length);
+    }
+    if (model instanceof Energies energies) {
+      energyMonitor.observe(energies, t, y, work, turnover, doesWorkUnmeasured(t, y));
+      if (layout.energy() != RowLayout.ABSENT) {
+        row[layout.energy()] = energyMonitor.kinetic();
+        row[layout.energy() + 1] = energyMonitor.potential();
+        row[layout.energy() + 2] = work;
+      }
+    }
+    for (ColumnGroup group : RowLayout.BY_THE_MODEL) {
+      if (layout.offset(group) != RowLayout.ABSENT) {
+        further.values(group, t, y, row, layout.offset(group));
+      }
+    }
+    for (int i = 0; i < row.length; i++) {
+      if (!Double.isFinite(row[i])) {
+        return i;
+      }
+    }
+    sink.row(row);
+    rows++;
+    return ALL_FINITE;
+  }
+
+  /**
+   * Copies a state as its row would have it.
+   *
+   * @param y state, which multipliers may follow; not modified
+   * @param state overwritten
+   */
+  void copyState(double[] y, double[] state) {
+    System.arraycopy(y, 0, state, 0, yDot.length);
+    unitOutput.scale(state, 0);
+  }
+
+  /** Work is measured where its column is put out or the energy balance is watched. */
+  boolean measuresWork() {
+    return layout.energy() != RowLayout.ABSENT || balanceWatched;
+  }
+
+  private boolean doesWorkUnmeasured(double t, double[] y) {
+    return model instanceof PowerInput input
+        && (!input.holdsAllPower() || (!measuresWork() && input.power(t, y) != 0));
+  }
+
+  /** Returns the name of a column. */
+  String columnName(int column) {
+    return layout.columns().get(column).name();
+  }
+
+  /** Returns the column of the state that is largest in the row written last, and its value. */
+  String largestState() {
+    int largest = 0;
+    double most = 0;
+    for (int i = 1; i <= yDot.length; i++) {
+      if (Math.abs(row[i]) > most) {
+        largest = i;
+        most = Math.abs(row[i]);
+      }
+    }
+    return columnName(largest) + ", " + row[largest];
+  }
+
+  /** Returns how many rows were put out. */
+  long rows() {
+    return rows;
+  }
+
+  /** Returns what the rows have to say of the run. */
+  List<Note> notes() {
+    return unitOutput.notes();
+  }
+
+  EnergyMonitor energyMonitor() {
+    return energyMonitor;
+  }
+
+  /** Carries the number of rows and what was observed in them over. */
+  void transfer(StateTransfer state) {
+    rows = state.integer(rows);
+    energyMonitor.transfer(state);
+  }
+}

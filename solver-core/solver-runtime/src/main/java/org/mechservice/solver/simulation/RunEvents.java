@@ -1,0 +1,56 @@
+package org.mechservice.solver.simulation;
+
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.MomentumBalance;
+import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.ode.Integrator;
+
+/** What happens along a run besides its equations: here, nothing. */
+public class RunEvents {
+  RunEvents() {}
+
+  /** Returns the integrator that notices what happens. */
+  Integrator watch(Integrator integrator) {
+    return integrator;
+  }
+
+  /**
+   * Returns the next instant of the last step that is to be a row, s; infinite if there is none.
+   */
+  double dueRow() {
+    return Double.POSITIVE_INFINITY;
+  }
+
+  /** Takes note of the row of {@link #dueRow}. */
+  void rowWritten() {}
+
+  /** Returns the energy that changes of the state have put in since this was asked last, J. */
+  double takeWork() {
+    return 0;
+  }
+
+  /** Returns where to evaluate instead of at {@code t}, at which a prescribed motion may jump. */
+  double beside(double t) {
+    return t;
+  }
+
+  /** Takes the balance of momentum, which is told what changes of the state do to it. */
+  void tell(MomentumBalance momentum) {}
+
+  /** Returns what happened, for the report. */
+  List<Note> notes() {
+    return List.of();
+  }
+
+  /** Returns why the run cannot go on, if an event could not do what it says. */
+  Optional<Failure> failure() {
+    return Optional.empty();
+  }
+
+  /** Returns the event that a failure of the integrator lies at; empty if none can be named. */
+  String part() {
+    return "";
+  }
+}

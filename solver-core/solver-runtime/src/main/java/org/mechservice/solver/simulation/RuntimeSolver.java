@@ -1,0 +1,82 @@
+package org.mechservice.solver.simulation;
+
+import java.io.IOException;
+import org.mechservice.solver.api.Checkpoints;
+import org.mechservice.solver.api.DependentStates;
+import org.mechservice.solver.api.ExtendedModel;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ProjectedStates;
+import org.mechservice.solver.api.ResidualModel;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.ode.De;
+import org.mechservice.solver.ode.IntegratorFactory;
+import org.mechservice.solver.ode.Ode113;
+import org.mechservice.solver.ode.Ode15s;
+import org.mechservice.solver.ode.Ode15sR;
+import org.mechservice.solver.ode.Switching;
+
+/**
+ * The solver of the runtime JAR: holds every integrator and takes the one a run names, with the
+ * form of the equations that fits it and the model.
+ */
+public final class RuntimeSolver implements Solver {
+  private static final String RESIDUAL = "ode15sR";
+
+  @Override
+  public RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
+      throws IOException {
+    return run(model, request, sink, control, Checkpoints.NONE);
+  }
+
+  @Override
+  public RunReport run(
+      Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
+      throws IOException {
+    if (AnalysisSolver.takes(model)) {
+      return new AnalysisSolver().run(model, request, sink, control);
+    }
+    String name = request.settings().integrator();
+    MotionSeen seen = new MotionSeen(sink, model.description());
+    RunReport report =
+        new Simulation(integrator(name), formOf(model, name))
+            .run(model, request, seen, control, checkpoints);
+    RunReport judged = seen.completed(report, request.strict());
+    return EnergyDoubt.added(judged, model, request);
+  }
+
+  /** Returns the form in which an integrator takes a model's equations. */
+  public static EquationForm formOf(Model asBuilt, String integrator) {
+    Model watched = ExtendedModel.bare(asBuilt);
+    Model model = WatchedModel.bare(watched);
+    EquationForm form = bareFormOf(model, integrator);
+    return model == watched ? form : new WatchedForm(form);
+  }
+
+  private static EquationForm bareFormOf(Model model, String integrator) {
+    if (integrator.equals(RESIDUAL) && model instanceof ResidualModel) {
+      return new ResidualForm();
+    }
+    boolean loops = model instanceof DependentStates || model instanceof ProjectedStates;
+    return loops ? new ExplicitLoopForm() : new ExplicitForm();
+  }
+
+  private static IntegratorFactory integrator(String name) {
+    return switch (name) {
+      case "ode113" -> Ode113::new;
+      case "DE" -> De::new;
+      case "ode15s" -> Ode15s::new;
+      case RESIDUAL -> Ode15sR::new;
+      case "switching" -> Switching::new;
+      default ->
+          throw new IllegalArgumentException(
+              "S-063 integrator \""
+                  + name
+                  + "\" is unknown; there are ode113, DE, ode15s, ode15sR and switching");
+    };
+  }
+}

@@ -1,0 +1,370 @@
+package org.mechservice.solver.simulation;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.mechservice.solver.api.Checkpoints;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.ExtendedModel;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.MomentumBalance;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.ResultColumns;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.ResultTable;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.ode.IntegrationStatistics;
+import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.IntegratorFactory;
+import org.mechservice.solver.ode.IntegratorSettings;
+import org.mechservice.solver.ode.StateTransfer;
+import org.mechservice.solver.ode.StepResult;
+
+/**
+ * Runs models with one integrator: steps, rows at the output times, energy watched, control obeyed.
+ */
+public final class Simulation implements Solver {
+  private final IntegratorFactory integrators;
+  private final EquationForm form;
+
+  /**
+   * @param integrators makes the integrator of each run
+   * @param form how the equations are handed to it
+   */
+  public Simulation(IntegratorFactory integrators, EquationForm form) {
+    this.integrators = integrators;
+    this.form = form;
+  }
+
+  /**
+   * Returns the columns a run puts out, in order; the first is time.
+   *
+   * @param groups column groups wanted besides time and the joints' states
+   * @throws IllegalArgumentException if the model was built without one of the groups, or has no
+   *     explicit form (S-061)
+   */
+  public static List<Variable> columns(Model model, Set<ColumnGroup> groups) {
+    if (model instanceof ResultTable table) {
+      return table.columns();
+    }
+    return new RowLayout(ExplicitForm.explicit(bare(model)), ExtendedModel.columnsOf(model), groups)
+        .columns();
+  }
+
+  private static Model bare(Model model) {
+    return WatchedModel.bare(ExtendedModel.bare(model));
+  }
+
+  /** Returns whether runs of a model can leave checkpoints. */
+  public static boolean canBeSaved(Model model) {
+    return CheckpointWriter.canBeSaved(bare(model));
+  }
+
+  /**
+   * Refuses column groups that a model was built without.
+   *
+   * @param built groups it was built with
+   * @throws IllegalArgumentException S-060 naming the first, and how to build the model with it
+   */
+  public static void requireColumns(Model model, Set<ColumnGroup> asked, Set<ColumnGroup> built) {
+    for (ColumnGroup group : ColumnGroup.values()) {
+      if (asked.contains(group) && !built.contains(group)) {
+        throw RowLayout.builtWithout(model, group);
+      }
+    }
+  }
+
+  /**
+   * Refuses to watch the energy balance of a model that has none, or whose work is not all known.
+   *
+   * @throws IllegalArgumentException S-166 saying why
+   */
+  public static void requireBalance(Model model, RunRequest request) {
+    if (request.maxDrift().isPresent()) {
+      EnergyMonitor.requireBalance(bare(model));
+    }
+  }
+
+  @Override
+  public RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
+      throws IOException {
+    return run(model, request, sink, control, Checkpoints.NONE);
+  }
+
+  @Override
+  public RunReport run(
+      Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
+      throws IOException {
+    OutputTimes.requireUsable(request.settings());
+    requireBalance(model, request);
+    Model watched = ExtendedModel.bare(model);
+    ModelEquations equations = form.of(watched);
+    RunEvents events = form.events(watched, equations, request.settings());
+    ResultColumns further = ExtendedModel.columnsOf(model);
+    return new Run(equations, events, further, request, sink, control, checkpoints).toEnd();
+  }
+
+  /** One run in progress. */
+  private final class Run {
+    private final ExplicitModel model;
+    private final RunSettings settings;
+    private final RunControl control;
+    private final boolean strict;
+    private final Integrator integrator;
+    private final ModelEquations equations;
+    private final RunEvents events;
+    private final OutputTimes outputTimes;
+    private final RowWriter rows;
+    private final WorkMeter work;
+    private final CheckpointWriter checkpoints;
+    private final NotesOfRun notes;
+    private final FailuresOfRun failures;
+    private final Optional<MomentumBalance> momentum;
+    private final double[] y;
+    private final double[] yDot;
+
+    private final long startedAt = System.nanoTime();
+    private double timeReached;
+    private long nextRow;
+    private long steps;
+
+    Run(
+        ModelEquations equations,
+        RunEvents events,
+        ResultColumns further,
+        RunRequest request,
+        ResultSink sink,
+        RunControl control,
+        Checkpoints store)
+        throws IOException {
+      this.equations = equations;
+      this.events = events;
+      this.model = equations.model();
+      this.settings = request.settings();
+      this.control = control;
+      strict = request.strict();
+      integrator = events.watch(createIntegrator());
+      outputTimes = new OutputTimes(settings);
+      checkpoints = new CheckpointWriter(model, request, store);
+      rows = new RowWriter(model, further, request, sink);
+      momentum =
+          request.columns().contains(ColumnGroup.MOMENTUM) ? further.momentum() : Optional.empty();
+      momentum.ifPresent(MomentumBalance::begin);
+      momentum.ifPresent(events::tell);
+      work =
+          new WorkMeter(
+              equations, integrator, model, rows.measuresWork(), momentum, settings.tStart());
+      notes = new NotesOfRun(model, rows, events, integrator, momentum);
+      failures = new FailuresOfRun(equations, events, integrator, rows, momentum, request);
+      y = new double[equations.dimension()];
+      yDot = new double[equations.dimension()];
+      timeReached = settings.tStart();
+    }
+
+    private Integrator createIntegrator() {
+      try {
+        return integrators.create(
+            new IntegratorSettings(
+                settings.relativeTolerance(),
+                settings.hasOneTolerance()
+                    ? List.of(settings.absoluteTolerance())
+                    : equations.absoluteTolerances(settings),
+                settings.maxStep(),
+                settings.initialStep(),
+                settings.maxOrder(),
+                Long.MAX_VALUE,
+                control::stopRequested));
+      } catch (IllegalArgumentException e) {
+        throw new IllegalArgumentException("S-066 " + e.getMessage(), e);
+      }
+    }
+
+    RunReport toEnd() throws IOException {
+      try {
+        return report(integrate());
+      } finally {
+        control.giveStates(Optional.empty());
+      }
+    }
+
+    /** The state as a row would have it. */
+    private void copyState(double[] state) {
+      if (steps > 0) {
+        integrator.interpolate(timeReached, y, yDot);
+        equations.closeLoops(timeReached, y);
+      }
+      rows.copyState(y, state);
+    }
+
+    private Outcome integrate() throws IOException {
+      Optional<byte[]> saved = checkpoints.saved();
+      if (saved.isPresent()) {
+        return goOnFrom(saved.get());
+      }
+      model.initialState(y);
+      StepResult result = equations.start(integrator, settings.tStart(), y, settings.tEnd());
+      if (result == StepResult.FAILED) {
+        return failures.atStart(y, yDot);
+      }
+      if (strict && notes.firstWarning().isPresent()) {
+        return failures.ofWarning(notes.firstWarning().get());
+      }
+      double first = outputTimes.time(nextRow);
+      int badColumn = rows.write(first, first, y, 0, 0);
+      if (badColumn != RowWriter.ALL_FINITE) {
+        return failures.ofRow(first, badColumn);
+      }
+      nextRow++;
+      control.giveStates(Optional.of(this::copyState));
+      return control.proceed(settings.tStart(), 0, 0, 0)
+          ? stepToEnd(result)
+          : new Outcome.Stopped();
+    }
+
+    private Outcome goOnFrom(byte[] saved) throws IOException {
+      checkpoints.restore(saved, this::transfer);
+      control.giveStates(Optional.of(this::copyState));
+      return goOn() ? stepToEnd(StepResult.ADVANCED) : new Outcome.Stopped();
+    }
+
+    /** Carries the run between two steps over. */
+    private void transfer(StateTransfer state) {
+      timeReached = state.number(timeReached);
+      nextRow = state.integer(nextRow);
+      steps = state.integer(steps);
+      rows.transfer(state);
+      work.transfer(state);
+      notes.transfer(state);
+      momentum.ifPresent(balance -> ModelEquations.transfer(balance, state));
+      if (state.restoring()) {
+        equations.resume(integrator, state.bytes(new byte[0]));
+      } else {
+        state.bytes(integrator.save());
+      }
+    }
+
+    private Outcome stepToEnd(StepResult begun) throws IOException {
+      StepResult result = begun;
+      while (result == StepResult.ADVANCED) {
+        result = integrator.step();
+        if (result == StepResult.FAILED) {
+          return integratorFailed();
+        }
+        if (result == StepResult.STOPPED) {
+          return new Outcome.Stopped();
+        }
+        steps++;
+        int badColumn = writeRowsOfStep();
+        if (badColumn != RowWriter.ALL_FINITE) {
+          return failures.ofRow(dueRow(), badColumn);
+        }
+        if (events.failure().isPresent()) {
+          return new Outcome.Failed(events.failure().get());
+        }
+        if (strict && notes.firstWarning().isPresent()) {
+          return failures.ofWarning(notes.firstWarning().get());
+        }
+        work.add(events.takeWork());
+        if (!proceed(result == StepResult.ADVANCED)) {
+          return new Outcome.Stopped();
+        }
+      }
+      return new Outcome.Completed();
+    }
+
+    /** Obeys the control between two steps, and keeps a checkpoint where the run may be left. */
+    private boolean proceed(boolean unfinished) throws IOException {
+      boolean stands =
+          control.holdsAt(timeReached, integrator.stepSize(), integrator.order(), steps);
+      boolean kept = unfinished && keepIfDue(stands);
+      if (goOn() || !unfinished) {
+        return true;
+      }
+      if (!kept) {
+        keepIfDue(true);
+      }
+      return false;
+    }
+
+    private boolean keepIfDue(boolean stands) throws IOException {
+      return checkpoints.keepIfDue(stands, this::transfer);
+    }
+
+    private int writeRowsOfStep() throws IOException {
+      timeReached = Math.min(integrator.time(), settings.tEnd());
+      for (double t = dueRow(); t <= timeReached; t = dueRow()) {
+        integrator.interpolate(t, y, yDot);
+        if (!equations.closeLoops(t, y) || !work.advance(t)) {
+          return FailuresOfRun.LOOPS_OPEN;
+        }
+        int badColumn = rows.write(t, equations.beside(t), y, work.work(), work.turnover());
+        if (badColumn != RowWriter.ALL_FINITE) {
+          return badColumn;
+        }
+        int drifted = failures.drifted();
+        if (drifted != RowWriter.ALL_FINITE) {
+          return drifted;
+        }
+        rowWritten(t);
+      }
+      return work.advance(timeReached) ? RowWriter.ALL_FINITE : FailuresOfRun.LOOPS_OPEN;
+    }
+
+    /** Returns when the next row is due: an output time, or an event. */
+    private double dueRow() {
+      return Math.min(outputTimes.time(nextRow), events.dueRow());
+    }
+
+    private void rowWritten(double t) {
+      if (t == events.dueRow()) {
+        events.rowWritten();
+      }
+      if (t == outputTimes.time(nextRow)) {
+        nextRow++;
+      }
+    }
+
+    private boolean goOn() {
+      return control.proceed(timeReached, integrator.stepSize(), integrator.order(), steps);
+    }
+
+    private Outcome integratorFailed() {
+      if (steps > 0) {
+        integrator.interpolate(integrator.time(), y, yDot);
+      }
+      return failures.ofIntegrator(y, yDot);
+    }
+
+    private RunReport report(Outcome outcome) {
+      IntegrationStatistics done = integrator.statistics();
+      EnergyMonitor energy = rows.energyMonitor();
+      return new RunReport(
+          outcome,
+          model.description().name(),
+          model.description().formulation(),
+          settings,
+          done.steps(),
+          done.rejectedSteps(),
+          done.evaluations(),
+          rows.rows(),
+          timeReached,
+          (System.nanoTime() - startedAt) * 1e-9,
+          energy.drift(),
+          energy.scale(),
+          done.stiffnessSuspected(),
+          done.jacobians(),
+          done.factorisations(),
+          failures.limits(done),
+          notes.all(),
+          SolverVersion.CURRENT);
+    }
+  }
+}

@@ -1,0 +1,313 @@
+package org.mechservice.solver.simulation;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.mechservice.solver.api.Energies;
+import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.ModelEvents;
+import org.mechservice.solver.api.ModelEvents.Action;
+import org.mechservice.solver.api.MomentumBalance;
+import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.ode.EventFunctions;
+import org.mechservice.solver.ode.EventIntegration;
+import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.SavedSystem;
+import org.mechservice.solver.ode.StateTransfer;
+
+/** The events of a model in a run: they are looked for, done and remembered. */
+final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem {
+  /** Events told one by one; of those after them only the number is. */
+  private static final int MOST_TOLD = 200;
+
+  /**
+   * How far a component that an event sets may be off when loops have been closed, relative to its
+   * size or one.
+   */
+  private static final double KEPT = 1e-8;
+
+  private final ModelEvents events;
+  private final ModelEquations equations;
+  private final String[] names;
+  private final Action[] actions;
+  private final double[] wanted;
+  private final boolean[] set;
+  private final double[] energy = new double[2];
+  private final List<Occurrence> told = new ArrayList<>();
+  private final List<Double> dueRows = new ArrayList<>();
+  private long count;
+  private int latest = -1;
+  private int notFinite = -1;
+  private double work;
+  private Optional<Failure> failure = Optional.empty();
+  private Optional<MomentumBalance> momentum = Optional.empty();
+
+  WatchedRun(ModelEvents events, ModelEquations equations) {
+    this.events = events;
+    this.equations = equations;
+    equations.follow(this);
+    names = events.kinds().stream().map(ModelEvents.Kind::name).toArray(String[]::new);
+    actions = events.kinds().stream().map(ModelEvents.Kind::action).toArray(Action[]::new);
+    wanted = new double[equations.dimension()];
+    set = new boolean[wanted.length];
+  }
+
+  /**
+   * An event that has happened.
+   *
+   * @param energy by which it has changed the energy, with those at the same time, J; NaN if there
+   *     is nothing to say
+   * @param byLoops the part of that which closing the loops again has changed, J; likewise
+   */
+  private record Occurrence(int event, double time, double energy, double byLoops) {}
+
+  @Override
+  Integrator watch(Integrator integrator) {
+    return new EventIntegration(integrator, this);
+  }
+
+  @Override
+  public int count() {
+    return names.length;
+  }
+
+  @Override
+  public void evaluate(double t, double[] y, double[] g) {
+    events.values(t, y, g);
+    notFinite = -1;
+    for (int i = 0; i < g.length && notFinite < 0; i++) {
+      notFinite = Double.isFinite(g[i]) ? -1 : i;
+    }
+  }
+
+  @Override
+  public Direction direction(int function) {
+    return switch (events.kinds().get(function).direction()) {
+      case RISING -> Direction.RISING;
+      case FALLING -> Direction.FALLING;
+      case BOTH -> Direction.EITHER;
+    };
+  }
+
+  @Override
+  public Reaction occurred(double t, double[] y, boolean[] occurred) {
+    boolean sets = false;
+    boolean stops = false;
+    boolean records = false;
+    for (int i = 0; i < occurred.length; i++) {
+      if (occurred[i]) {
+        Action action = actions[i];
+        if (action == Action.BREAK) {
+          latest = i;
+          fail(motionJumps(t, part()));
+          return Reaction.STOP;
+        }
+        remember(i, t);
+        sets |= action == Action.SET || action == Action.IMPULSE;
+        stops |= action == Action.STOP;
+        records |= action == Action.STOP || action == Action.RECORD;
+      }
+    }
+    if (records) {
+      dueRows.add(t);
+    }
+    if (stops || (sets && !change(t, y, occurred))) {
+      return Reaction.STOP;
+    }
+    return sets ? Reaction.RESTART : Reaction.CONTINUE;
+  }
+
+  private void remember(int event, double t) {
+    latest = event;
+    count++;
+    if (told.size() < MOST_TOLD) {
+      told.add(new Occurrence(event, t, Double.NaN, Double.NaN));
+    }
+  }
+
+  /** Changes the state and closes loops again; returns false if that cannot be done. */
+  private boolean change(double t, double[] y, boolean[] occurred) {
+    double tBefore = events.beside(t);
+    double tAfter = events.after(occurred, t);
+    double before = energy(tBefore, y);
+    double[] from = momentum.isPresent() ? y.clone() : y;
+    events.change(occurred, tAfter, y);
+    for (int l = 0; l < y.length; l++) {
+      if (!Double.isFinite(y[l])) {
+        return fail(EventFailures.eventNotFinite(t, part(), equations.name(l)));
+      }
+    }
+    System.arraycopy(y, 0, wanted, 0, y.length);
+    double open = energy(tAfter, y);
+    for (int l = 0; l < y.length; l++) {
+      set[l] = isSet(l, occurred);
+    }
+    if (!equations.closeLoopsAfterJump(tAfter, y, set)) {
+      return fail(EventFailures.eventOpensLoops(t, part(), equations.obstacle()));
+    }
+    for (int l = 0; l < y.length; l++) {
+      boolean kept = Math.abs(y[l] - wanted[l]) <= KEPT * (1 + Math.abs(wanted[l]));
+      if (!kept && set[l]) {
+        return fail(
+            EventFailures.eventContradictsLoops(t, part(), equations.name(l), y[l], wanted[l]));
+      }
+    }
+    momentum.ifPresent(balance -> balance.jump(tBefore, from, tAfter, y));
+    double after = energy(tAfter, y);
+    work += after - before;
+    tellEnergy(after - before, Arrays.equals(y, wanted) ? Double.NaN : after - open);
+    return true;
+  }
+
+  /** Adds to the event told last what it did to the energy. */
+  private void tellEnergy(double change, double byLoops) {
+    int last = told.size() - 1;
+    if (count == told.size() && equations.model() instanceof Energies) {
+      Occurrence one = told.get(last);
+      told.set(last, new Occurrence(one.event(), one.time(), change, byLoops));
+    }
+  }
+
+  private boolean isSet(int component, boolean[] occurred) {
+    for (int i = 0; i < occurred.length; i++) {
+      if (occurred[i] && events.changes(i, component)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Explains a prescribed position that jumps. */
+  private static Failure motionJumps(double t, String joint) {
+    return new Failure(
+        "N-026",
+        "The position prescribed for a driven joint jumps, and no mechanism can follow.",
+        t,
+        0,
+        0,
+        joint,
+        "End the run before, or write a motion that takes time, such as smoothStep((t-1)/0.1).");
+  }
+
+  private boolean fail(Failure why) {
+    failure = Optional.of(why);
+    return false;
+  }
+
+  private double energy(double t, double[] y) {
+    if (equations.model() instanceof Energies able) {
+      able.energy(t, y, energy);
+    }
+    return energy[0] + energy[1];
+  }
+
+  @Override
+  double beside(double t) {
+    return events.beside(t);
+  }
+
+  @Override
+  public void restarting(double t) {
+    events.goOn(t);
+  }
+
+  @Override
+  double dueRow() {
+    return dueRows.isEmpty() ? Double.POSITIVE_INFINITY : dueRows.get(0);
+  }
+
+  @Override
+  void rowWritten() {
+    dueRows.remove(0);
+  }
+
+  @Override
+  double takeWork() {
+    double taken = work;
+    work = 0;
+    return taken;
+  }
+
+  @Override
+  void tell(MomentumBalance balance) {
+    momentum = Optional.of(balance);
+  }
+
+  @Override
+  Optional<Failure> failure() {
+    return failure;
+  }
+
+  @Override
+  String part() {
+    int event = notFinite >= 0 ? notFinite : latest;
+    return event < 0 ? "" : (isMotion(event) ? "joint" : "event") + " \"" + names[event] + "\"";
+  }
+
+  private boolean isMotion(int event) {
+    return actions[event] == Action.IMPULSE || actions[event] == Action.BREAK;
+  }
+
+  @Override
+  List<Note> notes() {
+    List<Note> notes = new ArrayList<>();
+    for (Occurrence one : told) {
+      String code = isMotion(one.event()) ? "N-027" : "N-012";
+      notes.add(new Note(code, one.time(), false, what(one.event()) + energy(one) + "."));
+    }
+    if (count > told.size()) {
+      Occurrence last = told.get(told.size() - 1);
+      String text = (count - told.size()) + " more events after this time.";
+      notes.add(new Note("N-012", last.time(), false, text));
+    }
+    return notes;
+  }
+
+  private String what(int event) {
+    String name = "\"" + names[event] + "\"";
+    return switch (actions[event]) {
+      case STOP -> "Event " + name + " ends the run";
+      case RECORD -> "Event " + name + " is recorded";
+      case SET -> "Event " + name + " changes the state";
+      case IMPULSE ->
+          "The velocity of driven joint " + name + " jumps, and the others take the impulse";
+      case BREAK -> "The position of driven joint " + name + " jumps";
+    };
+  }
+
+  private static String energy(Occurrence one) {
+    if (Double.isNaN(one.energy())) {
+      return "";
+    }
+    String change = String.format(Locale.ROOT, "; the energy changes by %.4g J", one.energy());
+    return Double.isNaN(one.byLoops())
+        ? change
+        : change
+            + String.format(
+                Locale.ROOT, ", of that by %.4g J when the loops are closed again", one.byLoops());
+  }
+
+  @Override
+  public void transfer(StateTransfer state) {
+    for (String name : names) {
+      state.require("event", name);
+    }
+    count = state.integer(count);
+    latest = state.integer(latest);
+    int size = state.integer(told.size());
+    for (int i = 0; i < size; i++) {
+      Occurrence one = i < told.size() ? told.get(i) : new Occurrence(0, 0, 0, 0);
+      Occurrence carried =
+          new Occurrence(
+              state.integer(one.event()),
+              state.number(one.time()),
+              state.number(one.energy()),
+              state.number(one.byLoops()));
+      if (state.restoring()) {
+        told.add(carried);
+      }
+    }
+  }
+}

@@ -1,0 +1,101 @@
+package org.mechservice.solver.standalone;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.dynamics.DataDrivenModel;
+import org.mechservice.solver.mechanism.FiveBarPendulum;
+import org.mechservice.solver.ode.De;
+import org.mechservice.solver.simulation.ExplicitForm;
+import org.mechservice.solver.simulation.Simulation;
+
+class StandaloneTest {
+  @TempDir private Path folder;
+
+  private final ByteArrayOutputStream out = new ByteArrayOutputStream();
+  private final ByteArrayOutputStream err = new ByteArrayOutputStream();
+
+  @Test
+  void writesResultsUnitsAndReport() throws IOException {
+    Path csv = folder.resolve("l.csv");
+    assertThat(run("--out", csv.toString())).isZero();
+    assertThat(Files.readAllLines(csv)).hasSize(12).first().asString().startsWith("t,j1.q,j2.q");
+    assertThat(folder.resolve("l.units.json")).exists();
+    assertThat(text(out)).contains("scene", "FiveBarPendulum", "energy drift");
+  }
+
+  @Test
+  void commandLineOverridesTheModelsSettings() {
+    assertThat(run("--t-end", "0.2", "--t-step=0.1", "--rtol", "1e-8", "--json")).isZero();
+    assertThat(text(out)).contains("\"rows\": 3", "\"relativeTolerance\": 1e-8");
+  }
+
+  @Test
+  void quietPrintsNothing() {
+    assertThat(run("--quiet", "--t-end", "0.1")).isZero();
+    assertThat(text(out) + text(err)).isEmpty();
+  }
+
+  @Test
+  void helpListsTheOptionsAndRunsNothing() {
+    assertThat(run("--help")).isZero();
+    assertThat(text(out)).contains("--t-end", "--columns", "Exit status");
+  }
+
+  @Test
+  void driftOfTheEnergyBalanceEndsTheRunWhereAskedTo() {
+    assertThat(run("--rtol", "1e-2", "--atol", "1e-2", "--max-drift=1e-12", "--quiet"))
+        .isEqualTo(1);
+    assertThat(text(err)).contains("N-016 t=", "at most 1.0E-12 is allowed");
+  }
+
+  @CsvSource({
+    "--frobnicate, unknown option",
+    "--rtol=abc, not \"abc\"",
+    "--rtol=NaN, not \"NaN\"",
+    "--max-drift=0, must be positive",
+    "--out, lacks its value",
+    "--columns=wheels, no column group",
+    "--columns=reactions, --columns reactions",
+    "--t-end=-5, end time",
+    "--rtol=1e-20, 1.0E-20"
+  })
+  @ParameterizedTest
+  void badUsageIsOneMessageAndStatusTwo(String option, String message) {
+    assertThat(run(option)).isEqualTo(2);
+    assertThat(text(err)).contains(message).doesNotContain("\tat ");
+    assertThat(folder).isEmptyDirectory();
+  }
+
+  private int run(String... args) {
+    DataDrivenModel model =
+        new DataDrivenModel(
+            FiveBarPendulum.mechanism(), new RunSettings(0, 1, 0.1, "DE", 1e-5, 1e-5));
+    return new Standalone(
+            () -> model,
+            new Simulation(De::new, new ExplicitForm()),
+            "joints,energy",
+            "joints",
+            print(out),
+            print(err))
+        .run(args);
+  }
+
+  private static PrintStream print(ByteArrayOutputStream bytes) {
+    return new PrintStream(bytes, true, StandardCharsets.UTF_8);
+  }
+
+  private static String text(ByteArrayOutputStream bytes) {
+    return bytes.toString(StandardCharsets.UTF_8);
+  }
+}

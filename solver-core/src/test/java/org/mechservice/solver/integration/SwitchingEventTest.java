@@ -1,8 +1,0 @@
-package org.mechservice.solver.integration;
-
-class SwitchingEventTest extends EventContract {
-  @Override
-  Integrator create(IntegratorSettings settings) {
-    return new Switching(settings);
-  }
-}
