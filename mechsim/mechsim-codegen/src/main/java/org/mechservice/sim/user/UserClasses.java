@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Collections;
 import java.util.List;
 import java.util.SortedMap;
-import org.mechservice.mechml.MechmlException;
+import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.sim.jar.Sha256;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.UserForceElement;
