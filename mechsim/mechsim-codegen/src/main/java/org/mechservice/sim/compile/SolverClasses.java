@@ -12,7 +12,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Function;
@@ -21,16 +23,23 @@ import java.util.jar.JarFile;
 import java.util.stream.Stream;
 import java.util.zip.CRC32;
 import org.jspecify.annotations.Nullable;
-import org.mechservice.sim.jar.Sha256;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.simulation.RuntimeSolver;
+import org.mechservice.solver.text.Sha256;
 
 /**
- * The files of solver-core as this process has them, wherever they are: a directory of classes or a
- * JAR, alone or with other modules.
+ * The class files and service files of the solver as this process has them: the four solver
+ * artifacts, each from a folder of classes or from a JAR, alone or together with other modules.
  */
 public final class SolverClasses {
   private static final String CLASSES = "org/mechservice/solver/";
   private static final String SERVICES = "META-INF/services/org.mechservice.solver.";
+
+  /** One class of each artifact; it leads to the folder or JAR that holds the others. */
+  private static final List<Class<?>> ANCHORS =
+      List.of(Model.class, Integrator.class, Mechanism.class, RuntimeSolver.class);
 
   private SolverClasses() {}
 
@@ -64,8 +73,8 @@ public final class SolverClasses {
   }
 
   /**
-   * Returns the SHA-256 of the paths, lengths and CRCs of all files, in which it shows whether the
-   * solver was compiled anew. Of a JAR only the table of contents is read; to inflate and hash the
+   * Returns the SHA-256 of the paths, lengths and CRCs of all files. It changes when the solver is
+   * compiled anew. Only the table of contents of a JAR is read, because inflating and hashing the
    * files would take as long as a small simulation. It is no protection against forgery.
    */
   public static String fingerprint() {
@@ -93,26 +102,31 @@ public final class SolverClasses {
 
   /** Returns something of each file, by path: from an entry of a JAR or from a file's content. */
   private static <T> SortedMap<String, T> each(Reading<T> inJar, Function<byte[], T> inDirectory) {
-    String self = Model.class.getName().replace('.', '/') + ".class";
-    URL url = Model.class.getResource("/" + self);
-    if (url == null) {
-      throw new IllegalStateException("the solver's own class files cannot be read");
-    }
+    SortedMap<String, T> found = new TreeMap<>();
+    Set<String> places = new HashSet<>();
     try {
-      URLConnection connection = url.openConnection();
-      return connection instanceof JarURLConnection jar
-          ? eachIn(jar, inJar)
-          : eachIn(Path.of(directory(url, self)), inDirectory);
+      for (Class<?> anchor : ANCHORS) {
+        String self = anchor.getName().replace('.', '/') + ".class";
+        URL url = anchor.getResource("/" + self);
+        if (url == null) {
+          throw new IllegalStateException("the solver's own class files cannot be read");
+        }
+        String text = url.toString();
+        String place = text.substring(0, text.length() - self.length());
+        if (places.add(place)) {
+          URLConnection connection = url.openConnection();
+          found.putAll(
+              connection instanceof JarURLConnection jar
+                  ? eachIn(jar, inJar)
+                  : eachIn(Path.of(new URI(place)), inDirectory));
+        }
+      }
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     } catch (URISyntaxException e) {
       throw new IllegalStateException("the solver's own class files are at no usable place", e);
     }
-  }
-
-  private static URI directory(URL url, String self) throws URISyntaxException {
-    String text = url.toString();
-    return new URI(text.substring(0, text.length() - self.length()));
+    return found;
   }
 
   private static <T> SortedMap<String, T> eachIn(JarURLConnection connection, Reading<T> wanted)
