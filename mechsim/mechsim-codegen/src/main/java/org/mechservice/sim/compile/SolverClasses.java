@@ -24,22 +24,23 @@ import java.util.stream.Stream;
 import java.util.zip.CRC32;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.ode.Integrator;
-import org.mechservice.solver.simulation.RuntimeSolver;
+import org.mechservice.solver.simulation.Simulation;
 import org.mechservice.solver.text.Sha256;
 
 /**
- * The class files and service files of the solver as this process has them: the four solver
- * artifacts, each from a folder of classes or from a JAR, alone or together with other modules.
+ * The class files of the solver's four artifacts as this process has them, wherever each is: a
+ * directory of classes or a JAR, alone or with other modules.
  */
 public final class SolverClasses {
   private static final String CLASSES = "org/mechservice/solver/";
-  private static final String SERVICES = "META-INF/services/org.mechservice.solver.";
 
-  /** One class of each artifact; it leads to the folder or JAR that holds the others. */
-  private static final List<Class<?>> ANCHORS =
-      List.of(Model.class, Integrator.class, Mechanism.class, RuntimeSolver.class);
+  /** One class of each artifact, which shows where the artifact is. */
+  private static final List<Class<?>> ARTIFACTS =
+      List.of(Model.class, LinearSolver.class, Mechanism.class, Simulation.class);
+
+  private static final String SERVICES = "META-INF/services/org.mechservice.solver.";
 
   private SolverClasses() {}
 
@@ -103,30 +104,38 @@ public final class SolverClasses {
   /** Returns something of each file, by path: from an entry of a JAR or from a file's content. */
   private static <T> SortedMap<String, T> each(Reading<T> inJar, Function<byte[], T> inDirectory) {
     SortedMap<String, T> found = new TreeMap<>();
-    Set<String> places = new HashSet<>();
-    try {
-      for (Class<?> anchor : ANCHORS) {
-        String self = anchor.getName().replace('.', '/') + ".class";
-        URL url = anchor.getResource("/" + self);
-        if (url == null) {
-          throw new IllegalStateException("the solver's own class files cannot be read");
-        }
-        String text = url.toString();
-        String place = text.substring(0, text.length() - self.length());
-        if (places.add(place)) {
-          URLConnection connection = url.openConnection();
-          found.putAll(
-              connection instanceof JarURLConnection jar
-                  ? eachIn(jar, inJar)
-                  : eachIn(Path.of(new URI(place)), inDirectory));
-        }
+    Set<String> read = new HashSet<>();
+    for (Class<?> artifact : ARTIFACTS) {
+      String self = artifact.getName().replace('.', '/') + ".class";
+      URL url = artifact.getResource("/" + self);
+      if (url == null) {
+        throw new IllegalStateException("the solver's own class files cannot be read");
       }
+      if (read.add(root(url, self))) {
+        found.putAll(eachAt(url, self, inJar, inDirectory));
+      }
+    }
+    return found;
+  }
+
+  private static <T> SortedMap<String, T> eachAt(
+      URL url, String self, Reading<T> inJar, Function<byte[], T> inDirectory) {
+    try {
+      URLConnection connection = url.openConnection();
+      return connection instanceof JarURLConnection jar
+          ? eachIn(jar, inJar)
+          : eachIn(Path.of(new URI(root(url, self))), inDirectory);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     } catch (URISyntaxException e) {
       throw new IllegalStateException("the solver's own class files are at no usable place", e);
     }
-    return found;
+  }
+
+  /** Returns the directory or JAR that a class file was found in. */
+  private static String root(URL url, String self) {
+    String text = url.toString();
+    return text.substring(0, text.length() - self.length());
   }
 
   private static <T> SortedMap<String, T> eachIn(JarURLConnection connection, Reading<T> wanted)

@@ -82,7 +82,7 @@ final class CodeSizes {
   }
 
   static MechmlModel model(Row row) throws IOException, MechmlException {
-    Path path = Path.of("..", "examples").resolve(row.file());
+    Path path = Path.of("..", "..", "examples").resolve(row.file());
     return MechmlReader.read(path.getFileName().toString(), Files.readAllBytes(path));
   }
 
