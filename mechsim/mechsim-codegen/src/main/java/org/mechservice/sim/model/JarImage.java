@@ -8,13 +8,12 @@ import java.util.Map;
  * @param fileName suggested file name
  * @param bytes the file; not to be modified
  * @param sha256 its SHA-256, lower-case hexadecimal
- * @param mainClass the class to start, or the model class if there is none to start
+ * @param mainClass the class to start, or the model class of a JAR without a solver
  * @param modelBytes compressed size of the model's own classes
  * @param manifest main attributes of the manifest, in order
  */
-@SuppressWarnings(
-    "ArrayRecordComponent") // a file's bytes, megabytes at times: handed on, never changed
-public record PackedJar(
+@SuppressWarnings("ArrayRecordComponent") // a file's bytes, megabytes at times; never changed
+public record JarImage(
     String fileName,
     byte[] bytes,
     String sha256,
