@@ -16,6 +16,7 @@ import java.util.TreeMap;
 import java.util.jar.JarEntry;
 import java.util.jar.JarInputStream;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.compile.SolverClasses;
 import org.mechservice.sim.jar.ReachableClasses;
