@@ -1,10 +1,10 @@
 package org.mechservice.mechml.diagnosis;
 
-/** How much a diagnostic matters. */
+/** Severity of a diagnostic. */
 public enum Severity {
-  /** Worth knowing. */
+  /** Information. */
   INFO,
-  /** Probably not meant; the model is used all the same. */
+  /** A probable mistake; the model can be used. */
   WARNING,
   /** The model cannot be used. */
   ERROR
