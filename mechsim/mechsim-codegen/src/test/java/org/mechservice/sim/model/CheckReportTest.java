@@ -109,7 +109,7 @@ class CheckReportTest {
   }
 
   private static CheckReport example(String file) throws Exception {
-    Path path = Path.of("..", "examples").resolve(file);
+    Path path = Path.of("..", "..", "examples").resolve(file);
     return CheckReport.of(
         MechmlReader.read(path.getFileName().toString(), Files.readAllBytes(path)));
   }

@@ -80,7 +80,7 @@ final class CodeSizes {
   }
 
   static MechmlModel model(Row row) throws IOException, MechmlException {
-    Path path = Path.of("..", "examples").resolve(row.file());
+    Path path = Path.of("..", "..", "examples").resolve(row.file());
     return MechmlReader.read(path.getFileName().toString(), Files.readAllBytes(path));
   }
 
@@ -128,8 +128,8 @@ final class CodeSizes {
             + " energy among the columns; behind a slash what they may be. A JAR has a manifest and"
             + " a description of the model beside its classes, at most "
             + OVERHEAD
-            + " B. Generation and compilation, warm: the least of up to 40 in 2 s, through source in 6 s; the paper's"
-            + " are tcc + t1s.");
+            + " B. Generation and compilation, warm: the least of up to 40 in 2 s, through source"
+            + " in 6 s; the paper's are tcc + t1s.");
     lines.add("");
     lines.add(
         "| model | formulation | operations | classes [B] | JAR [B] | beside classes [B] | through"

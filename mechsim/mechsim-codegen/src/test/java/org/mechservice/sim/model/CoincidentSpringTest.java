@@ -19,7 +19,7 @@ import org.mechservice.solver.api.WatchedModel;
 
 /** A spring whose points coincide wherever the joints are, in generated code. */
 class CoincidentSpringTest {
-  private static final Path SCENE = Path.of("../examples/extremes/coincident_spring.xml");
+  private static final Path SCENE = Path.of("../../examples/extremes/coincident_spring.xml");
 
   private static MechmlModel model(String length) throws IOException, MechmlException {
     String text = Files.readString(SCENE, StandardCharsets.UTF_8);

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Sizes and speed of generated code; the soak run writes them to a page of docs/reports. */
 class GeneratedCodePageTest {
-  private static final Path PAGE = Path.of("..", "docs", "reports", "generated-code.md");
+  private static final Path PAGE = Path.of("..", "..", "docs", "reports", "generated-code.md");
 
   @TempDir private Path folder = Path.of("");
 

@@ -29,7 +29,7 @@ import org.mechservice.solver.api.LinearisedModel;
 /** Agreement and speed of code for loops; the soak run writes them to a page of docs/reports. */
 @Tag("soak")
 class GeneratedLoopsPageTest {
-  private static final Path PAGE = Path.of("..", "docs", "reports", "generated-loops.md");
+  private static final Path PAGE = Path.of("..", "..", "docs", "reports", "generated-loops.md");
   private static final int SCENES = 500;
   private static final int ROUNDS = 400;
   private static final long NANOS_PER_ROUND = 1_500_000;
@@ -113,7 +113,8 @@ class GeneratedLoopsPageTest {
         ROUNDS);
     line("");
     line(
-        "| model | closure | y', data | y', code | completed, data | completed, code | operations |");
+        "| model | closure | y', data | y', code | completed, data | completed, code | operations"
+            + " |");
     line("|---|---|---|---|---|---|---|");
     for (String file : MODELS) {
       for (String closure : List.of("projection", "penalty")) {
@@ -164,7 +165,7 @@ class GeneratedLoopsPageTest {
   }
 
   private static MechmlModel read(String file) throws IOException, MechmlException {
-    Path path = Path.of("..", "examples").resolve(file);
+    Path path = Path.of("..", "..", "examples").resolve(file);
     return MechmlReader.read(path.getFileName().toString(), Files.readAllBytes(path));
   }
 

@@ -33,7 +33,7 @@ import org.mechservice.solver.mechanism.Mechanism;
 
 /** Code for loops that forces of users are put to, against the same closures driven by data. */
 class GeneratedLoopsWithUserForcesTest {
-  private static final Path SUSPENSION = Path.of("..", "examples", "five-point-suspension");
+  private static final Path SUSPENSION = Path.of("..", "..", "examples", "five-point-suspension");
   private static final ClassLoader OWN = GeneratedLoopsWithUserForcesTest.class.getClassLoader();
 
   static Stream<Named<Mechanism>> scenes() {

@@ -72,7 +72,7 @@ class LongScenesTest {
   }
 
   private static MechmlModel chainOfAThousandLinks() throws IOException, MechmlException {
-    Path file = Path.of("..", "examples", "extremes", "chain_1000.xml");
+    Path file = Path.of("..", "..", "examples", "extremes", "chain_1000.xml");
     return MechmlReader.read("chain_1000.xml", Files.readAllBytes(file));
   }
 

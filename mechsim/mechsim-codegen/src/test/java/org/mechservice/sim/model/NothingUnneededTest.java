@@ -86,7 +86,7 @@ class NothingUnneededTest {
   }
 
   private static MechmlModel example(String file) throws Exception {
-    Path path = Path.of("..", "examples").resolve(file);
+    Path path = Path.of("..", "..", "examples").resolve(file);
     return MechmlReader.read(path.getFileName().toString(), Files.readAllBytes(path));
   }
 

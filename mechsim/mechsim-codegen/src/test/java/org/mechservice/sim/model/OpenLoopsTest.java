@@ -16,7 +16,8 @@ class OpenLoopsTest {
   private static MechmlModel model(String... replacements) throws Exception {
     String text =
         Files.readString(
-            Path.of("../examples/extremes/parallelogram_through_line.xml"), StandardCharsets.UTF_8);
+            Path.of("../../examples/extremes/parallelogram_through_line.xml"),
+            StandardCharsets.UTF_8);
     for (int i = 0; i < replacements.length; i += 2) {
       text = text.replace(replacements[i], replacements[i + 1]);
     }

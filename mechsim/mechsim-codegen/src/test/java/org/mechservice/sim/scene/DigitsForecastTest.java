@@ -15,7 +15,7 @@ import org.mechservice.mechml.MechmlReader;
 class DigitsForecastTest {
   private static Optional<Finding> forecast(String scene, String formulation)
       throws IOException, MechmlException {
-    Path file = Path.of("..", "examples", "extremes", scene + ".xml");
+    Path file = Path.of("..", "..", "examples", "extremes", scene + ".xml");
     MechmlModel model = MechmlReader.read(scene, Files.readAllBytes(file));
     return DigitsForecast.of(model.mechanism(), formulation, model.settings().run());
   }

@@ -31,7 +31,7 @@ class GenerationLimitsTest {
   @Test
   void aChainWhoseFactorsAloneAreTooManyIsLeftToTheDataBeforeItIsDerived()
       throws IOException, MechmlException {
-    Path file = Path.of("..", "examples", "extremes", "chain_1000.xml");
+    Path file = Path.of("..", "..", "examples", "extremes", "chain_1000.xml");
     Mechanism chain = MechmlReader.read("chain_1000.xml", Files.readAllBytes(file)).mechanism();
     assertThat(
             GenerationLimits.notGenerated(chain, new FormulationChoice("DSR", "none", "asked for")))

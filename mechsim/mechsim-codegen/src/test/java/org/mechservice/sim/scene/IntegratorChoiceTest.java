@@ -16,7 +16,7 @@ import org.mechservice.mechml.MechmlReader;
 
 /** The automatic integrator goes by what of the spectrum at the start will last. */
 class IntegratorChoiceTest {
-  private static final Path EXAMPLES = Path.of("../examples");
+  private static final Path EXAMPLES = Path.of("../../examples");
 
   private static String scene(String path) throws IOException {
     return Files.readString(EXAMPLES.resolve(path + ".xml"), StandardCharsets.UTF_8);

@@ -17,7 +17,7 @@ import org.mechservice.mechml.MechmlReader;
 
 /** What makes a run endless is told before it, with the part it lies in. */
 class RunForecastTest {
-  private static final Path EXTREMES = Path.of("../examples/extremes");
+  private static final Path EXTREMES = Path.of("../../examples/extremes");
 
   private static String scene(String name) throws IOException {
     return Files.readString(EXTREMES.resolve(name + ".xml"), StandardCharsets.UTF_8);

@@ -13,7 +13,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.MechmlReader;
 
 class StiffnessForecastTest {
-  private static final Path EXTREMES = Path.of("../examples/extremes");
+  private static final Path EXTREMES = Path.of("../../examples/extremes");
 
   private static String scene(String name) {
     try {
