@@ -14,8 +14,8 @@ import org.mechservice.idl.OPT_INTEGRATOR;
 import org.mechservice.idl.OPT_SET;
 import org.mechservice.idl.ServerFailure;
 import org.mechservice.idl.SimState;
-import org.mechservice.mechml.Diagnostic;
-import org.mechservice.mechml.Severity;
+import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.mechml.diagnosis.Severity;
 import org.mechservice.sim.scene.ModelBuildException;
 
 /**

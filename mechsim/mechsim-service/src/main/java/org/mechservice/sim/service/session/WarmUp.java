@@ -25,7 +25,7 @@ import org.mechservice.idl.Progress;
 import org.mechservice.idl.ResultBlockHolder;
 import org.mechservice.idl.RunSetUp;
 import org.mechservice.idl.SimState;
-import org.mechservice.mechml.MechmlException;
+import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.sim.model.BuildOptions;
