@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.sim.emit.CodeForm;
+import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.sim.jar.Packing;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ResidualModel;
@@ -57,8 +57,8 @@ final class CodeSpeeds {
     }
     lines.add("");
     lines.add(
-        "DTR, DSR: forward dynamics; RR: the residual alone. DSR of chain200 is left out: factors of"
-            + " its mass matrix are left to data.");
+        "DTR, DSR: forward dynamics; RR: the residual alone. DSR of chain200 is left out: factors"
+            + " of its mass matrix are left to data.");
   }
 
   private void forms() throws Exception {

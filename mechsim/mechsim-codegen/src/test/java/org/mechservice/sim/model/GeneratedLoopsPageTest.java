@@ -19,8 +19,8 @@ import org.junit.jupiter.api.Test;
 import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.MechmlReader;
-import org.mechservice.sim.equations.Links;
-import org.mechservice.sim.equations.ResidualDerivatives;
+import org.mechservice.sim.equations.derivatives.ResidualDerivatives;
+import org.mechservice.sim.equations.links.Links;
 import org.mechservice.solver.api.DependentStates;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.ExplicitModel;
@@ -113,7 +113,8 @@ class GeneratedLoopsPageTest {
         ROUNDS);
     line("");
     line(
-        "| model | closure | y', data | y', code | completed, data | completed, code | operations |");
+        "| model | closure | y', data | y', code | completed, data | completed, code | operations"
+            + " |");
     line("|---|---|---|---|---|---|---|");
     for (String file : MODELS) {
       for (String closure : List.of("projection", "penalty")) {
