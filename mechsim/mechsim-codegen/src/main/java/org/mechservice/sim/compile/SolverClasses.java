@@ -12,7 +12,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Function;
@@ -21,15 +23,23 @@ import java.util.jar.JarFile;
 import java.util.stream.Stream;
 import java.util.zip.CRC32;
 import org.jspecify.annotations.Nullable;
-import org.mechservice.sim.jar.Sha256;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.linear.LinearSolver;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.simulation.Simulation;
+import org.mechservice.solver.text.Sha256;
 
 /**
- * The files of solver-core as this process has them, wherever they are: a directory of classes or a
- * JAR, alone or with other modules.
+ * The class files of the solver's four artifacts as this process has them, wherever each is: a
+ * directory of classes or a JAR, alone or with other modules.
  */
 public final class SolverClasses {
   private static final String CLASSES = "org/mechservice/solver/";
+
+  /** One class of each artifact, which shows where the artifact is. */
+  private static final List<Class<?>> ARTIFACTS =
+      List.of(Model.class, LinearSolver.class, Mechanism.class, Simulation.class);
+
   private static final String SERVICES = "META-INF/services/org.mechservice.solver.";
 
   private SolverClasses() {}
@@ -64,8 +74,8 @@ public final class SolverClasses {
   }
 
   /**
-   * Returns the SHA-256 of the paths, lengths and CRCs of all files, in which it shows whether the
-   * solver was compiled anew. Of a JAR only the table of contents is read; to inflate and hash the
+   * Returns the SHA-256 of the paths, lengths and CRCs of all files. It changes when the solver is
+   * compiled anew. Only the table of contents of a JAR is read, because inflating and hashing the
    * files would take as long as a small simulation. It is no protection against forgery.
    */
   public static String fingerprint() {
@@ -93,16 +103,28 @@ public final class SolverClasses {
 
   /** Returns something of each file, by path: from an entry of a JAR or from a file's content. */
   private static <T> SortedMap<String, T> each(Reading<T> inJar, Function<byte[], T> inDirectory) {
-    String self = Model.class.getName().replace('.', '/') + ".class";
-    URL url = Model.class.getResource("/" + self);
-    if (url == null) {
-      throw new IllegalStateException("the solver's own class files cannot be read");
+    SortedMap<String, T> found = new TreeMap<>();
+    Set<String> read = new HashSet<>();
+    for (Class<?> artifact : ARTIFACTS) {
+      String self = artifact.getName().replace('.', '/') + ".class";
+      URL url = artifact.getResource("/" + self);
+      if (url == null) {
+        throw new IllegalStateException("the solver's own class files cannot be read");
+      }
+      if (read.add(root(url, self))) {
+        found.putAll(eachAt(url, self, inJar, inDirectory));
+      }
     }
+    return found;
+  }
+
+  private static <T> SortedMap<String, T> eachAt(
+      URL url, String self, Reading<T> inJar, Function<byte[], T> inDirectory) {
     try {
       URLConnection connection = url.openConnection();
       return connection instanceof JarURLConnection jar
           ? eachIn(jar, inJar)
-          : eachIn(Path.of(directory(url, self)), inDirectory);
+          : eachIn(Path.of(new URI(root(url, self))), inDirectory);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     } catch (URISyntaxException e) {
@@ -110,9 +132,10 @@ public final class SolverClasses {
     }
   }
 
-  private static URI directory(URL url, String self) throws URISyntaxException {
+  /** Returns the directory or JAR that a class file was found in. */
+  private static String root(URL url, String self) {
     String text = url.toString();
-    return new URI(text.substring(0, text.length() - self.length()));
+    return text.substring(0, text.length() - self.length());
   }
 
   private static <T> SortedMap<String, T> eachIn(JarURLConnection connection, Reading<T> wanted)

@@ -3,9 +3,9 @@ package org.mechservice.sim.user;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.mechservice.mechml.Diagnostic;
-import org.mechservice.mechml.MechmlException;
-import org.mechservice.mechml.Severity;
+import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.diagnosis.Severity;
 
 /** What is wrong with the classes of a model; each thing is said once. */
 final class UserCodeFindings {

@@ -29,7 +29,7 @@ import org.mechservice.solver.mechanism.Mechanism;
  * largest element, as a page; each bound is checked as well.
  */
 class AgreementPageTest {
-  private static final Path PAGE = Path.of("..", "docs", "reports", "generated-agreement.md");
+  private static final Path PAGE = Path.of("..", "..", "docs", "reports", "generated-agreement.md");
   private static final double TIME = 0.4;
   private static final List<String> KINDS = List.of("trees", "with forces", "with user classes");
   private static final List<String> FORMULATIONS = List.of("DTR", "DSR", "RR", "RR-JF");

@@ -11,10 +11,10 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.mechservice.mechml.Diagnostic;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.MechmlReader;
-import org.mechservice.mechml.Severity;
+import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.mechml.diagnosis.Severity;
+import org.mechservice.mechml.resolve.MechmlReader;
 
 class CheckReportTest {
   @Test
@@ -109,7 +109,7 @@ class CheckReportTest {
   }
 
   private static CheckReport example(String file) throws Exception {
-    Path path = Path.of("..", "examples").resolve(file);
+    Path path = Path.of("..", "..", "examples").resolve(file);
     return CheckReport.of(
         MechmlReader.read(path.getFileName().toString(), Files.readAllBytes(path)));
   }

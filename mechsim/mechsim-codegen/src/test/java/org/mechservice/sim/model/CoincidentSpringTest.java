@@ -9,9 +9,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumSet;
 import org.junit.jupiter.api.Test;
-import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.MechmlReader;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ExplicitModel;
@@ -19,7 +19,7 @@ import org.mechservice.solver.api.WatchedModel;
 
 /** A spring whose points coincide wherever the joints are, in generated code. */
 class CoincidentSpringTest {
-  private static final Path SCENE = Path.of("../examples/extremes/coincident_spring.xml");
+  private static final Path SCENE = Path.of("../../examples/extremes/coincident_spring.xml");
 
   private static MechmlModel model(String length) throws IOException, MechmlException {
     String text = Files.readString(SCENE, StandardCharsets.UTF_8);

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Sizes and speed of generated code; the soak run writes them to a page of docs/reports. */
 class GeneratedCodePageTest {
-  private static final Path PAGE = Path.of("..", "docs", "reports", "generated-code.md");
+  private static final Path PAGE = Path.of("..", "..", "docs", "reports", "generated-code.md");
 
   @TempDir private Path folder = Path.of("");
 
@@ -30,7 +30,7 @@ class GeneratedCodePageTest {
   @ParameterizedTest
   @MethodSource("bounded")
   void aModelIsNoLargerThanItMayBe(CodeSizes.Row row) throws Exception {
-    PackedJar jar = CodeSizes.jar(CodeSizes.built(row));
+    JarImage jar = CodeSizes.jar(CodeSizes.built(row));
     assertThat(jar.modelBytes()).isLessThanOrEqualTo(row.bound());
     assertThat(jar.bytes().length - jar.modelBytes()).isLessThanOrEqualTo(CodeSizes.OVERHEAD);
   }

@@ -16,9 +16,9 @@ import java.util.function.Function;
 import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.MechmlReader;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.equations.derivatives.ResidualDerivatives;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.solver.api.DependentStates;
@@ -29,7 +29,7 @@ import org.mechservice.solver.api.LinearisedModel;
 /** Agreement and speed of code for loops; the soak run writes them to a page of docs/reports. */
 @Tag("soak")
 class GeneratedLoopsPageTest {
-  private static final Path PAGE = Path.of("..", "docs", "reports", "generated-loops.md");
+  private static final Path PAGE = Path.of("..", "..", "docs", "reports", "generated-loops.md");
   private static final int SCENES = 500;
   private static final int ROUNDS = 400;
   private static final long NANOS_PER_ROUND = 1_500_000;
@@ -165,7 +165,7 @@ class GeneratedLoopsPageTest {
   }
 
   private static MechmlModel read(String file) throws IOException, MechmlException {
-    Path path = Path.of("..", "examples").resolve(file);
+    Path path = Path.of("..", "..", "examples").resolve(file);
     return MechmlReader.read(path.getFileName().toString(), Files.readAllBytes(path));
   }
 

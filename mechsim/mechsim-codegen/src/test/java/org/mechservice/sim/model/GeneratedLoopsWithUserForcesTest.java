@@ -19,9 +19,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.MechmlReader;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.compile.ModelCompiler;
 import org.mechservice.sim.user.UserClasses;
 import org.mechservice.sim.user.UserFile;
@@ -33,7 +33,7 @@ import org.mechservice.solver.mechanism.Mechanism;
 
 /** Code for loops that forces of users are put to, against the same closures driven by data. */
 class GeneratedLoopsWithUserForcesTest {
-  private static final Path SUSPENSION = Path.of("..", "examples", "five-point-suspension");
+  private static final Path SUSPENSION = Path.of("..", "..", "examples", "five-point-suspension");
   private static final ClassLoader OWN = GeneratedLoopsWithUserForcesTest.class.getClassLoader();
 
   static Stream<Named<Mechanism>> scenes() {

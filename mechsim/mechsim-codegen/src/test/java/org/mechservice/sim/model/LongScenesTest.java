@@ -16,9 +16,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.MechmlReader;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.emit.bytes.MethodSizes;
 import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.solver.api.BodyPoses;
@@ -72,7 +72,7 @@ class LongScenesTest {
   }
 
   private static MechmlModel chainOfAThousandLinks() throws IOException, MechmlException {
-    Path file = Path.of("..", "examples", "extremes", "chain_1000.xml");
+    Path file = Path.of("..", "..", "examples", "extremes", "chain_1000.xml");
     return MechmlReader.read("chain_1000.xml", Files.readAllBytes(file));
   }
 

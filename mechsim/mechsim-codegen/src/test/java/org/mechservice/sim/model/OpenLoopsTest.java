@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.MechmlReader;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.scene.ModelBuildException;
 
 /** Loops that no start closes: the refusal names the constraint and what holds it open. */
@@ -16,7 +16,8 @@ class OpenLoopsTest {
   private static MechmlModel model(String... replacements) throws Exception {
     String text =
         Files.readString(
-            Path.of("../examples/extremes/parallelogram_through_line.xml"), StandardCharsets.UTF_8);
+            Path.of("../../examples/extremes/parallelogram_through_line.xml"),
+            StandardCharsets.UTF_8);
     for (int i = 0; i < replacements.length; i += 2) {
       text = text.replace(replacements[i], replacements[i + 1]);
     }

@@ -7,15 +7,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.MechmlReader;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.resolve.MechmlReader;
 
 /** Light balls that carry heavy ones, 1e8 times their mass in all. */
 class DigitsForecastTest {
   private static Optional<Finding> forecast(String scene, String formulation)
       throws IOException, MechmlException {
-    Path file = Path.of("..", "examples", "extremes", scene + ".xml");
+    Path file = Path.of("..", "..", "examples", "extremes", scene + ".xml");
     MechmlModel model = MechmlReader.read(scene, Files.readAllBytes(file));
     return DigitsForecast.of(model.mechanism(), formulation, model.settings().run());
   }

@@ -6,8 +6,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
-import org.mechservice.mechml.MechmlException;
-import org.mechservice.mechml.MechmlReader;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.solver.mechanism.Mechanism;
 
 class GenerationLimitsTest {
@@ -31,7 +31,7 @@ class GenerationLimitsTest {
   @Test
   void aChainWhoseFactorsAloneAreTooManyIsLeftToTheDataBeforeItIsDerived()
       throws IOException, MechmlException {
-    Path file = Path.of("..", "examples", "extremes", "chain_1000.xml");
+    Path file = Path.of("..", "..", "examples", "extremes", "chain_1000.xml");
     Mechanism chain = MechmlReader.read("chain_1000.xml", Files.readAllBytes(file)).mechanism();
     assertThat(
             GenerationLimits.notGenerated(chain, new FormulationChoice("DSR", "none", "asked for")))

@@ -10,13 +10,13 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.MechmlReader;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.resolve.MechmlReader;
 
 /** What an integrator cannot know of before it has passed over it is told before the run. */
 class ShortPulseCheckTest {
-  private static final Path SCENE = Path.of("../examples/extremes/brief_push.xml");
+  private static final Path SCENE = Path.of("../../examples/extremes/brief_push.xml");
   private static final String PUSH = "1000*exp(-((t-5)/0.001)^2)";
 
   private static Optional<Finding> of(String formula, String maxStep)
@@ -65,7 +65,7 @@ class ShortPulseCheckTest {
 
   @Test
   void driveThatMovesForAShortWhileIsToldByTheJointItPushes() throws Exception {
-    String still = Files.readString(Path.of("../examples/extremes/kinked_drive.xml"));
+    String still = Files.readString(Path.of("../../examples/extremes/kinked_drive.xml"));
     assertThat(of(still)).isEmpty();
     String jerk = still.replaceAll("driven=\"[^\"]*\"", "driven=\"tanh((t-0.5)*5000)\"");
     assertThat(of(jerk))
@@ -76,7 +76,7 @@ class ShortPulseCheckTest {
 
   @Test
   void pushIntoLoopsIsTold() throws Exception {
-    String loops = Files.readString(Path.of("../examples/extremes/fourbars_in_row.xml"));
+    String loops = Files.readString(Path.of("../../examples/extremes/fourbars_in_row.xml"));
     assertThat(of(loops)).isEmpty();
     String push = "<jointForce name=\"push\" joint=\"ja\" expression=\"exp(-((t-0.5)/0.001)^2)\"/>";
     assertThat(of(loops.replace("</Forces>", push + "</Forces>")))

@@ -16,7 +16,7 @@ class CheckReportsTest {
   }
 
   private static String model(String name) throws Exception {
-    return Files.readString(Path.of("../examples/pendulum/pendulum.xml"))
+    return Files.readString(Path.of("../../examples/pendulum/pendulum.xml"))
         .replace("FiveBarPendulum", name);
   }
 

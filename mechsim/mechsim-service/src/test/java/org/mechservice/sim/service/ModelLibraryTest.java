@@ -27,7 +27,7 @@ class ModelLibraryTest {
 
   @BeforeEach
   void load() throws Exception {
-    byte[] file = Files.readAllBytes(Path.of("../examples/pendulum/pendulum.xml"));
+    byte[] file = Files.readAllBytes(Path.of("../../examples/pendulum/pendulum.xml"));
     pendulum = LoadedModel.read("pendulum.xml", file, List.of(), true);
   }
 

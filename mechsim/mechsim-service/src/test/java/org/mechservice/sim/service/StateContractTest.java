@@ -67,7 +67,7 @@ class StateContractTest {
   @ValueSource(
       strings = {"pendulum/pendulum.xml", "elements/joint-cut.xml", "elements/JointConstraint.xml"})
   void whoAsksForTheStateAtEveryStepChangesNoBit(String file) throws Exception {
-    Path model = Path.of("../examples").resolve(file);
+    Path model = Path.of("../../examples").resolve(file);
     try (HostedClient there = HostedClient.withInstalledSolver()) {
       MechSim session = there.emptySession();
       session.loadModel(

@@ -19,7 +19,7 @@ import org.mechservice.solver.ode.suite.SuiteProblem;
 /** Writes docs/reports/integrators.md: what the integrators cost and deliver on their suite. */
 @Tag("soak")
 class IntegratorReportTest {
-  private static final Path PAGE = Path.of("..", "docs", "reports", "integrators.md");
+  private static final Path PAGE = Path.of("..", "..", "docs", "reports", "integrators.md");
 
   /** What the page says of each target; kept by hand, with the tests that prove it. */
   private static final Path STANDING =
@@ -267,8 +267,8 @@ class IntegratorReportTest {
     ratios.sort(null);
     line("");
     line(
-        "All problems of the suite, %d runs: median %.2f, 90 of 100 at most %.2f, worst %.2f. Finding"
-            + " out takes some 60 evaluations, which short runs feel.",
+        "All problems of the suite, %d runs: median %.2f, 90 of 100 at most %.2f, worst %.2f."
+            + " Finding out takes some 60 evaluations, which short runs feel.",
         ratios.size(),
         ratios.get(ratios.size() / 2),
         ratios.get(ratios.size() * 9 / 10),

@@ -24,7 +24,7 @@ import org.mechservice.solver.mechanism.RandomTrees;
 /** Writes docs/reports/formulations.md: how far formulations differ on large random sets. */
 @Tag("soak")
 class FormulationsReportTest {
-  private static final Path PAGE = Path.of("..", "docs", "reports", "formulations.md");
+  private static final Path PAGE = Path.of("..", "..", "docs", "reports", "formulations.md");
   private static final int TREES = 500;
   private static final int MOST_BODIES = 100;
   private static final int LOOPS = 1000;
@@ -100,10 +100,10 @@ class FormulationsReportTest {
     line("");
     line(
         "%d trees, seeds 1 to %d, of 1 to %d bodies (five of each number), up to %d velocities,"
-            + " joints of all nine types drawn alike, half of them against the file's sense, oblique"
-            + " axes, random forces in all joints and on all bodies. `global` is the independent"
-            + " formulation in maximal coordinates, six unknowns per body; RR is its residual solved"
-            + " with the mass matrix of RR-JF.",
+            + " joints of all nine types drawn alike, half of them against the file's sense,"
+            + " oblique axes, random forces in all joints and on all bodies. `global` is the"
+            + " independent formulation in maximal coordinates, six unknowns per body; RR is its"
+            + " residual solved with the mass matrix of RR-JF.",
         TREES, TREES, MOST_BODIES, velocities);
     line("");
     line(
