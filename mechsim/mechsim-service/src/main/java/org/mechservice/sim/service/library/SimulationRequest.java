@@ -29,10 +29,10 @@ import org.mechservice.idl.OPT_T_STEP;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
-import org.mechservice.sim.emit.CodeForm;
+import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.BuiltColumns;
-import org.mechservice.sim.scene.IntegratorChoice;
+import org.mechservice.sim.scene.IntegratorSelection;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunSettings;
@@ -153,7 +153,7 @@ public record SimulationRequest(
     if (!automatic) {
       return this;
     }
-    IntegratorChoice choice = IntegratorChoice.of(formulation, mechanism, settings);
+    IntegratorSelection choice = IntegratorSelection.of(formulation, mechanism, settings);
     return new SimulationRequest(
         formulation,
         closure,
