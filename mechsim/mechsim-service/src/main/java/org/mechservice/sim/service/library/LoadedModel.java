@@ -19,7 +19,6 @@ import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
-import org.mechservice.sim.jar.Sha256;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.sim.scene.SceneAnalysis;
@@ -30,6 +29,7 @@ import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.text.Sha256;
 
 /**
  * A model file as a session holds it.
