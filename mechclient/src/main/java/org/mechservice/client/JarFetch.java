@@ -12,27 +12,23 @@ import org.mechservice.idl.RuntimeInfo;
  *
  * @param calls to the session's host
  * @param session the session
- * @param inOneCall whether the host says what the set-up has cost together with the JAR
  * @param cache keeps the solver
  * @param origin makes sure that a JAR comes from the host
  */
 record JarFetch(
-    RemoteCalls calls, MechSim session, boolean inOneCall, JarCache cache, JarOrigin origin) {
+    RemoteCalls calls, MechSim session, JarCache cache, JarOrigin origin) {
 
   /**
    * Lets the host build a JAR of the model.
    *
-   * @param facts overwritten with what the server says of the set-up, if it can
+   * @param facts overwritten with what the server reports of the set-up
    * @throws InvalidOptionException if an option cannot be used
    * @throws JarRefusedException if what arrives is not what was announced
    */
   BuiltJar model(SimulationOptions options, NameValueSeqHolder facts) {
     JarInfoHolder holder = new JarInfoHolder();
     NameValue[] asked = options.toNameValues();
-    byte[] jar =
-        inOneCall
-            ? calls.get(() -> session.prepareJar(asked, holder, facts))
-            : calls.get(() -> session.compileToJar(asked, holder));
+    byte[] jar = calls.get(() -> session.prepareJar(asked, holder, facts));
     JarInfo info = holder.value;
     origin.verified(jar, info.signature, "the model JAR");
     return BuiltJar.verified(jar, info);

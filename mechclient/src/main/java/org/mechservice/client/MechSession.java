@@ -39,7 +39,6 @@ public final class MechSession implements AutoCloseable {
   private UnaryOperator<ModelMessage> locating = UnaryOperator.identity();
   private List<ModelMessage> warningsOfFile = List.of();
   private List<ModelMessage> warnings = List.of();
-  private ServerTimes atLoad = ServerTimes.NONE;
 
   /** What the session has cost the server when a run was set up last. */
   private ServerTimes soFar = ServerTimes.NONE;
@@ -151,8 +150,7 @@ public final class MechSession implements AutoCloseable {
     loadSeconds = watch.lap();
     modelLoaded = model;
     classesLoaded = classes;
-    atLoad = setsUpInOneCall() ? ServerTimes.NONE : serverTimes();
-    soFar = atLoad;
+    soFar = ServerTimes.NONE;
     locating = UnaryOperator.identity();
     warningsOfFile = ModelMessage.listOf(said);
     warnings = warningsOfFile;
@@ -219,10 +217,6 @@ public final class MechSession implements AutoCloseable {
     return createRun(options, connection.export(callbacks), callbacks::say);
   }
 
-  private boolean setsUpInOneCall() {
-    return service.setsUpInOneCall();
-  }
-
   private RemoteRun createRun(
       SimulationOptions options, @Nullable IMechClient callback, Consumer<ModelMessage> listener) {
     ModelFile model = modelLoaded;
@@ -255,10 +249,6 @@ public final class MechSession implements AutoCloseable {
   }
 
   private RunPlace place(SimulationOptions options, @Nullable IMechClient callback) {
-    return setsUpInOneCall() ? setUp(options, callback) : setUpStepwise(options, callback);
-  }
-
-  private RunPlace setUp(SimulationOptions options, @Nullable IMechClient callback) {
     Stopwatch watch = new Stopwatch();
     RunSetUp answer = calls.get(() -> session.prepareSimulation(options.toNameValues(), callback));
     double seconds = watch.lap();
@@ -270,8 +260,7 @@ public final class MechSession implements AutoCloseable {
     facts.put("where", "remote, host " + host);
     facts.putAll(knownFacts(answer.facts));
     facts.putAll(
-        SetUpTimes.remote(
-            loadSeconds, seconds, atLoad, times, openSeconds + loadSeconds + seconds));
+        SetUpTimes.remote(loadSeconds, seconds, times, openSeconds + loadSeconds + seconds));
     return new RunPlace(
         calls,
         host,
@@ -311,32 +300,6 @@ public final class MechSession implements AutoCloseable {
     return facts;
   }
 
-  /** The way of servers before API 1.1. */
-  private RunPlace setUpStepwise(SimulationOptions options, @Nullable IMechClient callback) {
-    ServerTimes before = serverTimes();
-    Stopwatch watch = new Stopwatch();
-    IMechSimRemote simulation =
-        calls.get(() -> session.createSimulation(options.toNameValues(), callback));
-    double createSeconds = watch.lap();
-    LeaseRenewal.Hold simulationHold = connection.leases().hold(simulation);
-    try {
-      RowCursor rows = RowCursor.open(calls, connection.leases(), simulation);
-      double total = openSeconds + loadSeconds + createSeconds + watch.lap();
-      Map<String, Object> facts = new LinkedHashMap<>();
-      String host = hostName();
-      facts.put("where", "remote, host " + host);
-      facts.putAll(modelFacts());
-      facts.putAll(
-          SetUpTimes.remote(
-              loadSeconds, createSeconds, atLoad, serverTimes().since(before), total));
-      return new RunPlace(
-          calls, host, session, simulation, simulationHold, rows, facts, Optional.empty());
-    } catch (ServiceException e) {
-      simulationHold.close();
-      throw e;
-    }
-  }
-
   /**
    * Prepares a run on this machine: fetches the compiled model, and the solver unless it is in the
    * cache, and loads both.
@@ -345,7 +308,6 @@ public final class MechSession implements AutoCloseable {
    * @throws JarRefusedException if a JAR is not the one announced or does not fit this client
    */
   public LocalRun prepareLocalRun(SimulationOptions options) {
-    ServerTimes before = setsUpInOneCall() ? soFar : serverTimes();
     Stopwatch watch = new Stopwatch();
     NameValueSeqHolder said = new NameValueSeqHolder(new NameValue[0]);
     JarFetch jars = jars();
@@ -356,14 +318,11 @@ public final class MechSession implements AutoCloseable {
     FetchedModel fetched = FetchedModel.load(modelJar, runtimeJar);
     double total = openSeconds + loadSeconds + fetchSeconds + watch.lap();
     Map<String, Object> facts = new LinkedHashMap<>();
-    boolean stepwise = said.value.length == 0;
-    facts.put(
-        "where",
-        "local, compiled by host " + (stepwise ? hostName() : factOf(said.value, "hostName")));
+    facts.put("where", "local, compiled by host " + factOf(said.value, "hostName"));
     fetched.formulationReason().ifPresent(reason -> facts.put("formulationReason", reason));
-    (stepwise ? modelFacts() : knownFacts(said.value)).forEach(facts::putIfAbsent);
-    ServerTimes ofRun = stepwise ? serverTimes().since(before) : timesOfRun(said.value);
-    facts.putAll(SetUpTimes.local(loadSeconds, fetchSeconds, atLoad, ofRun, total));
+    knownFacts(said.value).forEach(facts::putIfAbsent);
+    ServerTimes ofRun = timesOfRun(said.value);
+    facts.putAll(SetUpTimes.local(loadSeconds, fetchSeconds, ofRun, total));
     facts.put("modelJarBytes", (long) modelJar.bytes().length);
     facts.put("modelClassBytes", modelJar.modelClassBytes());
     facts.put("runtimeJarBytes", (long) runtimeJar.length);
@@ -400,26 +359,13 @@ public final class MechSession implements AutoCloseable {
 
   private JarFetch jars() {
     return new JarFetch(
-        calls, session, setsUpInOneCall(), connection.cache(), connection.originOf(session));
+        calls, session, connection.cache(), connection.originOf(session));
   }
 
   /** Returns the size of the server's runtime JAR, bytes. */
   public long runtimeJarBytes() {
     RuntimeInfo runtime = calls.get(session::getRuntimeInfo);
     return runtime.sizeBytes;
-  }
-
-  private Map<String, Object> modelFacts() {
-    ModelSummary model = model();
-    Map<String, Object> facts = new LinkedHashMap<>();
-    facts.put("modelSha256", model.sha256());
-    facts.put("formulationReason", model.formulationReason());
-    facts.put("serverVersion", service.version());
-    return facts;
-  }
-
-  private ServerTimes serverTimes() {
-    return ServerTimes.of(calls.get(session::timings));
   }
 
   /** Destroys the session and what it owns at the server. */

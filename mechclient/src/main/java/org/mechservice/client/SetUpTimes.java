@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * The set-up times of a run under the names of Rodríguez et al. 2003, in s.
+ * Set-up times of a run under the names of Rodríguez et al. 2003, in s.
  *
  * <ul>
  *   <li>{@code t1c}, {@code t1s}: sending and treating the model (parse, check, generate), as seen
@@ -15,8 +15,8 @@ import java.util.Map;
  *       run is ready to start
  * </ul>
  *
- * <p>A class is generated and compiled within the call that asks for the run, so the shares of that
- * call are told apart by the server's own times.
+ * <p>The call that requests the run also generates and compiles the class. The server's own times
+ * split that call into its shares.
  */
 final class SetUpTimes {
   private SetUpTimes() {}
@@ -26,15 +26,14 @@ final class SetUpTimes {
    *
    * @param load client time of sending the model, s
    * @param create client time of creating the simulation, s
-   * @param atLoad the server's times after the model was sent
-   * @param run the server's times from then on
+   * @param run the server's times
    * @param total time of all calls, s
    */
   static Map<String, Object> remote(
-      double load, double create, ServerTimes atLoad, ServerTimes run, double total) {
+      double load, double create, ServerTimes run, double total) {
     Map<String, Object> times = new LinkedHashMap<>();
     times.put("t1c", load + notNegative(create - run.compiling()));
-    times.put("t1s", atLoad.treating() + run.treating());
+    times.put("t1s", run.treating());
     times.put("tcc", run.compiling());
     times.put("tR", total);
     return times;
@@ -45,19 +44,18 @@ final class SetUpTimes {
    *
    * @param load client time of sending the model, s
    * @param fetch client time of fetching the model JAR and the runtime JAR, s
-   * @param atLoad the server's times after the model was sent
-   * @param run the server's times from then on
+   * @param run the server's times
    * @param total time of all calls and of loading the classes, s
    */
   static Map<String, Object> local(
-      double load, double fetch, ServerTimes atLoad, ServerTimes run, double total) {
-    // A server that has begun to treat the model before it was asked for the JAR lets the client
-    // wait for less than the sum of its own times.
+      double load, double fetch, ServerTimes run, double total) {
+    // A server that began to treat the model before the client requested the JAR makes the client
+    // wait less than the sum of the server's own times.
     double jars =
         Math.max(fetch - run.treating() - run.compiling(), Math.min(fetch, run.packing()));
     Map<String, Object> times = new LinkedHashMap<>();
     times.put("t1c", load + Math.min(run.treating(), notNegative(fetch - jars - run.compiling())));
-    times.put("t1s", atLoad.treating() + run.treating());
+    times.put("t1s", run.treating());
     times.put("t2c", jars);
     times.put("t2s", run.packing());
     times.put("tcc", run.compiling());
