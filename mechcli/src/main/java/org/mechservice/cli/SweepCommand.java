@@ -27,6 +27,7 @@ import org.mechservice.client.sweep.SweepGrid;
 import org.mechservice.client.sweep.SweepListener;
 import org.mechservice.client.sweep.SweepRow;
 import org.mechservice.client.sweep.UnknownParameterException;
+import org.mechservice.report.ProgressLine;
 import org.mechservice.solver.api.Variable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -39,9 +40,9 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "sweep",
     description = {
-      "Runs a model with every combination of parameter values, as many at once as there are places,"
-          + " and writes a row for each: the values, how the run ended, its last row, figures of its"
-          + " report.",
+      "Runs a model with every combination of parameter values, as many at once as there are"
+          + " places, and writes a row for each: the values, how the run ended, its last row,"
+          + " figures of its report.",
       "What was interrupted is taken up again by the same command: finished points wait in"
           + " FILE.csv.part."
     },
@@ -59,8 +60,8 @@ final class SweepCommand implements Callable<Integer> {
       required = true,
       paramLabel = "P=A:B:N|P=V,V,...",
       description =
-          "N evenly spaced values of a parameter from A to B, or a list of values, in its unit; once"
-              + " for each parameter.")
+          "N evenly spaced values of a parameter from A to B, or a list of values, in its unit;"
+              + " once for each parameter.")
   private List<String> set = List.of();
 
   @Option(
