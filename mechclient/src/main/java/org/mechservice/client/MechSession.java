@@ -12,8 +12,26 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
+import org.mechservice.client.failure.InvalidModelException;
+import org.mechservice.client.failure.InvalidOptionException;
+import org.mechservice.client.failure.InvalidStateException;
+import org.mechservice.client.failure.JarRefusedException;
+import org.mechservice.client.failure.LimitExceededException;
+import org.mechservice.client.failure.ModelMessage;
+import org.mechservice.client.failure.RemoteCalls;
+import org.mechservice.client.failure.ServiceException;
+import org.mechservice.client.jar.BuiltJar;
+import org.mechservice.client.jar.FetchedModel;
+import org.mechservice.client.jar.JarFetch;
+import org.mechservice.client.jar.LocalModel;
+import org.mechservice.client.run.HostedRun;
+import org.mechservice.client.run.LeaseRenewal;
+import org.mechservice.client.run.ListenerCallbacks;
+import org.mechservice.client.run.LocalRun;
+import org.mechservice.client.run.RemoteRun;
+import org.mechservice.client.run.RowCursor;
+import org.mechservice.client.run.RunListener;
 import org.mechservice.idl.IMechClient;
-import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
@@ -91,7 +109,7 @@ public final class MechSession implements AutoCloseable {
    * @throws InvalidModelException if the model cannot be used; says what and where
    */
   public List<ModelMessage> loadModel(Path file, Optional<Path> userCode) throws IOException {
-    byte[] content = ModelBytes.of(file);
+    byte[] content = NamedFile.of(file);
     String name = String.valueOf(file.getFileName());
     UserFiles classes = new UserFiles(file, userCode);
     while (true) {
@@ -139,7 +157,7 @@ public final class MechSession implements AutoCloseable {
 
   private void heed(NameValue[] facts) {
     warnings =
-        RunWarnings.in(facts)
+        SetUpWarnings.in(facts)
             .map(said -> said.stream().map(locating).toList())
             .orElse(warningsOfFile);
   }
@@ -228,7 +246,7 @@ public final class MechSession implements AutoCloseable {
   }
 
   /** Sets a run up in a session of its own, on whichever host of whichever server has room. */
-  private RunPlace elsewhere(
+  private HostedRun elsewhere(
       ModelFile model,
       ModelFile[] classes,
       SimulationOptions options,
@@ -241,14 +259,14 @@ public final class MechSession implements AutoCloseable {
           other.service.findsMovedRuns()
               ? options.with(OPT_CONTINUES.value, String.join(",", earlierIds))
               : options;
-      return other.place(named, callback).endingWith(other);
+      return other.place(named, callback).endingWith(other.hold);
     } catch (ServiceException e) {
       other.close();
       throw e;
     }
   }
 
-  private RunPlace place(SimulationOptions options, @Nullable IMechClient callback) {
+  private HostedRun place(SimulationOptions options, @Nullable IMechClient callback) {
     Stopwatch watch = new Stopwatch();
     RunSetUp answer = calls.get(() -> session.prepareSimulation(options.toNameValues(), callback));
     double seconds = watch.lap();
@@ -260,8 +278,8 @@ public final class MechSession implements AutoCloseable {
     facts.put("where", "remote, host " + host);
     facts.putAll(knownFacts(answer.facts));
     facts.putAll(
-        SetUpTimes.remote(loadSeconds, seconds, times, openSeconds + loadSeconds + seconds));
-    return new RunPlace(
+        SetUpReport.remote(loadSeconds, seconds, times, openSeconds + loadSeconds + seconds));
+    return new HostedRun(
         calls,
         host,
         session,
@@ -311,7 +329,7 @@ public final class MechSession implements AutoCloseable {
     Stopwatch watch = new Stopwatch();
     NameValueSeqHolder said = new NameValueSeqHolder(new NameValue[0]);
     JarFetch jars = jars();
-    BuiltJar modelJar = jars.model(options, said);
+    BuiltJar modelJar = jars.model(options.toNameValues(), said);
     heed(said.value);
     byte[] runtimeJar = jars.runtime(modelJar);
     double fetchSeconds = watch.lap();
@@ -322,7 +340,7 @@ public final class MechSession implements AutoCloseable {
     fetched.formulationReason().ifPresent(reason -> facts.put("formulationReason", reason));
     knownFacts(said.value).forEach(facts::putIfAbsent);
     ServerTimes ofRun = timesOfRun(said.value);
-    facts.putAll(SetUpTimes.local(loadSeconds, fetchSeconds, ofRun, total));
+    facts.putAll(SetUpReport.local(loadSeconds, fetchSeconds, ofRun, total));
     facts.put("modelJarBytes", (long) modelJar.bytes().length);
     facts.put("modelClassBytes", modelJar.modelClassBytes());
     facts.put("runtimeJarBytes", (long) runtimeJar.length);
@@ -338,7 +356,8 @@ public final class MechSession implements AutoCloseable {
    */
   public LocalModel fetchModel(SimulationOptions options) {
     JarFetch jars = jars();
-    BuiltJar modelJar = jars.model(options, new NameValueSeqHolder(new NameValue[0]));
+    BuiltJar modelJar =
+        jars.model(options.toNameValues(), new NameValueSeqHolder(new NameValue[0]));
     byte[] runtimeJar = jars.runtime(modelJar);
     return new LocalModel(modelJar, FetchedModel.load(modelJar, runtimeJar));
   }
@@ -352,14 +371,12 @@ public final class MechSession implements AutoCloseable {
    * @throws JarRefusedException if what arrives is not what was announced
    */
   public BuiltJar build(SimulationOptions options, boolean standalone) {
-    return jars()
-        .model(
-            standalone ? options.standalone() : options, new NameValueSeqHolder(new NameValue[0]));
+    SimulationOptions asked = standalone ? options.standalone() : options;
+    return jars().model(asked.toNameValues(), new NameValueSeqHolder(new NameValue[0]));
   }
 
   private JarFetch jars() {
-    return new JarFetch(
-        calls, session, connection.cache(), connection.originOf(session));
+    return new JarFetch(calls, session, connection.cache(), connection.originOf(session));
   }
 
   /** Returns the size of the server's runtime JAR, bytes. */

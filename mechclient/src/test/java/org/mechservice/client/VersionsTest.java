@@ -8,6 +8,9 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.client.failure.ServerLostException;
+import org.mechservice.client.jar.JarCache;
+import org.mechservice.client.run.RunResult;
 import org.mechservice.solver.api.Outcome;
 
 /** A client at servers of other versions of the contract. */
