@@ -9,8 +9,8 @@ import org.mechservice.idl.OPT_FORMULATION;
 import org.mechservice.idl.OPT_INTEGRATOR;
 import org.mechservice.idl.OPT_SET;
 import org.mechservice.idl.ServerFailure;
-import org.mechservice.mechml.Diagnostic;
-import org.mechservice.mechml.Severity;
+import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.mechml.diagnosis.Severity;
 import org.mechservice.sim.scene.ModelBuildException;
 
 /** Says in the contract's words why a model cannot be built. */

@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.util.List;
 import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.NameValue;
-import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.SimulationSettings;
+import org.mechservice.mechml.diagnosis.MechmlException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

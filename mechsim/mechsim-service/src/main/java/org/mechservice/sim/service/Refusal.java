@@ -8,7 +8,7 @@ import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.SimState;
-import org.mechservice.mechml.Diagnostic;
+import org.mechservice.mechml.diagnosis.Diagnostic;
 
 /** The exceptions of the contract, each with its entry of the error catalogue. */
 public final class Refusal {
@@ -58,7 +58,7 @@ public final class Refusal {
   public static InvalidModel model(List<Diagnostic> diagnostics) {
     long errors =
         diagnostics.stream()
-            .filter(said -> said.severity() == org.mechservice.mechml.Severity.ERROR)
+            .filter(said -> said.severity() == org.mechservice.mechml.diagnosis.Severity.ERROR)
             .count();
     return new InvalidModel(
         "S-016",

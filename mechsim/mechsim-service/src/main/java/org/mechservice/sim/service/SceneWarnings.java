@@ -2,9 +2,9 @@ package org.mechservice.sim.service;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.mechml.Diagnostic;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.Severity;
+import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.mechml.diagnosis.Severity;
 import org.mechservice.sim.scene.Finding;
 import org.mechservice.sim.scene.RunForecast;
 import org.mechservice.sim.scene.SceneAnalysis;
