@@ -9,7 +9,7 @@ import java.util.function.Consumer;
 import org.mechservice.cli.shell.FailureReport;
 import org.mechservice.cli.shell.OutputFile;
 import org.mechservice.cli.shell.UsageException;
-import org.mechservice.client.CheckpointStore;
+import org.mechservice.client.run.CheckpointStore;
 import picocli.CommandLine.Option;
 
 /** Where checkpoints of a run go, how often, and which one it goes on from. */

@@ -11,7 +11,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.cli.shell.UsageException;
-import org.mechservice.client.CheckpointStore;
+import org.mechservice.client.run.CheckpointStore;
 import picocli.CommandLine;
 
 class CheckpointOptionsTest {
