@@ -13,7 +13,7 @@ import org.mechservice.report.ProgressLine;
 import org.mechservice.report.stability.CaseOutcome;
 import org.mechservice.report.stability.ExtremeCase;
 import org.mechservice.report.stability.StabilityReport;
-import org.mechservice.report.stability.TimeBudget;
+import org.mechservice.report.stability.SuiteTimeBudget;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -92,7 +92,7 @@ final class StabilityCommand implements Callable<Integer> {
       outcomes =
           new StabilityReport(
                   service.connection()::openSession,
-                  new TimeBudget(limitSeconds, budgetSeconds),
+                  new SuiteTimeBudget(limitSeconds, budgetSeconds),
                   line)
               .write(page, wantedCases());
     }

@@ -5,18 +5,18 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 
-class TimeBudgetTest {
+class SuiteTimeBudgetTest {
   private static final double RESOLUTION = 1e-9;
 
   private double now = 1000;
 
-  private TimeBudget budget(double limit, double total) {
-    return new TimeBudget(limit, total, () -> Math.round(now * 1e9));
+  private SuiteTimeBudget budget(double limit, double total) {
+    return new SuiteTimeBudget(limit, total, () -> Math.round(now * 1e9));
   }
 
   @Test
   void withoutATotalEveryRunHasTheLimit() {
-    TimeBudget budget = budget(5, Double.POSITIVE_INFINITY);
+    SuiteTimeBudget budget = budget(5, Double.POSITIVE_INFINITY);
     budget.beginCase(1);
     now += 1e6;
     assertThat(budget.forRun(10)).isEqualTo(5);
@@ -25,7 +25,7 @@ class TimeBudgetTest {
 
   @Test
   void runsShareTheTimeOfTheirCaseEqually() {
-    TimeBudget budget = budget(5, 60);
+    SuiteTimeBudget budget = budget(5, 60);
     budget.beginCase(6);
     assertThat(budget.forRun(10)).isCloseTo(1, within(RESOLUTION));
     assertThat(budget.said()).contains("within 60.0 s");
@@ -33,7 +33,7 @@ class TimeBudgetTest {
 
   @Test
   void whatARunLeavesGoesToTheNext() {
-    TimeBudget budget = budget(5, 60);
+    SuiteTimeBudget budget = budget(5, 60);
     budget.beginCase(6);
     now += 0.1;
     assertThat(budget.forRun(9)).isCloseTo(1.1, within(RESOLUTION));
@@ -41,7 +41,7 @@ class TimeBudgetTest {
 
   @Test
   void whatACaseLeavesGoesToTheNext() {
-    TimeBudget budget = budget(50, 60);
+    SuiteTimeBudget budget = budget(50, 60);
     budget.beginCase(6);
     now += 5;
     budget.beginCase(5);
@@ -50,7 +50,7 @@ class TimeBudgetTest {
 
   @Test
   void afterItsEndThereIsNoTimeLeft() {
-    TimeBudget budget = budget(5, 60);
+    SuiteTimeBudget budget = budget(5, 60);
     now += 100;
     budget.beginCase(3);
     assertThat(budget.forRun(2)).isZero();

@@ -8,7 +8,7 @@ import java.util.function.LongSupplier;
  * together take no longer than a total. Cases have equal shares of it, and so have the runs of a
  * case; what one leaves goes to those after it. Models are built on top of that.
  */
-public final class TimeBudget {
+public final class SuiteTimeBudget {
   private static final double PER_NANOSECOND = 1e-9;
 
   private final double limitSeconds;
@@ -23,11 +23,11 @@ public final class TimeBudget {
    * @param limitSeconds for one run, s
    * @param totalSeconds for all runs, s; infinite: only the limit counts
    */
-  public TimeBudget(double limitSeconds, double totalSeconds) {
+  public SuiteTimeBudget(double limitSeconds, double totalSeconds) {
     this(limitSeconds, totalSeconds, System::nanoTime);
   }
 
-  public TimeBudget(double limitSeconds, double totalSeconds, LongSupplier nanoTime) {
+  public SuiteTimeBudget(double limitSeconds, double totalSeconds, LongSupplier nanoTime) {
     this.limitSeconds = limitSeconds;
     this.totalSeconds = totalSeconds;
     this.nanoTime = nanoTime;
