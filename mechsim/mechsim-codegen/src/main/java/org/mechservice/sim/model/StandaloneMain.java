@@ -12,14 +12,14 @@ import org.mechservice.solver.simulation.RuntimeSolver;
 final class StandaloneMain {
   private static final String INTEGRATION = "org.mechservice.solver.ode.";
 
-  /** Class of each integrator by its name in settings. */
+  /** Class of each integrator, below {@link #INTEGRATION}, by its name in settings. */
   private static final Map<String, String> INTEGRATORS =
       Map.of(
-          "DE", "De",
-          "ode113", "Ode113",
-          "ode15s", "Ode15s",
-          "ode15sR", "Ode15sR",
-          "switching", "Switching");
+          "DE", "adams.De",
+          "ode113", "adams.Ode113",
+          "ode15s", "stiff.Ode15s",
+          "ode15sR", "stiff.Ode15sR",
+          "switching", "switching.Switching");
 
   private StandaloneMain() {}
 
