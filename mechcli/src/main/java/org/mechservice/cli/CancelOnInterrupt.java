@@ -3,8 +3,8 @@ package org.mechservice.cli;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import org.mechservice.client.PreparedRun;
-import org.mechservice.client.ServiceException;
+import org.mechservice.client.failure.ServiceException;
+import org.mechservice.client.run.PreparedRun;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

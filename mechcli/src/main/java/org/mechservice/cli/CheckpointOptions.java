@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.mechservice.client.CheckpointStore;
+import org.mechservice.client.run.CheckpointStore;
 import picocli.CommandLine.Option;
 
 /** Where checkpoints of a run go, how often, and which one it goes on from. */

@@ -3,11 +3,11 @@ package org.mechservice.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.util.concurrent.Callable;
-import org.mechservice.client.JarCache;
 import org.mechservice.client.MechConnection;
-import org.mechservice.client.ReattachedRun;
-import org.mechservice.client.RunResult;
-import org.mechservice.client.ServiceException;
+import org.mechservice.client.failure.ServiceException;
+import org.mechservice.client.jar.JarCache;
+import org.mechservice.client.run.ReattachedRun;
+import org.mechservice.client.run.RunResult;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -20,8 +20,8 @@ import picocli.CommandLine.Spec;
     description = {
       "Fetches the results of a run at a server by its id, all rows from the first on; of one that"
           + " goes on, also those to come.",
-      "An ended run is kept for the server's retention time; one that goes on ends with the lease of"
-          + " the client that has started it, unless this command holds it."
+      "An ended run is kept for the server's retention time; one that goes on ends with the lease"
+          + " of the client that has started it, unless this command holds it."
     },
     mixinStandardHelpOptions = true,
     versionProvider = Mech.Version.class)

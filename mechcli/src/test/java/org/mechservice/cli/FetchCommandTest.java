@@ -14,13 +14,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.MechSession;
-import org.mechservice.client.RemoteRun;
-import org.mechservice.client.RunState;
 import org.mechservice.client.SimulationOptions;
+import org.mechservice.client.failure.RunState;
+import org.mechservice.client.run.RemoteRun;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
 import org.mechservice.sim.host.HostOptions;
-import org.mechservice.sim.service.HostLimits;
+import org.mechservice.sim.service.limits.HostLimits;
 
 /** Runs whose client is gone, fetched by their ids. */
 class FetchCommandTest {

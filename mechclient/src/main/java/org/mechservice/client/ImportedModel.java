@@ -1,6 +1,7 @@
 package org.mechservice.client;
 
 import java.util.List;
+import org.mechservice.client.failure.ModelMessage;
 
 /**
  * A model of another format, translated by the server.

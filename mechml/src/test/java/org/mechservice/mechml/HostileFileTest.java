@@ -7,7 +7,10 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.document.Limits;
+import org.mechservice.mechml.resolve.MechmlReader;
 
 /** Files made to exhaust the reader are refused; ordinary large ones are read. */
 class HostileFileTest {
@@ -149,16 +152,16 @@ class HostileFileTest {
               .formatted(i, i - 1, i));
     }
     return """
-        <MechML>
-          <MBSsimulation><dynamic>
-            <timeSet tini='0' tend='1' tstep='0.1'/>
-            <integrator name='DE' relTol='1e-5' absTol='1e-5'/>
-          </dynamic></MBSsimulation>
-          <MBSmodel name='Chain' massUnits='kg' lengthUnits='m'>
-            <Bodies>%s</Bodies><Joints>%s</Joints><topology><root name='b-1'/></topology>
-          </MBSmodel>
-        </MechML>
-        """
+    <MechML>
+      <MBSsimulation><dynamic>
+        <timeSet tini='0' tend='1' tstep='0.1'/>
+        <integrator name='DE' relTol='1e-5' absTol='1e-5'/>
+      </dynamic></MBSsimulation>
+      <MBSmodel name='Chain' massUnits='kg' lengthUnits='m'>
+        <Bodies>%s</Bodies><Joints>%s</Joints><topology><root name='b-1'/></topology>
+      </MBSmodel>
+    </MechML>
+    """
         .formatted(bodies, joints);
   }
 }

@@ -9,8 +9,8 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.time.Instant;
 import org.mechservice.idl.ServiceEvent;
-import org.mechservice.sim.service.EventBook;
-import org.mechservice.sim.service.FileTrouble;
+import org.mechservice.sim.service.contract.FileErrors;
+import org.mechservice.sim.service.contract.Journal;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -46,7 +46,7 @@ final class AuditLog implements AutoCloseable {
               StandardOpenOption.APPEND));
     } catch (IOException e) {
       throw new IllegalArgumentException(
-          "S-163 the audit log " + file + " cannot be written: " + FileTrouble.why(e), e);
+          "S-163 the audit log " + file + " cannot be written: " + FileErrors.reason(e), e);
     }
   }
 
@@ -55,7 +55,7 @@ final class AuditLog implements AutoCloseable {
     JsonObject line = new JsonObject();
     line.addProperty("time", Instant.ofEpochMilli(event.happenedAt).toString());
     line.addProperty("kind", event.kind);
-    line.addProperty("level", EventBook.level(event.level));
+    line.addProperty("level", Journal.level(event.level));
     add(line, "code", event.code);
     add(line, "host", event.hostName);
     add(line, "owner", event.owner);
@@ -66,7 +66,7 @@ final class AuditLog implements AutoCloseable {
       out.write(line + "\n");
       out.flush();
     } catch (IOException e) {
-      LOG.error("S-163 the audit log {} cannot be written: {}", file, FileTrouble.why(e));
+      LOG.error("S-163 the audit log {} cannot be written: {}", file, FileErrors.reason(e));
     }
   }
 

@@ -9,7 +9,7 @@ import java.util.Optional;
 import org.mechservice.orb.ServiceKey;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.ServiceUnreachableException;
-import org.mechservice.sim.service.FileTrouble;
+import org.mechservice.sim.service.contract.FileErrors;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -49,7 +49,7 @@ final class Findable implements AutoCloseable {
       Files.move(growing, target, StandardCopyOption.REPLACE_EXISTING);
     } catch (IOException e) {
       throw new IllegalArgumentException(
-          "S-162 the server's reference cannot be written to " + file + ": " + FileTrouble.why(e),
+          "S-162 the server's reference cannot be written to " + file + ": " + FileErrors.reason(e),
           e);
     }
   }

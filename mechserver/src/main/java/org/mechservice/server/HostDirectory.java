@@ -22,8 +22,8 @@ import org.mechservice.idl.ServiceEvent;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.OutboundAllowList;
-import org.mechservice.sim.service.Happening;
-import org.mechservice.sim.service.Journal;
+import org.mechservice.sim.service.contract.Journal;
+import org.mechservice.sim.service.contract.JournalEntry;
 import org.omg.CORBA.SystemException;
 import org.omg.CORBA.UserException;
 
@@ -81,8 +81,9 @@ final class HostDirectory implements AutoCloseable {
       dropped.removeIf(gone -> gone.name().equals(host.name()));
     }
     if (!host.own()) {
-      journal.tell(
-          Happening.info("host-joined", "host " + host.name() + " joined from " + host.endpoint())
+      journal.add(
+          JournalEntry.info(
+                  "host-joined", "host " + host.name() + " joined from " + host.endpoint())
               .onHost(host.name()));
     }
   }
@@ -180,7 +181,7 @@ final class HostDirectory implements AutoCloseable {
       for (ServiceEvent event : news.events()) {
         if (event.seqNo > host.lastEvent()) {
           host.tookOver(event.seqNo);
-          journal.retell(event);
+          journal.addOfHost(event);
           runs.follow(event);
         }
       }
@@ -266,8 +267,8 @@ final class HostDirectory implements AutoCloseable {
           dropped.removeLast();
         }
       }
-      journal.tell(
-          Happening.warning("host-lost", "S-019", "host " + host.name() + " dropped: " + why)
+      journal.add(
+          JournalEntry.warning("host-lost", "S-019", "host " + host.name() + " dropped: " + why)
               .onHost(host.name()));
       runs.goneWith(host.name(), "was lost");
     }
@@ -279,8 +280,9 @@ final class HostDirectory implements AutoCloseable {
       host.gone();
       outbound.forbid(host.endpoint().host(), host.endpoint().port());
       host.dropped("it signed off");
-      journal.tell(
-          Happening.info("host-left", "host " + host.name() + " signed off").onHost(host.name()));
+      journal.add(
+          JournalEntry.info("host-left", "host " + host.name() + " signed off")
+              .onHost(host.name()));
       runs.goneWith(host.name(), "signed off");
     }
   }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import org.mechservice.mechml.diagnosis.MessageCode;
-import org.mechservice.mechml.diagnosis.Nearest;
+import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Quoted;
 
 /** What the names in an expression stand for. */
@@ -44,6 +44,6 @@ public interface Scope {
             + " stands for nothing here"
             + (name.text().equals("time")
                 ? "; time is written t"
-                : Nearest.suggestion(name.text(), known)));
+                : NearestName.suggestion(name.text(), known)));
   }
 }

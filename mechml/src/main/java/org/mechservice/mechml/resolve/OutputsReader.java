@@ -8,6 +8,12 @@ import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.resolve.formula.FormulaReader;
+import org.mechservice.mechml.resolve.formula.FormulaRole;
+import org.mechservice.mechml.resolve.formula.MechanismNames;
+import org.mechservice.mechml.resolve.value.AttributeText;
+import org.mechservice.mechml.resolve.value.NameTable;
+import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Unit;
 import org.mechservice.solver.mechanism.Output;
 
@@ -15,11 +21,11 @@ import org.mechservice.solver.mechanism.Output;
 final class OutputsReader {
   private final ValueReader values;
   private final FormulaReader formulas;
-  private final ModelNames names;
+  private final MechanismNames names;
   private final Diagnostics diagnostics;
 
   OutputsReader(
-      ValueReader values, FormulaReader formulas, ModelNames names, Diagnostics diagnostics) {
+      ValueReader values, FormulaReader formulas, MechanismNames names, Diagnostics diagnostics) {
     this.values = values;
     this.formulas = formulas;
     this.names = names;
@@ -74,6 +80,6 @@ final class OutputsReader {
   }
 
   private void error(Element element, String message) {
-    diagnostics.error(MessageCode.OUTPUT, element.place(), element.label() + ": " + message);
+    diagnostics.error(MessageCode.OUTPUT, element.position(), element.label() + ": " + message);
   }
 }

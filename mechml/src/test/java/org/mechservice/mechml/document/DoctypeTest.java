@@ -6,9 +6,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.Resources;
 import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.MechmlException;
 
 /** Whatever the DOCTYPE says, the bundled grammar rules. */
 class DoctypeTest {
@@ -51,7 +51,8 @@ class DoctypeTest {
         "<!DOCTYPE MechML SYSTEM \"MechML.dtd.txt\">",
         "<!DOCTYPE MechML SYSTEM \"MechML.dtd\" [<!ENTITY x SYSTEM \"MechML.dtd\">]>",
         "<!DOCTYPE MechML SYSTEM \"MechML.dtd\" [<!ENTITY % x SYSTEM \"MechML.dtd\"> %x;]>",
-        "<!DOCTYPE MechML SYSTEM \"MechML.dtd\" [<!ENTITY % x SYSTEM \"file:///etc/hostname\"> %x;]>",
+        "<!DOCTYPE MechML SYSTEM \"MechML.dtd\" [<!ENTITY % x SYSTEM \"file:///etc/hostname\">"
+            + " %x;]>",
         "<!DOCTYPE MechML SYSTEM \"MechML.dtd\" [<!ENTITY x PUBLIC \"x\" \"http://127.0.0.1:1/\">]>"
       })
   void everythingElseOutsideIsRefused(String doctype) throws Exception {

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
 import org.mechservice.orb.Role;
-import org.mechservice.sim.service.FileTrouble;
+import org.mechservice.sim.service.contract.FileErrors;
 
 /**
  * The folder of a service's certificates.
@@ -60,7 +60,7 @@ public final class KeyFolder {
 
   private static IllegalArgumentException unusable(String what, IOException cause) {
     return new IllegalArgumentException(
-        "S-155 no keys can be made in " + what + ": " + FileTrouble.why(cause), cause);
+        "S-155 no keys can be made in " + what + ": " + FileErrors.reason(cause), cause);
   }
 
   /**

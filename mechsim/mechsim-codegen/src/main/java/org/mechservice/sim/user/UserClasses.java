@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Collections;
 import java.util.List;
 import java.util.SortedMap;
-import org.mechservice.mechml.MechmlException;
+import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.text.Sha256;
@@ -43,8 +43,8 @@ public final class UserClasses {
     if (forces.isEmpty()) {
       return NONE;
     }
-    Findings findings = new Findings();
-    SortedMap<String, byte[]> given = GivenClasses.of(files, compile, findings);
+    UserCodeFindings findings = new UserCodeFindings();
+    SortedMap<String, byte[]> given = UserClassFiles.of(files, compile, findings);
     findings.throwIfAny();
     SortedMap<String, byte[]> needed = new NeededClasses(given, findings).of(forces);
     findings.throwIfAny();
@@ -57,8 +57,8 @@ public final class UserClasses {
    * @throws MechmlException S-156 if one uses what it may not; says in which method and line
    */
   public void requireHarmless() throws MechmlException {
-    Findings findings = new Findings();
-    HarmlessCode.check(classFiles, findings);
+    UserCodeFindings findings = new UserCodeFindings();
+    BytecodeVerifier.check(classFiles, findings);
     findings.throwIfAny();
   }
 

@@ -11,10 +11,10 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.mechservice.mechml.Diagnostic;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.MechmlReader;
-import org.mechservice.mechml.Severity;
+import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.mechml.diagnosis.Severity;
+import org.mechservice.mechml.resolve.MechmlReader;
 
 class CheckReportTest {
   @Test

@@ -9,9 +9,9 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.MechmlReader;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
@@ -49,9 +49,10 @@ class FormulaWithoutValueTest {
 
   private static String scene(
       String bodies, String joints, String constraints, String formula, String of, String starts) {
-    return "<MechML><MBSsimulation><dynamic><timeSet tini=\"0\" tend=\"20\" tstep=\"1\"/><integrator"
-        + " name=\"ode113\" relTol=\"1e-8\" absTol=\"1e-10\"/></dynamic></MBSsimulation><MBSmodel"
-        + " name=\"formulas\" massUnits=\"kg\" lengthUnits=\"m\"><Bodies>"
+    return "<MechML><MBSsimulation><dynamic><timeSet tini=\"0\" tend=\"20\""
+        + " tstep=\"1\"/><integrator name=\"ode113\" relTol=\"1e-8\""
+        + " absTol=\"1e-10\"/></dynamic></MBSsimulation><MBSmodel name=\"formulas\""
+        + " massUnits=\"kg\" lengthUnits=\"m\"><Bodies>"
         + GROUND
         + bodies
         + "</Bodies><Joints>"

@@ -8,9 +8,9 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.mechservice.mechml.Diagnostic;
-import org.mechservice.mechml.MechmlException;
-import org.mechservice.mechml.MechmlReader;
+import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.solver.api.UserForce;
 import org.mechservice.solver.mechanism.Mechanism;
 
