@@ -1,10 +1,10 @@
 package org.mechservice.benchmarks.suite;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
+import org.mechservice.report.measure.Quantiles;
 import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.measure.WarmUpRounds;
 import org.mechservice.solver.ode.Integrator;
@@ -66,9 +66,8 @@ final class SuiteRunner {
       }
     }
     for (int i = 0; i < repeated.size(); i++) {
-      Arrays.sort(seconds[i]);
       int place = runs.indexOf(repeated.get(i));
-      runs.set(place, runs.get(place).taking(seconds[i][REPEATS / 2]));
+      runs.set(place, runs.get(place).taking(Quantiles.median(seconds[i])));
     }
     return runs;
   }
