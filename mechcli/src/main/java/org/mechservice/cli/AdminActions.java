@@ -16,6 +16,7 @@ import org.mechservice.admin.Place;
 import org.mechservice.admin.PlainText;
 import org.mechservice.admin.TextTable;
 import org.mechservice.idl.Limit;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -57,7 +58,10 @@ final class AdminActions {
       }
       throw new AdminFailure(
           Reason.NOT_USABLE,
-          "S-131 " + String.join(", ", console.servers()) + " are asked; say which one is meant");
+          MessageCode.AMBIGUOUS_NAME
+              + " "
+              + String.join(", ", console.servers())
+              + " are asked; say which one is meant");
     }
   }
 
@@ -201,7 +205,11 @@ final class AdminActions {
         return Long.parseLong(text);
       } catch (NumberFormatException e) {
         throw new UsageException(
-            "S-041 " + limit + " takes a whole number or unlimited, not " + text);
+            MessageCode.OPTION_UNUSABLE
+                + " "
+                + limit
+                + " takes a whole number or unlimited, not "
+                + text);
       }
     }
 

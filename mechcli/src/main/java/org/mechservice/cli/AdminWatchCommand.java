@@ -6,6 +6,7 @@ import org.jline.terminal.Terminal;
 import org.jline.terminal.TerminalBuilder;
 import org.mechservice.admin.AdminConsole;
 import org.mechservice.admin.watch.Watch;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ParentCommand;
 
@@ -30,7 +31,8 @@ final class AdminWatchCommand implements Callable<Integer> {
       return TerminalBuilder.builder().system(true).dumb(false).build();
     } catch (IllegalStateException e) {
       throw new UsageException(
-          "S-139 watch needs a terminal; for scripts there is mech admin status --json");
+          MessageCode.WATCH_NEEDS_TERMINAL
+              + " watch needs a terminal; for scripts there is mech admin status --json");
     }
   }
 }

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.mechservice.client.MechSession;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -59,7 +60,8 @@ final class CheckCommand implements Callable<Integer> {
     spec.commandLine()
         .getErr()
         .println(
-            "S-164 the model has "
+            MessageCode.WARNINGS_REFUSED
+                + " the model has "
                 + (warnings == 1 ? "1 warning" : warnings + " warnings")
                 + ", and --strict was given");
     return ExitStatus.BAD_INPUT;

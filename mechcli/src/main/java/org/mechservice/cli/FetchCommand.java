@@ -8,6 +8,7 @@ import org.mechservice.client.MechConnection;
 import org.mechservice.client.ReattachedRun;
 import org.mechservice.client.RunResult;
 import org.mechservice.client.ServiceException;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -20,8 +21,8 @@ import picocli.CommandLine.Spec;
     description = {
       "Fetches the results of a run at a server by its id, all rows from the first on; of one that"
           + " goes on, also those to come.",
-      "An ended run is kept for the server's retention time; one that goes on ends with the lease of"
-          + " the client that has started it, unless this command holds it."
+      "An ended run is kept for the server's retention time; one that goes on ends with the lease"
+          + " of the client that has started it, unless this command holds it."
     },
     mixinStandardHelpOptions = true,
     versionProvider = Mech.Version.class)
@@ -41,7 +42,9 @@ final class FetchCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     ResultFiles.requireUsableNames(results.files());
     if (server.address().isEmpty()) {
-      throw new UsageException("S-041 fetch: name the server that has the run with --server URL");
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE
+              + " fetch: name the server that has the run with --server URL");
     }
     try (MechConnection connection =
             MechConnection.open(server.address(), JarCache.ofUser(), server.identity());
@@ -55,7 +58,8 @@ final class FetchCommand implements Callable<Integer> {
     PrintWriter err = spec.commandLine().getErr();
     if (!run.id().equals(id)) {
       err.println(
-          "S-117 run "
+          MessageCode.RUN_MOVED
+              + " run "
               + id
               + " has moved and is "
               + run.id()

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.mechservice.client.ImportedModel;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -47,7 +48,8 @@ final class ImportCommand implements Callable<Integer> {
       int lost = imported.lost();
       if (strict && lost > 0) {
         throw new UsageException(
-            "S-127 "
+            MessageCode.IMPORT_WOULD_LOSE
+                + " "
                 + robot
                 + (lost == 1 ? " has one thing" : " has " + lost + " things")
                 + " that MechML does not have, listed above; nothing was written. Leave out"

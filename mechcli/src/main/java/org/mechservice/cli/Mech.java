@@ -4,6 +4,7 @@ import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.simulation.SolverVersion;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -52,7 +53,7 @@ public final class Mech {
   }
 
   private static int unwritten(String why, int status) {
-    System.err.println("S-042 standard output cannot be written: " + why);
+    System.err.println(MessageCode.FILE_UNUSABLE + " standard output cannot be written: " + why);
     return status == ExitStatus.DONE ? ExitStatus.BAD_INPUT : status;
   }
 

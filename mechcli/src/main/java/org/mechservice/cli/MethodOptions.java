@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Option;
 
 /** How the equations are written and integrated, and what is put out. */
@@ -78,7 +79,8 @@ final class MethodOptions {
       }
     }
     throw new UsageException(
-        "S-041 --columns: \""
+        MessageCode.OPTION_UNUSABLE
+            + " --columns: \""
             + name
             + "\" is no column group; there are "
             + Stream.of(ColumnGroup.values())

@@ -2,6 +2,7 @@ package org.mechservice.cli;
 
 import java.util.List;
 import org.mechservice.client.SimulationOptions;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
@@ -27,7 +28,8 @@ final class ParameterOptions {
     for (int i = 0; i < names.size(); i++) {
       String name = names.get(i);
       if (names.indexOf(name) < i) {
-        throw new UsageException("S-041 --set names parameter \"" + name + "\" twice");
+        throw new UsageException(
+            MessageCode.OPTION_UNUSABLE + " --set names parameter \"" + name + "\" twice");
       }
       String assignment = assignments.get(i);
       all = all.parameter(name, assignment.substring(assignment.indexOf('=') + 1).strip());
@@ -39,7 +41,8 @@ final class ParameterOptions {
     int equals = assignment.indexOf('=');
     if (equals < 1) {
       throw new UsageException(
-          "S-041 --set takes PARAMETER=VALUE, such as --set length=0.5, not \""
+          MessageCode.OPTION_UNUSABLE
+              + " --set takes PARAMETER=VALUE, such as --set length=0.5, not \""
               + assignment
               + "\"");
     }

@@ -13,6 +13,7 @@ import org.mechservice.report.measure.Journal;
 import org.mechservice.report.measure.Rerun;
 import org.mechservice.report.paper.PaperReport;
 import org.mechservice.report.suite.SuiteReport;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -70,12 +71,16 @@ final class ReportCommand implements Callable<Integer> {
     }
     if (models.isEmpty() && paper.isEmpty() && !suite) {
       throw new UsageException(
-          "S-041 report: name a model, --paper with the scenes' folder, --suite, or --compare with"
+          MessageCode.OPTION_UNUSABLE
+              + " report: name a model, --paper with the scenes' folder, --suite, or --compare with"
               + " two files");
     }
     Path folder =
         output.orElseThrow(
-            () -> new UsageException("S-041 report: name the folder for the pages, -o DIR"));
+            () ->
+                new UsageException(
+                    MessageCode.OPTION_UNUSABLE
+                        + " report: name the folder for the pages, -o DIR"));
     if (suite) {
       try (ProgressLine line = new ProgressLine(spec.commandLine().getErr())) {
         tell(new SuiteReport(quick, line).write(folder));
@@ -90,7 +95,8 @@ final class ReportCommand implements Callable<Integer> {
   private int compare() throws IOException {
     for (Path runs : compared) {
       if (Journal.read(runs).isEmpty()) {
-        throw new UsageException("S-041 --compare: " + runs + " has no runs of a report");
+        throw new UsageException(
+            MessageCode.OPTION_UNUSABLE + " --compare: " + runs + " has no runs of a report");
       }
     }
     Rerun rerun = Rerun.of(compared.get(0), compared.get(1));

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import org.mechservice.client.RunResult;
 import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.JsonText;
 import org.mechservice.solver.text.ReportText;
 import picocli.CommandLine.Model.CommandSpec;
@@ -75,7 +76,12 @@ final class ResultOptions {
       err.println(failed.failure().message() + files.whereRowsAre());
       return ExitStatus.SIMULATION_FAILED;
     } else if (outcome instanceof Outcome.Stopped) {
-      err.println("S-045 the run was stopped at " + files.reached() + "." + files.whereRowsAre());
+      err.println(
+          MessageCode.RUN_STOPPED
+              + " the run was stopped at "
+              + files.reached()
+              + "."
+              + files.whereRowsAre());
       return ExitStatus.INTERRUPTED;
     }
     return ExitStatus.DONE;

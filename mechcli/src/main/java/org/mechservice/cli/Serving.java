@@ -1,5 +1,6 @@
 package org.mechservice.cli;
 
+import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -36,7 +37,7 @@ final class Serving {
     try {
       process.close();
     } catch (Exception e) {
-      LOG.warn("S-048 the process did not close in order: {}", e.toString());
+      LOG.warn(MessageCode.UNCLEAN_CLOSE + " the process did not close in order: {}", e.toString());
     }
   }
 

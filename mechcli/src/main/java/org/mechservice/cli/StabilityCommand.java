@@ -11,6 +11,7 @@ import org.mechservice.report.stability.StabilityReport;
 import org.mechservice.report.stability.TimeBudget;
 import org.mechservice.report.stability.study.Bench;
 import org.mechservice.report.stability.study.Study;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -83,7 +84,12 @@ final class StabilityCommand implements Callable<Integer> {
   private static void requirePositive(String option, double seconds) {
     if (!(seconds > 0)) {
       throw new UsageException(
-          "S-041 " + option + " is " + seconds + "; it is a time in seconds, more than 0");
+          MessageCode.OPTION_UNUSABLE
+              + " "
+              + option
+              + " is "
+              + seconds
+              + "; it is a time in seconds, more than 0");
     }
   }
 
@@ -98,7 +104,13 @@ final class StabilityCommand implements Callable<Integer> {
       if (studies.isEmpty()) {
         String known = String.join(", ", Study.all(bench).stream().map(Study::name).toList());
         throw new UsageException(
-            "S-041 --measure is \"" + wanted + "\"; there are " + known + " and " + ALL);
+            MessageCode.OPTION_UNUSABLE
+                + " --measure is \""
+                + wanted
+                + "\"; there are "
+                + known
+                + " and "
+                + ALL);
       }
       for (Study one : studies) {
         spec.commandLine().getOut().println(one.write(folder, bench));
@@ -113,7 +125,8 @@ final class StabilityCommand implements Callable<Integer> {
     for (String name : cases) {
       if (suite.stream().noneMatch(one -> one.name().equals(name))) {
         String known = String.join(", ", suite.stream().map(ExtremeCase::name).toList());
-        throw new UsageException("S-041 --case is \"" + name + "\"; there are " + known);
+        throw new UsageException(
+            MessageCode.OPTION_UNUSABLE + " --case is \"" + name + "\"; there are " + known);
       }
     }
     return suite.stream().filter(one -> cases.isEmpty() || cases.contains(one.name())).toList();

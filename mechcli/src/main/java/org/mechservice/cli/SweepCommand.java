@@ -28,6 +28,7 @@ import org.mechservice.client.sweep.SweepListener;
 import org.mechservice.client.sweep.SweepRow;
 import org.mechservice.client.sweep.UnknownParameterException;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -39,9 +40,9 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "sweep",
     description = {
-      "Runs a model with every combination of parameter values, as many at once as there are places,"
-          + " and writes a row for each: the values, how the run ended, its last row, figures of its"
-          + " report.",
+      "Runs a model with every combination of parameter values, as many at once as there are"
+          + " places, and writes a row for each: the values, how the run ended, its last row,"
+          + " figures of its report.",
       "What was interrupted is taken up again by the same command: finished points wait in"
           + " FILE.csv.part."
     },
@@ -59,8 +60,8 @@ final class SweepCommand implements Callable<Integer> {
       required = true,
       paramLabel = "P=A:B:N|P=V,V,...",
       description =
-          "N evenly spaced values of a parameter from A to B, or a list of values, in its unit; once"
-              + " for each parameter.")
+          "N evenly spaced values of a parameter from A to B, or a list of values, in its unit;"
+              + " once for each parameter.")
   private List<String> set = List.of();
 
   @Option(
@@ -114,7 +115,8 @@ final class SweepCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException, InterruptedException {
     if (atOnce < 1) {
-      throw new UsageException("S-041 --at-once is " + atOnce + "; it must be 1 or more");
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE + " --at-once is " + atOnce + "; it must be 1 or more");
     }
     SweepGrid grid = grid();
     SimulationOptions options = run.addTo(method.addTo(choice.addTo(SimulationOptions.asInFile())));
@@ -176,7 +178,7 @@ final class SweepCommand implements Callable<Integer> {
         }
         lost = Optional.of(e);
       } catch (UnknownParameterException e) {
-        throw new UsageException("S-016 " + e.getMessage());
+        throw new UsageException(MessageCode.MODEL_FILE_UNUSABLE + " " + e.getMessage());
       }
       write(rows.values());
       if (rows.size() == grid.size() && journal.isPresent()) {
@@ -262,7 +264,7 @@ final class SweepCommand implements Callable<Integer> {
       err()
           .println(
               lost.map(why -> why.getMessage() + "; " + so)
-                  .orElse("S-045 stopped on request: " + so));
+                  .orElse(MessageCode.RUN_STOPPED + " stopped on request: " + so));
       return lost.isPresent() ? ExitStatus.SERVER : ExitStatus.INTERRUPTED;
     } else if (failed > 0) {
       SweepRow first =

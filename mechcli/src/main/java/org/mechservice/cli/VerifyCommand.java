@@ -10,6 +10,7 @@ import java.security.cert.X509Certificate;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.mechservice.orb.DetachedSignature;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -57,7 +58,8 @@ final class VerifyCommand implements Callable<Integer> {
       spec.commandLine()
           .getErr()
           .println(
-              "S-154 "
+              MessageCode.JAR_SIGNATURE
+                  + " "
                   + jar
                   + " is not what the holder of "
                   + key
@@ -75,7 +77,8 @@ final class VerifyCommand implements Callable<Integer> {
       return (X509Certificate) CertificateFactory.getInstance("X.509").generateCertificate(in);
     } catch (CertificateException e) {
       throw new UsageException(
-          "S-150 "
+          MessageCode.CERTIFICATES_UNUSABLE
+              + " "
               + key
               + " is no certificate; name the identity.crt of the machine that built it");
     }

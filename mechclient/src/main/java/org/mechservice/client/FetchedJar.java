@@ -10,6 +10,7 @@ import java.util.jar.Attributes;
 import java.util.jar.JarInputStream;
 import java.util.zip.ZipEntry;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.pack.KeptClasses;
 import org.mechservice.solver.pack.PackedClasses;
 
@@ -49,7 +50,8 @@ final class FetchedJar {
       }
       return new FetchedJar(manifest, entries);
     } catch (IOException | UncheckedIOException e) {
-      throw new JarRefusedException("S-036", what + " is no JAR: " + e.getMessage());
+      throw new JarRefusedException(
+          MessageCode.JAR_REFUSED.code(), what + " is no JAR: " + e.getMessage());
     }
   }
 
@@ -59,7 +61,7 @@ final class FetchedJar {
     String own = Integer.toString(Model.API_VERSION);
     if (!own.equals(built)) {
       throw new JarRefusedException(
-          "S-036",
+          MessageCode.JAR_REFUSED.code(),
           what
               + " was built for solver API version "
               + (built == null ? "none" : built)

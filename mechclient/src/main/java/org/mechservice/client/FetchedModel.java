@@ -12,6 +12,7 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * A model and the solver it came with, loaded apart from the client's own classes.
@@ -68,7 +69,7 @@ record FetchedModel(
   }
 
   private static JarRefusedException refused(String why) {
-    return new JarRefusedException("S-036", "the model JAR " + why);
+    return new JarRefusedException(MessageCode.JAR_REFUSED.code(), "the model JAR " + why);
   }
 
   /**

@@ -1,6 +1,7 @@
 package org.mechservice.client;
 
 import java.util.List;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * A model of another format, translated by the server.
@@ -9,7 +10,7 @@ import java.util.List;
  * @param messages what of the file is not in it, in file order, then what looks odd in the model
  */
 public record ImportedModel(String text, List<ModelMessage> messages) {
-  private static final String LOSS = "M-085";
+  private static final String LOSS = MessageCode.URDF_LOST.code();
 
   public ImportedModel {
     messages = List.copyOf(messages);

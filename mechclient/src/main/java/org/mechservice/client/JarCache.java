@@ -6,6 +6,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.function.Supplier;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -61,7 +62,8 @@ public final class JarCache {
 
   private byte[] get(String sha256, String suffix, String what, Supplier<byte[]> source) {
     if (!Sha256.isHash(sha256)) {
-      throw new JarRefusedException("S-036", "\"" + sha256 + "\" is no SHA-256 of " + what);
+      throw new JarRefusedException(
+          MessageCode.JAR_REFUSED.code(), "\"" + sha256 + "\" is no SHA-256 of " + what);
     }
     Path file = folder.resolve(sha256 + suffix);
     byte[] kept = read(file);
@@ -79,7 +81,10 @@ public final class JarCache {
     } catch (NoSuchFileException e) {
       return new byte[0];
     } catch (IOException e) {
-      LOG.warn("S-037 cannot read {}; fetching it again: {}", file, e.toString());
+      LOG.warn(
+          MessageCode.CACHE_UNUSABLE + " cannot read {}; fetching it again: {}",
+          file,
+          e.toString());
       return new byte[0];
     }
   }
@@ -95,7 +100,10 @@ public final class JarCache {
         Files.deleteIfExists(growing);
       }
     } catch (IOException e) {
-      LOG.warn("S-037 cannot keep {}; it will be fetched again next time: {}", file, e.toString());
+      LOG.warn(
+          MessageCode.CACHE_UNUSABLE + " cannot keep {}; it will be fetched again next time: {}",
+          file,
+          e.toString());
     }
   }
 }

@@ -4,6 +4,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.regex.Pattern;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** SHA-256 hashes as the service writes them: 64 lower-case hexadecimal digits. */
 final class Sha256 {
@@ -32,7 +33,7 @@ final class Sha256 {
     String found = of(bytes);
     if (!found.equals(announced)) {
       throw new JarRefusedException(
-          "S-036",
+          MessageCode.JAR_REFUSED.code(),
           what
               + " was changed on its way: announced with SHA-256 "
               + announced

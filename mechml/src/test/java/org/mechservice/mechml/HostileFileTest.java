@@ -26,7 +26,7 @@ class HostileFileTest {
             MechmlReader.read("hostile.xml", content);
             return List.of();
           } catch (MechmlException e) {
-            return e.diagnostics().stream().map(Diagnostic::code).distinct().toList();
+            return e.diagnostics().stream().map(said -> said.code().code()).distinct().toList();
           }
         });
   }
@@ -149,16 +149,16 @@ class HostileFileTest {
               .formatted(i, i - 1, i));
     }
     return """
-        <MechML>
-          <MBSsimulation><dynamic>
-            <timeSet tini='0' tend='1' tstep='0.1'/>
-            <integrator name='DE' relTol='1e-5' absTol='1e-5'/>
-          </dynamic></MBSsimulation>
-          <MBSmodel name='Chain' massUnits='kg' lengthUnits='m'>
-            <Bodies>%s</Bodies><Joints>%s</Joints><topology><root name='b-1'/></topology>
-          </MBSmodel>
-        </MechML>
-        """
+    <MechML>
+      <MBSsimulation><dynamic>
+        <timeSet tini='0' tend='1' tstep='0.1'/>
+        <integrator name='DE' relTol='1e-5' absTol='1e-5'/>
+      </dynamic></MBSsimulation>
+      <MBSmodel name='Chain' massUnits='kg' lengthUnits='m'>
+        <Bodies>%s</Bodies><Joints>%s</Joints><topology><root name='b-1'/></topology>
+      </MBSmodel>
+    </MechML>
+    """
         .formatted(bodies, joints);
   }
 }

@@ -11,6 +11,7 @@ import org.mechservice.idl.NotAuthorized;
 import org.mechservice.orb.Caller;
 import org.mechservice.sim.service.Happening;
 import org.mechservice.sim.service.Journal;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Writes down who was refused what. Every action is written down; a question that the same caller
@@ -73,7 +74,8 @@ final class Denials {
     String text =
         "\"" + name + "\" (" + caller.roleName() + ") at " + caller.address() + " was refused ";
     journal.tell(
-        Happening.warning("denied", refusal.code, text + what + often + ": " + refusal.text)
+        Happening.warning(
+                "denied", MessageCode.of(refusal.code), text + what + often + ": " + refusal.text)
             .inSession("", name));
   }
 

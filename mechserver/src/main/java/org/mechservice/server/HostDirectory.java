@@ -24,6 +24,7 @@ import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.OutboundAllowList;
 import org.mechservice.sim.service.Happening;
 import org.mechservice.sim.service.Journal;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.SystemException;
 import org.omg.CORBA.UserException;
 
@@ -267,7 +268,8 @@ final class HostDirectory implements AutoCloseable {
         }
       }
       journal.tell(
-          Happening.warning("host-lost", "S-019", "host " + host.name() + " dropped: " + why)
+          Happening.warning(
+                  "host-lost", MessageCode.HOST_DROPPED, "host " + host.name() + " dropped: " + why)
               .onHost(host.name()));
       runs.goneWith(host.name(), "was lost");
     }

@@ -7,7 +7,8 @@ import java.util.List;
 import java.util.Set;
 import org.mechservice.mechml.Diagnostic;
 import org.mechservice.mechml.MechmlException;
-import org.mechservice.mechml.Severity;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.Severity;
 
 /** Collects what there is to say about one file; says the same thing at the same place once. */
 public final class Diagnostics {
@@ -47,7 +48,7 @@ public final class Diagnostics {
     if (!isFull()) {
       found.add(
           new Diagnostic(
-              severity, code.code(), message, file, place.line(), place.column(), place.path()));
+              severity, code, message, file, place.line(), place.column(), place.path()));
     }
   }
 
@@ -69,7 +70,7 @@ public final class Diagnostics {
       ordered.add(
           new Diagnostic(
               Severity.INFO,
-              MessageCode.MORE_MESSAGES.code(),
+              MessageCode.MORE_MESSAGES,
               "only the first " + MOST + " messages are listed",
               file,
               0,

@@ -2,8 +2,8 @@ package org.mechservice.mechml.resolve;
 
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
@@ -132,8 +132,8 @@ final class AxisReader {
           Phrase.of(
               input.type().name().equals("W")
                   ? "%s names vector2 but no vector"
-                  : "%s names a vector; a joint of type %s has none: its axes are parallel where its"
-                      + " Euler parameters are 1;0;0;0",
+                  : "%s names a vector; a joint of type %s has none: its axes are parallel where"
+                      + " its Euler parameters are 1;0;0;0",
               end.element().role(),
               input.type()));
     }

@@ -3,9 +3,9 @@ package org.mechservice.mechml.resolve;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.unit.Unit;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 
@@ -33,7 +33,7 @@ final class CouplingReader {
     if (expression != terms.isEmpty()
         || (expression && element.attribute("constant").isPresent())) {
       diagnostics.error(
-          MessageCode.COUPLING,
+          MessageCode.COUPLING_INCOMPLETE,
           element.place(),
           element.label()
               + ": it needs either an expression that stays zero, or terms with a constant");

@@ -3,10 +3,10 @@ package org.mechservice.mechml.resolve;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.StartRole;
 
@@ -42,7 +42,7 @@ final class DriveReader {
     JointType type = link.type();
     if (type.positionCount() == 0 || type.positionCount() != type.velocityCount()) {
       diagnostics.error(
-          MessageCode.DRIVEN,
+          MessageCode.DRIVEN_JOINT,
           element.place(),
           Phrase.of(
               "%s: a joint of type %s cannot be driven; drive a chain of joints of one coordinate"
@@ -53,7 +53,7 @@ final class DriveReader {
     for (String overruled : List.of("posVals", "velVals")) {
       if (element.attribute(overruled).isPresent()) {
         diagnostics.warning(
-            MessageCode.DRIVEN,
+            MessageCode.DRIVEN_JOINT,
             element.place(),
             Phrase.of("%s: %s has no effect, since driven gives it", element.label(), overruled));
       }

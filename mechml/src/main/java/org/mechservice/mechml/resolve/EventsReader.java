@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Nearest;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.unit.Unit;
 import org.mechservice.solver.api.ModelEvents;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.StateChange;
@@ -106,6 +106,6 @@ final class EventsReader {
   }
 
   private void error(Element element, String message) {
-    diagnostics.error(MessageCode.EVENT, element.place(), element.label() + ": " + message);
+    diagnostics.error(MessageCode.EVENT_ACTION, element.place(), element.label() + ": " + message);
   }
 }

@@ -7,10 +7,10 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
@@ -75,7 +75,7 @@ final class ForcesReader {
               element.required("name"), className.get(), names.points(), names.origin(element)));
     }
     diagnostics.error(
-        MessageCode.CLASS_NAME,
+        MessageCode.FORCE_CLASS_NAME,
         element.place(),
         Phrase.of(
             "%s: fileName is %s; it must be the full name of a class and .class or .java, as"

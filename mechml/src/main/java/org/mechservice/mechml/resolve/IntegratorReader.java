@@ -6,12 +6,12 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.mechservice.mechml.AbsoluteTolerances;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Nearest;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.unit.Unit;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.IntegratorSettings;
 
 /** Reads {@code integrator}. */
@@ -102,8 +102,8 @@ final class IntegratorReader {
           MessageCode.VALUE_COUNT,
           element.place(),
           Phrase.of(
-              "%s: absTol holds %d values; 1 is needed, or 4 separated by \";\": for positions, angles,"
-                  + " velocities and angular velocities",
+              "%s: absTol holds %d values; 1 is needed, or 4 separated by \";\": for positions,"
+                  + " angles, velocities and angular velocities",
               element.label(), items.size()));
       return Optional.empty();
     }

@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.JointFriction;
@@ -192,6 +192,6 @@ final class JointAttributesReader {
 
   private void error(Element element, String message) {
     diagnostics.error(
-        MessageCode.FORCE_ATTRIBUTE, element.place(), element.label() + ": " + message);
+        MessageCode.FORCE_ATTRIBUTES, element.place(), element.label() + ": " + message);
   }
 }

@@ -2,9 +2,9 @@ package org.mechservice.mechml.resolve;
 
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.unit.Quantity;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
@@ -33,7 +33,7 @@ final class JointForceReader {
     Optional<Expression> angle0 = formulas.coefficient(element, "angle0", Quantity.ANGLE, 0);
     if (place.isPresent() && !place.get().turns()) {
       diagnostics.error(
-          MessageCode.FORCE_ATTRIBUTE,
+          MessageCode.FORCE_ATTRIBUTES,
           element.place(),
           element.label()
               + ": this coordinate is a displacement; give the joint the attributes stiffness and"

@@ -3,11 +3,11 @@ package org.mechservice.mechml.resolve;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Cylindrical;
 import org.mechservice.solver.mechanism.Free;
@@ -127,6 +127,6 @@ final class JointReader {
   }
 
   private void error(Element element, String message) {
-    diagnostics.error(MessageCode.PITCH, element.place(), element.label() + ": " + message);
+    diagnostics.error(MessageCode.SCREW_PITCH, element.place(), element.label() + ": " + message);
   }
 }

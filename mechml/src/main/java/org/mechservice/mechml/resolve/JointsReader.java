@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Origin;
 
 /** Reads {@code Joints} with the starts that {@code relCoorVals} gives them. */

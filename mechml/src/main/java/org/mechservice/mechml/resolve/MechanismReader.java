@@ -6,11 +6,11 @@ import java.util.Optional;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.document.Limits;
 import org.mechservice.mechml.unit.Quantity;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -83,7 +83,7 @@ final class MechanismReader {
     List<Element> elements = model.requiredChild("Bodies").children("body");
     if (elements.size() > Limits.BODIES) {
       diagnostics.error(
-          MessageCode.TOO_LARGE,
+          MessageCode.MODEL_FILE_TOO_LARGE,
           model.place(),
           Phrase.of("the model has %d bodies; %d are allowed", elements.size(), Limits.BODIES));
     }

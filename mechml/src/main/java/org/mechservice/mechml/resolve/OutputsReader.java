@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.unit.Unit;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Output;
 
 /** Reads {@code Outputs}. */
@@ -74,6 +74,7 @@ final class OutputsReader {
   }
 
   private void error(Element element, String message) {
-    diagnostics.error(MessageCode.OUTPUT, element.place(), element.label() + ": " + message);
+    diagnostics.error(
+        MessageCode.OUTPUT_INCOMPLETE, element.place(), element.label() + ": " + message);
   }
 }

@@ -4,11 +4,11 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.mechml.unit.Unit;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
 
@@ -80,6 +80,7 @@ final class ProfileReader {
   }
 
   private void error(Element element, String message) {
-    diagnostics.error(MessageCode.PROFILE, element.place(), element.label() + ": " + message);
+    diagnostics.error(
+        MessageCode.SURFACE_PROFILE, element.place(), element.label() + ": " + message);
   }
 }

@@ -8,12 +8,12 @@ import org.mechservice.mechml.AbsoluteTolerances;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Nearest;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.mechanism.Event;
 
@@ -201,6 +201,7 @@ final class SimulationReader {
   }
 
   private void error(Element output, String message) {
-    diagnostics.error(MessageCode.OUTPUT, output.place(), output.label() + ": " + message);
+    diagnostics.error(
+        MessageCode.OUTPUT_INCOMPLETE, output.place(), output.label() + ": " + message);
   }
 }

@@ -3,10 +3,10 @@ package org.mechservice.mechml.resolve;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.unit.Quantity;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Reads {@code timeSet}. */
 final class TimeSetReader {
@@ -54,8 +54,8 @@ final class TimeSetReader {
     if (spacing > FINEST * time.step()) {
       return Optional.of(
           Phrase.of(
-              "double-precision numbers near these times lie %s s apart, too coarse for tstep, %s s;"
-                  + " let the run begin near 0 and shift the time in expressions instead",
+              "double-precision numbers near these times lie %s s apart, too coarse for tstep, %s"
+                  + " s; let the run begin near 0 and shift the time in expressions instead",
               spacing, time.step()));
     }
     return Optional.empty();

@@ -11,7 +11,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.mechservice.mechml.Diagnostic;
 import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.MechmlReader;
@@ -145,7 +144,7 @@ class UrdfImportTest {
       UrdfImport.of("r.urdf", robot.getBytes(StandardCharsets.UTF_8));
       return List.of();
     } catch (MechmlException e) {
-      return e.diagnostics().stream().map(Diagnostic::code).distinct().toList();
+      return e.diagnostics().stream().map(said -> said.code().code()).distinct().toList();
     }
   }
 

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Call;
@@ -192,12 +193,12 @@ public final class BriefPush {
       }
     }
     return new Finding(
-        "N-025",
+        MessageCode.SHORT_PULSE,
         String.format(
             Locale.ROOT,
-            "a formula of time pushes joint \"%s\" for some %.1e s only, first at t = %.6g s; a long"
-                + " step of the integrator may pass over it: give the integrator a maxStep of %.1e"
-                + " s, or begin and end the push with step(), whose times are known",
+            "a formula of time pushes joint \"%s\" for some %.1e s only, first at t = %.6g s; a"
+                + " long step of the integrator may pass over it: give the integrator a maxStep of"
+                + " %.1e s, or begin and end the push with step(), whose times are known",
             joint.name(),
             lasts,
             at,

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.ClassNode;
@@ -40,7 +41,7 @@ final class GivenClasses {
     for (UserFile file : files) {
       if (!file.isUsable()) {
         findings.add(
-            "S-124",
+            MessageCode.USER_CLASS_FILE_UNUSABLE,
             file.name(),
             "this came with the model, which takes files such as car/Road.java or Road.class");
       } else if (file.isSource()) {
@@ -60,10 +61,13 @@ final class GivenClasses {
   private void read(UserFile file) {
     int version = version(file.content());
     if (version < JAVA_ZERO) {
-      findings.add("S-124", file.name(), "this is no class file; compile the class again");
+      findings.add(
+          MessageCode.USER_CLASS_FILE_UNUSABLE,
+          file.name(),
+          "this is no class file; compile the class again");
     } else if (version > Opcodes.V17) {
       findings.add(
-          "S-124",
+          MessageCode.USER_CLASS_FILE_UNUSABLE,
           file.name(),
           "this was compiled for Java "
               + (version - JAVA_ZERO)
@@ -75,7 +79,10 @@ final class GivenClasses {
         add(file.name(), reader.getClassName(), file.content());
       } catch (RuntimeException e) {
         // The reader trusts what it reads: damage shows as any kind of exception.
-        findings.add("S-124", file.name(), "this class file is damaged; compile the class again");
+        findings.add(
+            MessageCode.USER_CLASS_FILE_UNUSABLE,
+            file.name(),
+            "this class file is damaged; compile the class again");
       }
     }
   }
@@ -96,10 +103,12 @@ final class GivenClasses {
     String other = fileOf.putIfAbsent(name, file);
     if (other != null) {
       findings.add(
-          "S-124", file, "this holds the class " + name + ", and so does " + other + "; keep one");
+          MessageCode.USER_CLASS_FILE_UNUSABLE,
+          file,
+          "this holds the class " + name + ", and so does " + other + "; keep one");
     } else if (RESERVED.stream().anyMatch(name::startsWith)) {
       findings.add(
-          "S-124",
+          MessageCode.USER_CLASS_FILE_UNUSABLE,
           file,
           "the class " + name + " is in a package of Java or MechService; choose another");
     } else {
@@ -110,11 +119,11 @@ final class GivenClasses {
   private void refuse(List<UserFile> sources) {
     if (!sources.isEmpty()) {
       findings.add(
-          "S-120",
+          MessageCode.USER_CODE_NOT_ALLOWED,
           sources.get(0).name(),
           "this server compiles no classes of users; run without --server, send class files instead"
-              + " of sources (javac --release 17) with --mode local, or ask its operator to start it"
-              + " with --allow-user-code");
+              + " of sources (javac --release 17) with --mode local, or ask its operator to start"
+              + " it with --allow-user-code");
     }
   }
 

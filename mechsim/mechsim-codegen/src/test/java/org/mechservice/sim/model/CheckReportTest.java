@@ -14,7 +14,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.mechml.Diagnostic;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.MechmlReader;
-import org.mechservice.mechml.Severity;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.Severity;
 
 class CheckReportTest {
   @Test
@@ -103,9 +104,10 @@ class CheckReportTest {
   void whatTheReaderNoticedComesFirst() {
     MechmlModel plain = Scenes.model(Scenes.pendulum());
     Diagnostic noticed =
-        new Diagnostic(Severity.WARNING, "M-099", "odd", "p.xml", 3, 4, "MechML/MBSmodel");
+        new Diagnostic(
+            Severity.WARNING, MessageCode.MORE_MESSAGES, "odd", "p.xml", 3, 4, "MechML/MBSmodel");
     MechmlModel model = new MechmlModel(plain.mechanism(), plain.settings(), List.of(noticed));
-    assertThat(CheckReport.of(model).warnings()).containsExactly("p.xml:3:4: M-099 odd");
+    assertThat(CheckReport.of(model).warnings()).containsExactly("p.xml:3:4: M-019 odd");
   }
 
   private static CheckReport example(String file) throws Exception {

@@ -10,8 +10,9 @@ import org.mechservice.idl.OPT_INTEGRATOR;
 import org.mechservice.idl.OPT_SET;
 import org.mechservice.idl.ServerFailure;
 import org.mechservice.mechml.Diagnostic;
-import org.mechservice.mechml.Severity;
 import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.Severity;
 
 /** Says in the contract's words why a model cannot be built. */
 final class Built {
@@ -30,17 +31,23 @@ final class Built {
     } catch (ModelBuildException e) {
       String text = withoutCode(e.code(), e);
       switch (e.code()) {
-        case "S-081" -> throw new InvalidOption(e.code(), text, OPT_FORMULATION.value);
-        case "S-082" -> throw new InvalidOption(e.code(), text, OPT_INTEGRATOR.value);
-        case "S-084" -> throw new ServerFailure(e.code(), text, "");
+        case FORMULATION_NOT_AVAILABLE ->
+            throw new InvalidOption(e.code().code(), text, OPT_FORMULATION.value);
+        case INTEGRATOR_NOT_AVAILABLE ->
+            throw new InvalidOption(e.code().code(), text, OPT_INTEGRATOR.value);
+        case NO_COMPILER -> throw new ServerFailure(e.code().code(), text, "");
         default -> throw invalidModel(e.code(), text);
       }
     } catch (IllegalArgumentException e) {
       String message = String.valueOf(e.getMessage());
-      if (message.startsWith("S-060 ")) {
-        throw new InvalidOption("S-060", withoutCode("S-060", e), OPT_COLUMNS.value);
-      } else if (message.startsWith("S-068 ")) {
-        throw invalidModel("S-068", withoutCode("S-068", e));
+      if (message.startsWith(MessageCode.COLUMN_GROUP_MISSING + " ")) {
+        throw new InvalidOption(
+            MessageCode.COLUMN_GROUP_MISSING.code(),
+            withoutCode(MessageCode.COLUMN_GROUP_MISSING, e),
+            OPT_COLUMNS.value);
+      } else if (message.startsWith(MessageCode.FORCE_CLASS_UNUSABLE + " ")) {
+        throw invalidModel(
+            MessageCode.FORCE_CLASS_UNUSABLE, withoutCode(MessageCode.FORCE_CLASS_UNUSABLE, e));
       }
       throw e;
     }
@@ -52,20 +59,21 @@ final class Built {
    * @param refusal S-125 or S-126; anything else is thrown as it is
    */
   static InvalidOption refusedParameter(IllegalArgumentException refusal) {
-    for (String code : List.of("S-125", "S-126")) {
+    for (MessageCode code :
+        List.of(MessageCode.PARAMETER_FIXED, MessageCode.PARAMETER_NOT_A_NUMBER)) {
       if (String.valueOf(refusal.getMessage()).startsWith(code + " ")) {
-        return new InvalidOption(code, withoutCode(code, refusal), OPT_SET.value);
+        return new InvalidOption(code.code(), withoutCode(code, refusal), OPT_SET.value);
       }
     }
     throw refusal;
   }
 
-  private static InvalidModel invalidModel(String code, String text) {
+  private static InvalidModel invalidModel(MessageCode code, String text) {
     return Refusal.model(List.of(new Diagnostic(Severity.ERROR, code, text, "", 0, 0, "")));
   }
 
-  private static String withoutCode(String code, RuntimeException e) {
+  private static String withoutCode(MessageCode code, RuntimeException e) {
     String message = String.valueOf(e.getMessage());
-    return message.startsWith(code + " ") ? message.substring(code.length() + 1) : message;
+    return message.startsWith(code + " ") ? message.substring(code.code().length() + 1) : message;
   }
 }

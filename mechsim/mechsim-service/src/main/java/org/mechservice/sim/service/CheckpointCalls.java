@@ -5,6 +5,7 @@ import org.mechservice.idl.InvalidState;
 import org.mechservice.idl.MAX_WAIT_MILLIS;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.SimState;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * What clients ask about the checkpoints of a run.
@@ -70,7 +71,7 @@ record CheckpointCalls(SimulationRun run) {
         .orElseThrow(
             () ->
                 new NotAvailable(
-                    "S-072",
+                    MessageCode.MODEL_CANNOT_BE_SAVED.code(),
                     "a run of the model cannot be saved: its loops do not tell their state"));
   }
 }

@@ -2,6 +2,7 @@ package org.mechservice.sim.service;
 
 import org.mechservice.idl.ServiceEvent;
 import org.mechservice.idl.Severity;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Something operators hear of.
@@ -31,8 +32,8 @@ public record Happening(
   }
 
   /** Something an operator should look at. */
-  public static Happening warning(String kind, String code, String text) {
-    return new Happening(kind, Severity.SEV_WARNING, code, "", "", "", "", text);
+  public static Happening warning(String kind, MessageCode code, String text) {
+    return new Happening(kind, Severity.SEV_WARNING, code.code(), "", "", "", "", text);
   }
 
   /** Returns the same about a host. */

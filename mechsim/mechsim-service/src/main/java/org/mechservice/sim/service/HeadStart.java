@@ -6,6 +6,7 @@ import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.NameValue;
 import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.SimulationSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -30,7 +31,7 @@ public final class HeadStart {
     try {
       run();
     } catch (MechmlException | InvalidOption | IOException | RuntimeException e) {
-      LOG.warn("S-001 the model will take longer: {}", e.toString());
+      LOG.warn(MessageCode.INTERNAL_SERVER_ERROR + " the model will take longer: {}", e.toString());
     }
   }
 

@@ -9,6 +9,7 @@ import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.SimState;
 import org.mechservice.mechml.Diagnostic;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** The exceptions of the contract, each with its entry of the error catalogue. */
 public final class Refusal {
@@ -16,17 +17,17 @@ public final class Refusal {
 
   /** The interface has it, this version has not. */
   public static NotAvailable notAvailable(String text) {
-    return new NotAvailable("S-007", text);
+    return new NotAvailable(MessageCode.NOT_AVAILABLE.code(), text);
   }
 
   /** An option is unknown or its value is not usable. */
   public static InvalidOption option(String name, String text) {
-    return new InvalidOption("S-008", text, name);
+    return new InvalidOption(MessageCode.OPTION_VALUE.code(), text, name);
   }
 
   /** Not possible now. */
   public static InvalidState state(SimState current, String text) {
-    return new InvalidState("S-009", text, current);
+    return new InvalidState(MessageCode.WRONG_STATE.code(), text, current);
   }
 
   /**
@@ -37,17 +38,17 @@ public final class Refusal {
    * @param requested what was asked for
    */
   public static LimitExceeded limit(String name, long value, long requested, String text) {
-    return new LimitExceeded("S-010", text, name, value, requested);
+    return new LimitExceeded(MessageCode.LIMIT_EXCEEDED.code(), text, name, value, requested);
   }
 
   /** No host takes a session now. */
   public static LimitExceeded noPlace(String text) {
-    return new LimitExceeded("S-012", text, "places", 0, 1);
+    return new LimitExceeded(MessageCode.NO_PLACE_FOR_SESSION.code(), text, "places", 0, 1);
   }
 
   /** There is no such thing, or no longer. */
   public static NotFound notFound(String text) {
-    return new NotFound("S-011", text);
+    return new NotFound(MessageCode.NO_SUCH_OBJECT.code(), text);
   }
 
   /**
@@ -58,10 +59,10 @@ public final class Refusal {
   public static InvalidModel model(List<Diagnostic> diagnostics) {
     long errors =
         diagnostics.stream()
-            .filter(said -> said.severity() == org.mechservice.mechml.Severity.ERROR)
+            .filter(said -> said.severity() == org.mechservice.solver.catalogue.Severity.ERROR)
             .count();
     return new InvalidModel(
-        "S-016",
+        MessageCode.MODEL_FILE_UNUSABLE.code(),
         "the model has " + errors + (errors == 1 ? " error" : " errors"),
         Wire.diagnostics(diagnostics));
   }
@@ -70,7 +71,7 @@ public final class Refusal {
   static InvalidModel strict(List<Diagnostic> warnings) {
     int count = warnings.size();
     return new InvalidModel(
-        "S-164",
+        MessageCode.WARNINGS_REFUSED.code(),
         "the model has " + count + (count == 1 ? " warning" : " warnings") + ", and strict was set",
         Wire.diagnostics(warnings));
   }

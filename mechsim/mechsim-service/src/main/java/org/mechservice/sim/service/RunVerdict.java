@@ -11,6 +11,7 @@ import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * How a run ended.
@@ -29,13 +30,20 @@ record RunVerdict(Optional<Map<String, Object>> report, Outcome outcome) {
     } catch (RunLimitException e) {
       return failed(atLimit(e, control));
     } catch (IllegalArgumentException e) {
-      return failed(coded("S-008", String.valueOf(e.getMessage()), control));
+      return failed(coded(MessageCode.OPTION_VALUE, String.valueOf(e.getMessage()), control));
     } catch (IOException e) {
-      return failed(coded("S-014", "the results cannot be kept: " + e.getMessage(), control));
+      return failed(
+          coded(
+              MessageCode.RESULTS_NOT_KEPT,
+              "the results cannot be kept: " + e.getMessage(),
+              control));
     } catch (RuntimeException | OutOfMemoryError | StackOverflowError e) {
       String incident = GuardedServant.record("run " + simId, e);
       return failed(
-          coded("S-001", "the server failed unexpectedly, incident " + incident, control));
+          coded(
+              MessageCode.INTERNAL_SERVER_ERROR,
+              "the server failed unexpectedly, incident " + incident,
+              control));
     }
   }
 
@@ -46,7 +54,7 @@ record RunVerdict(Optional<Map<String, Object>> report, Outcome outcome) {
     }
     return failed(
         failure(
-            lost.outOfMemory() ? HostLimit.MEMORY.code() : "S-157",
+            lost.outOfMemory() ? HostLimit.MEMORY.code() : MessageCode.WORKER_ENDED,
             String.valueOf(lost.getMessage()),
             control,
             "Look for what the classes of the model's users do there; the rows up to then are"
@@ -58,10 +66,10 @@ record RunVerdict(Optional<Map<String, Object>> report, Outcome outcome) {
   }
 
   /** The solver's messages begin with their code; others get the code given here. */
-  private static Failure coded(String code, String message, RunControl control) {
+  private static Failure coded(MessageCode code, String message, RunControl control) {
     boolean hasCode = message.matches("(?s)[MNS]-\\d{3} .*");
     return failure(
-        hasCode ? message.substring(0, 5) : code,
+        hasCode ? MessageCode.find(message.substring(0, 5)).orElse(code) : code,
         hasCode ? message.substring(6) : message,
         control,
         "");
@@ -77,7 +85,7 @@ record RunVerdict(Optional<Map<String, Object>> report, Outcome outcome) {
             + "\".");
   }
 
-  private static Failure failure(String code, String text, RunControl control, String advice) {
+  private static Failure failure(MessageCode code, String text, RunControl control, String advice) {
     double time = Double.isNaN(control.time()) ? 0 : control.time();
     return new Failure(code, text, time, control.stepSize(), control.order(), "", advice);
   }
@@ -92,7 +100,10 @@ record RunVerdict(Optional<Map<String, Object>> report, Outcome outcome) {
     return new RunVerdict(
         report,
         new Outcome.Failed(
-            coded("S-014", "the results cannot be kept: " + unkept.getMessage(), control)));
+            coded(
+                MessageCode.RESULTS_NOT_KEPT,
+                "the results cannot be kept: " + unkept.getMessage(),
+                control)));
   }
 
   SimState state() {

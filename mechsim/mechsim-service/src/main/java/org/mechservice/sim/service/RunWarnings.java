@@ -46,7 +46,7 @@ final class RunWarnings {
   private static String text(Diagnostic said) {
     return String.join(
         "\t",
-        said.code(),
+        said.code().code(),
         said.file(),
         String.valueOf(said.line()),
         String.valueOf(said.column()),

@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.mechml.Diagnostic;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.Severity;
 import org.mechservice.sim.scene.Finding;
 import org.mechservice.sim.scene.RunForecast;
 import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.Severity;
 
 /** What is said of a model as soon as it is read, without waiting for a run to fail. */
 final class SceneWarnings {

@@ -22,6 +22,7 @@ import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.ActiveObject;
 import org.mechservice.orb.GuardedServant;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 import org.omg.PortableServer.Servant;
 
@@ -230,7 +231,7 @@ final class Session implements SimulationRun.Listener {
    */
   void hostIsDraining(SimulationRun run) {
     boolean movable = run.checkpoints().isPresent();
-    String code = movable ? "S-115" : "S-116";
+    MessageCode code = movable ? MessageCode.HOST_DRAINING : MessageCode.RUN_STAYS_ON_DRAINING_HOST;
     String text =
         "host "
             + host.hostName()
@@ -250,17 +251,18 @@ final class Session implements SimulationRun.Listener {
             + "; they are there as long as host "
             + host.hostName()
             + " runs";
-    tell(run, "sim-not-kept", Severity.SEV_WARNING, "S-014", text);
+    tell(run, "sim-not-kept", Severity.SEV_WARNING, MessageCode.RESULTS_NOT_KEPT, text);
   }
 
-  private void tell(SimulationRun run, String kind, Severity weight, String code, String text) {
+  private void tell(
+      SimulationRun run, String kind, Severity weight, MessageCode code, String text) {
     said(run, new Diagnostic[] {Wire.diagnostic(weight, code, text)});
     host.journal()
         .tell(
             new Happening(
                 kind,
                 weight,
-                code,
+                code.code(),
                 host.hostName(),
                 id,
                 run.simId(),

@@ -34,6 +34,7 @@ import org.mechservice.orb.ActiveObject;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * The sessions of one host. Ends those whose lease is over and runs that have used up what they
@@ -293,11 +294,11 @@ public final class SessionTable implements AutoCloseable {
 
   private void kill(Session session, SimulationRun run, String reason) {
     String text = "cancelled by the operator: " + reason;
-    session.said(run, new Diagnostic[] {Wire.information("S-018", text)});
+    session.said(run, new Diagnostic[] {Wire.information(MessageCode.CANCELLED_BY_OPERATOR, text)});
     run.stop();
     host.journal()
         .tell(
-            Happening.warning("sim-killed", "S-018", text)
+            Happening.warning("sim-killed", MessageCode.CANCELLED_BY_OPERATOR, text)
                 .onHost(host.hostName())
                 .inSession(session.id(), session.owner())
                 .ofSimulation(run.simId()));

@@ -27,6 +27,7 @@ import org.mechservice.idl.SimState;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.UserException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -78,7 +79,9 @@ public final class WarmUp implements AutoCloseable {
       run();
     } catch (UserException | IOException | RuntimeException e) {
       if (!closed) {
-        LOG.warn("S-001 the first client will wait longer: {}", e.toString());
+        LOG.warn(
+            MessageCode.INTERNAL_SERVER_ERROR + " the first client will wait longer: {}",
+            e.toString());
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();

@@ -8,6 +8,7 @@ import java.io.InputStream;
 import java.lang.reflect.InvocationTargetException;
 import java.util.HashMap;
 import java.util.Map;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Starts a standalone JAR. The solver's classes lie in one file, because many small files compress
@@ -129,7 +130,8 @@ public final class Launcher extends ClassLoader {
   private static InputStream resource(String name) throws IOException {
     InputStream found = Launcher.class.getClassLoader().getResourceAsStream(name);
     if (found == null) {
-      throw new IOException("S-069 the JAR is damaged: it has no " + name);
+      throw new IOException(
+          MessageCode.STANDALONE_JAR_DAMAGED + " the JAR is damaged: it has no " + name);
     }
     return found;
   }

@@ -11,6 +11,7 @@ import java.util.TreeMap;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * The command line of a model's own JAR.
@@ -133,18 +134,25 @@ record StandaloneOptions(
         case "--quiet" -> quiet = true;
         case "--json" -> json = true;
         case "--help" -> help = true;
-        default -> throw new UsageException("S-065 unknown option " + word + "\n" + HELP);
+        default ->
+            throw new UsageException(
+                MessageCode.STANDALONE_USAGE + " unknown option " + word + "\n" + HELP);
       }
     }
 
     private void set(String assignment) throws UsageException {
       int equals = assignment.indexOf('=');
       if (equals < 1) {
-        throw new UsageException("S-065 --set takes PARAMETER=VALUE, not \"" + assignment + "\"");
+        throw new UsageException(
+            MessageCode.STANDALONE_USAGE
+                + " --set takes PARAMETER=VALUE, not \""
+                + assignment
+                + "\"");
       }
       String name = assignment.substring(0, equals).strip();
       if (parameters.put(name, assignment.substring(equals + 1)) != null) {
-        throw new UsageException("S-065 --set names parameter \"" + name + "\" twice");
+        throw new UsageException(
+            MessageCode.STANDALONE_USAGE + " --set names parameter \"" + name + "\" twice");
       }
     }
 
@@ -153,7 +161,7 @@ record StandaloneOptions(
         return inline;
       }
       if (next == args.length) {
-        throw new UsageException("S-065 " + option + " lacks its value");
+        throw new UsageException(MessageCode.STANDALONE_USAGE + " " + option + " lacks its value");
       }
       return args[next++];
     }
@@ -164,7 +172,11 @@ record StandaloneOptions(
         tolerances.add(parse("--atol", one));
       }
       if (tolerances.size() != 1 && tolerances.size() != 4) {
-        throw new UsageException("S-065 --atol takes one number or four, not \"" + text + "\"");
+        throw new UsageException(
+            MessageCode.STANDALONE_USAGE
+                + " --atol takes one number or four, not \""
+                + text
+                + "\"");
       }
       return tolerances;
     }
@@ -176,7 +188,8 @@ record StandaloneOptions(
     private double positive(String option, String inline) throws UsageException {
       double number = number(option, inline);
       if (number <= 0) {
-        throw new UsageException("S-065 " + option + " must be positive, not " + number);
+        throw new UsageException(
+            MessageCode.STANDALONE_USAGE + " " + option + " must be positive, not " + number);
       }
       return number;
     }
@@ -190,7 +203,13 @@ record StandaloneOptions(
       } catch (NumberFormatException e) {
         // Said below, as for numbers that are not finite.
       }
-      throw new UsageException("S-065 " + option + " takes a finite number, not \"" + text + "\"");
+      throw new UsageException(
+          MessageCode.STANDALONE_USAGE
+              + " "
+              + option
+              + " takes a finite number, not \""
+              + text
+              + "\"");
     }
 
     private Set<ColumnGroup> groups(String list) throws UsageException {
@@ -213,7 +232,12 @@ record StandaloneOptions(
         known.append(group.label()).append(", ");
       }
       throw new UsageException(
-          "S-065 --columns: \"" + name + "\" is no column group; there are " + known + "and all");
+          MessageCode.STANDALONE_USAGE
+              + " --columns: \""
+              + name
+              + "\" is no column group; there are "
+              + known
+              + "and all");
     }
   }
 }
