@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Turns a run of the step benchmarks into the page docs/reports/step-overhead.md.
 
-    java -jar benchmarks/target/benchmarks.jar "StepOverhead|RightHandSide|StepMemory" \\
+    java -jar benchmarks/target/benchmarks.jar "StepOverhead|RightHandSideCost|StepMemory" \\
          -rf json -rff benchmarks/target/steps.json
     benchmarks/overhead.py benchmarks/target/steps.json [PAGE]
 
@@ -56,7 +56,7 @@ def by_class(results):
     found = {}
     for result in results:
         found.setdefault(result["benchmark"].split(".")[-2], []).append(result)
-    missing = {"StepOverhead", "RightHandSide", "StepMemory"} - found.keys()
+    missing = {"StepOverhead", "RightHandSideCost", "StepMemory"} - found.keys()
     if missing:
         sys.exit(f"no results of {', '.join(sorted(missing))}")
     return found
@@ -83,7 +83,7 @@ def main():
     results = json.loads(pathlib.Path(sys.argv[1]).read_text())
     page = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else PAGE
     found = by_class(results)
-    f = {r["params"]["problem"]: microseconds(r["primaryMetric"]) for r in found["RightHandSide"]}
+    f = {r["params"]["problem"]: microseconds(r["primaryMetric"]) for r in found["RightHandSideCost"]}
     problems = sorted(f, key=SIZE.get)
     steps = {}
     for result in found["StepOverhead"]:

@@ -9,7 +9,7 @@ import org.mechservice.solver.ode.suite.Reference;
 import org.mechservice.solver.ode.suite.SuiteProblem;
 
 /** Runs of an integrator of Hipparchus. */
-final class HipparchusRun implements Method.ProblemRun {
+final class HipparchusRun implements ComparedIntegrator.ProblemRun {
   private final ODEIntegrator integrator;
   private final StepCount count = new StepCount();
 
@@ -19,12 +19,12 @@ final class HipparchusRun implements Method.ProblemRun {
   }
 
   @Override
-  public Method.Cost toEnd(SuiteProblem problem) {
+  public ComparedIntegrator.Cost toEnd(SuiteProblem problem) {
     Reference reference = problem.reference();
     count.steps = 0;
     integrator.integrate(
         new Equations(problem), new ODEState(0, reference.initialState()), reference.end());
-    return new Method.Cost(count.steps, integrator.getEvaluations());
+    return new ComparedIntegrator.Cost(count.steps, integrator.getEvaluations());
   }
 
   private static final class StepCount implements ODEStepHandler {

@@ -7,9 +7,9 @@ import org.mechservice.solver.ode.suite.Reference;
 import org.mechservice.solver.ode.suite.SuiteProblem;
 
 /** Runs of one of our integrators. */
-record OwnRun(Integrator integrator) implements Method.ProblemRun {
+record OwnRun(Integrator integrator) implements ComparedIntegrator.ProblemRun {
   @Override
-  public Method.Cost toEnd(SuiteProblem problem) {
+  public ComparedIntegrator.Cost toEnd(SuiteProblem problem) {
     Reference reference = problem.reference();
     StepResult result = integrator.start(problem, 0, reference.initialState(), reference.end());
     while (result == StepResult.ADVANCED) {
@@ -19,6 +19,6 @@ record OwnRun(Integrator integrator) implements Method.ProblemRun {
       throw new IllegalStateException(problem.name() + ": " + integrator.failure());
     }
     IntegrationStatistics done = integrator.statistics();
-    return new Method.Cost(done.steps(), done.evaluations());
+    return new ComparedIntegrator.Cost(done.steps(), done.evaluations());
   }
 }

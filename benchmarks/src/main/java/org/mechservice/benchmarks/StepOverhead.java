@@ -22,10 +22,10 @@ public class StepOverhead extends Measured {
   public String problem = "";
 
   /** What integrates it. */
-  @Param public Method method = Method.ODE113;
+  @Param public ComparedIntegrator method = ComparedIntegrator.ODE113;
 
   private SuiteProblem equations = SuiteProblem.named("VanDerPol");
-  private Method.ProblemRun run = Method.ODE113.run(TOLERANCE);
+  private ComparedIntegrator.ProblemRun run = ComparedIntegrator.ODE113.run(TOLERANCE);
 
   /** Prepares a run. */
   @Setup
@@ -36,8 +36,8 @@ public class StepOverhead extends Measured {
 
   /** Integrates from start to end. */
   @Benchmark
-  public Method.Cost run(Work work) {
-    Method.Cost cost = run.toEnd(equations);
+  public ComparedIntegrator.Cost run(Work work) {
+    ComparedIntegrator.Cost cost = run.toEnd(equations);
     work.step += cost.steps();
     work.evaluation += cost.evaluations();
     return cost;

@@ -18,8 +18,8 @@ import org.mechservice.solver.ode.suite.Kepler;
 class BenchmarksTest {
   @EnumSource
   @ParameterizedTest
-  void methodReachesTheEndOfAnOrbit(Method method) {
-    Method.Cost cost = method.run(StepOverhead.TOLERANCE).toEnd(new Kepler());
+  void methodReachesTheEndOfAnOrbit(ComparedIntegrator method) {
+    ComparedIntegrator.Cost cost = method.run(StepOverhead.TOLERANCE).toEnd(new Kepler());
     assertThat(cost.steps()).isPositive();
     assertThat(cost.evaluations()).isGreaterThan(cost.steps());
   }
@@ -28,12 +28,12 @@ class BenchmarksTest {
   void overheadRunsAndEvaluationsAreOfTheSameProblem() {
     StepOverhead whole = new StepOverhead();
     whole.problem = "Hires";
-    whole.method = Method.ODE15S;
+    whole.method = ComparedIntegrator.ODE15S;
     whole.prepare();
     StepOverhead.Work work = new StepOverhead.Work();
     assertThat(whole.run(work).evaluations()).isPositive();
     assertThat(work.step).isPositive();
-    RightHandSide one = new RightHandSide();
+    RightHandSideCost one = new RightHandSideCost();
     one.problem = "Hires";
     one.prepare();
     assertThat(one.evaluate()).hasSize(8);

@@ -5,28 +5,64 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /** NOTICE keeps up with the dependencies. */
 class NoticeIT {
+  private static final Pattern LIBRARY = Pattern.compile("(?<![\\w-])[a-z][\\w-]* \\d[\\w.]*");
+
   @Test
   void namesEveryLibraryWithItsVersion() throws IOException {
     List<String> libraries =
-        Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
-            .map(path -> new File(path).getName())
-            .filter(name -> name.endsWith(".jar"))
-            // Our own modules are told by not having been fetched.
-            .filter(name -> !Files.exists(WorkingTree.TOP.resolve(module(name))))
-            .map(name -> name.replaceFirst("-([0-9][^-]*)\\.jar$", " $1"))
-            .toList();
+        fetched(
+            Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
+                .map(path -> new File(path).getName()));
 
     assertThat(libraries).isNotEmpty();
-    assertThat(Files.readString(WorkingTree.TOP.resolve("NOTICE"))).contains(libraries);
+    assertThat(notice()).contains(libraries);
   }
 
-  private static String module(String jar) {
-    return jar.replaceFirst("(-[0-9].*)?\\.jar$", "");
+  @Test
+  void productRunsWithTheLibrariesThatNoticeNamesAsItsOwnAndNoOthers() throws IOException {
+    List<String> besideTheCommand;
+    try (Stream<Path> lib = Files.list(WorkingTree.TOP.resolve("mechcli/target/lib"))) {
+      besideTheCommand = fetched(lib.map(jar -> jar.getFileName().toString()));
+    }
+    String named = notice();
+    String ofTheProduct =
+        named.substring(
+            named.indexOf("Libraries the product runs with"),
+            named.indexOf("Used to build and test"));
+
+    assertThat(besideTheCommand)
+        .containsExactlyInAnyOrderElementsOf(
+            LIBRARY.matcher(ofTheProduct).results().map(match -> match.group()).toList());
+  }
+
+  private static String notice() throws IOException {
+    return Files.readString(WorkingTree.TOP.resolve("NOTICE"));
+  }
+
+  /** Returns name and version of those JARs that are not modules of this project. */
+  private static List<String> fetched(Stream<String> files) throws IOException {
+    Set<String> modules;
+    try (Stream<Path> poms =
+        Files.find(WorkingTree.TOP, 3, (file, attributes) -> file.endsWith("pom.xml"))) {
+      modules =
+          poms.map(pom -> String.valueOf(pom.getParent().getFileName()))
+              .collect(Collectors.toSet());
+    }
+    return files
+        .filter(name -> name.endsWith(".jar"))
+        .filter(name -> !modules.contains(name.replaceFirst("(-[0-9].*)?\\.jar$", "")))
+        .map(name -> name.replaceFirst("-([0-9][^-]*)\\.jar$", " $1"))
+        .toList();
   }
 }

@@ -8,11 +8,10 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.mechservice.client.MechSession;
 import org.mechservice.report.ModelReport;
+import org.mechservice.report.ProgressLine;
 import org.mechservice.report.measure.Effort;
-import org.mechservice.report.measure.Journal;
+import org.mechservice.report.measure.MeasurementFile;
 import org.mechservice.report.measure.Rerun;
-import org.mechservice.report.paper.PaperReport;
-import org.mechservice.report.suite.SuiteReport;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -43,17 +42,6 @@ final class ReportCommand implements Callable<Integer> {
   private boolean quick;
 
   @Option(
-      names = "--paper",
-      paramLabel = "EXAMPLES",
-      description = "Measure the paper's tables on the scenes of this folder.")
-  private Optional<Path> paper = Optional.empty();
-
-  @Option(
-      names = "--suite",
-      description = "Measure the integrators alone, on problems with verified solutions.")
-  private boolean suite;
-
-  @Option(
       names = "--compare",
       arity = "2",
       paramLabel = "RUNS.csv",
@@ -69,11 +57,9 @@ final class ReportCommand implements Callable<Integer> {
     if (!compared.isEmpty()) {
       return compare();
     }
-    if (models.isEmpty() && paper.isEmpty() && !suite) {
+    if (models.isEmpty()) {
       throw new UsageException(
-          MessageCode.OPTION_UNUSABLE
-              + " report: name a model, --paper with the scenes' folder, --suite, or --compare with"
-              + " two files");
+          MessageCode.OPTION_UNUSABLE + " report: name a model, or --compare with two files");
     }
     Path folder =
         output.orElseThrow(
@@ -81,20 +67,13 @@ final class ReportCommand implements Callable<Integer> {
                 new UsageException(
                     MessageCode.OPTION_UNUSABLE
                         + " report: name the folder for the pages, -o DIR"));
-    if (suite) {
-      try (ProgressLine line = new ProgressLine(spec.commandLine().getErr())) {
-        tell(new SuiteReport(quick, line).write(folder));
-      }
-    }
-    if (!models.isEmpty() || paper.isPresent()) {
-      reportModels(folder);
-    }
+    reportModels(folder);
     return ExitStatus.DONE;
   }
 
   private int compare() throws IOException {
     for (Path runs : compared) {
-      if (Journal.read(runs).isEmpty()) {
+      if (MeasurementFile.read(runs).isEmpty()) {
         throw new UsageException(
             MessageCode.OPTION_UNUSABLE + " --compare: " + runs + " has no runs of a report");
       }
@@ -109,11 +88,6 @@ final class ReportCommand implements Callable<Integer> {
     try (Service service = Service.open(server)) {
       for (Path model : models) {
         report(service, model, folder);
-      }
-      if (paper.isPresent()) {
-        try (ProgressLine line = new ProgressLine(spec.commandLine().getErr())) {
-          tell(new PaperReport(service.connection()::openSession, paper.get(), line).write(folder));
-        }
       }
     }
   }

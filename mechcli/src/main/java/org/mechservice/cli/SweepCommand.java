@@ -27,6 +27,7 @@ import org.mechservice.client.sweep.SweepGrid;
 import org.mechservice.client.sweep.SweepListener;
 import org.mechservice.client.sweep.SweepRow;
 import org.mechservice.client.sweep.UnknownParameterException;
+import org.mechservice.report.ProgressLine;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;

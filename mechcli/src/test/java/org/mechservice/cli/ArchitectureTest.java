@@ -28,9 +28,7 @@ class ArchitectureTest {
   /** The packages of each artifact. */
   private static final Map<String, List<String>> PACKAGES =
       Map.ofEntries(
-          entry(
-              "solver-api",
-              List.of("solver.api", "solver.catalogue", "solver.text", "solver.pack")),
+          entry("solver-api", List.of("solver.api", "solver.catalogue", "solver.text")),
           entry("solver-ode", List.of("solver.linear", "solver.ode")),
           entry(
               "solver-mechanics",

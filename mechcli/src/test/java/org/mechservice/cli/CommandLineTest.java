@@ -28,25 +28,37 @@ class CommandLineTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "simulate m.xml --rtoll 1 | S-040 unknown option --rtoll; did you mean --rtol? (mech help simulate lists what there is)",
-        "simulate m.xml --view x.html | S-040 unknown option --view (mech help simulate lists what there is)",
-        "simulte m.xml | S-040 unknown command simulte; did you mean simulate? (mech help lists what there is)",
+        "simulate m.xml --rtoll 1 | S-040 unknown option --rtoll; did you mean --rtol? (mech help"
+            + " simulate lists what there is)",
+        "simulate m.xml --view x.html | S-040 unknown option --view (mech help simulate lists what"
+            + " there is)",
+        "simulte m.xml | S-040 unknown command simulte; did you mean simulate? (mech help lists"
+            + " what there is)",
         "simulate m.xml n.xml | S-040 unknown word n.xml (mech help simulate lists what there is)",
         "simulate | S-041 MODEL.xml is missing (mech help simulate lists what there is)",
-        "simulate m.xml --rtol | S-041 --rtol lacks its value (mech help simulate lists what there is)",
-        "simulate m.xml --rtol abc | S-041 --rtol takes a number, not abc (mech help simulate lists what there is)",
-        "simulate m.xml --mode sideways | S-041 --mode takes remote or local, not sideways (mech help simulate lists what there is)",
-        "simulate m.xml --columns colours | S-041 --columns: \"colours\" is no column group; there are joints, accelerations, bodies, energy, constraints, reactions, forces, outputs, momentum, and all",
+        "simulate m.xml --rtol | S-041 --rtol lacks its value (mech help simulate lists what there"
+            + " is)",
+        "simulate m.xml --rtol abc | S-041 --rtol takes a number, not abc (mech help simulate lists"
+            + " what there is)",
+        "simulate m.xml --mode sideways | S-041 --mode takes remote or local, not sideways (mech"
+            + " help simulate lists what there is)",
+        "simulate m.xml --columns colours | S-041 --columns: \"colours\" is no column group; there"
+            + " are joints, accelerations, bodies, energy, constraints, reactions, forces, outputs,"
+            + " momentum, and all",
         "simulate m.xml --out r.mat | S-044 --out r.mat: results are written to .csv files",
         "simulate m.xml --out r.csv --out ./r.csv | S-044 --out ./r.csv is given twice",
-        "simulate m.xml --json --quiet=maybe | S-041 --quiet takes no value (mech help simulate lists what there is)",
-        "report -o r | S-041 report: name a model, --paper with the scenes' folder, --suite, or --compare with two files",
+        "simulate m.xml --json --quiet=maybe | S-041 --quiet takes no value (mech help simulate"
+            + " lists what there is)",
+        "report -o r | S-041 report: name a model, or --compare with two files",
         "report m.xml | S-041 report: name the folder for the pages, -o DIR",
         "report --compare pom.xml pom.xml | S-041 --compare: pom.xml has no runs of a report",
-        "stability -o r --limit x | S-041 --limit takes a number, not x (mech help stability lists what there is)",
+        "stability -o r --limit x | S-041 --limit takes a number, not x (mech help stability lists"
+            + " what there is)",
         "build m.xml | S-041 -o is missing (mech help build lists what there is)",
-        "server --port 70000 | S-041 70000 is no port; there are ports from 0 (any free one) to 65535",
-        "server --listen 127.0.0.1:1 --port 2 | S-041 --port 2: --listen 127.0.0.1:1 already names a port",
+        "server --port 70000 | S-041 70000 is no port; there are ports from 0 (any free one) to"
+            + " 65535",
+        "server --listen 127.0.0.1:1 --port 2 | S-041 --port 2: --listen 127.0.0.1:1 already names"
+            + " a port",
         "server --capacity -1 | S-041 --capacity is -1; it must be 0 or more",
         "simhost | S-041 --server is missing (mech help simhost lists what there is)",
         "simhost --server h:1 --capacity 0 | S-041 --capacity is 0; it must be 1 or more",

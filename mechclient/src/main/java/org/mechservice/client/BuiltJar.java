@@ -4,6 +4,8 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import org.mechservice.idl.JarInfo;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.text.Sha256;
 
 /**
  * A JAR made by the server, checked against the hash announced with it.
@@ -39,12 +41,32 @@ public record BuiltJar(
   static BuiltJar verified(byte[] bytes, JarInfo info) {
     return new BuiltJar(
         info.fileName,
-        Sha256.verified(bytes, info.sha256, "the model JAR"),
+        verified(bytes, info.sha256, "the model JAR"),
         info.sha256,
         info.mainClass,
         info.modelBytes,
         info.runtimeSha256,
         info.signature,
         ModelSummary.textsOf(info.manifest));
+  }
+
+  /**
+   * Returns the bytes if they have the hash announced.
+   *
+   * @param what the JAR's name in messages
+   * @throws JarRefusedException if they do not
+   */
+  static byte[] verified(byte[] bytes, String announced, String what) {
+    String found = Sha256.of(bytes);
+    if (!found.equals(announced)) {
+      throw new JarRefusedException(
+          MessageCode.JAR_REFUSED.code(),
+          what
+              + " was changed on its way: announced with SHA-256 "
+              + announced
+              + ", arrived with "
+              + found);
+    }
+    return bytes;
   }
 }

@@ -2,7 +2,6 @@ package org.mechservice.client;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -11,10 +10,8 @@ import java.util.jar.JarInputStream;
 import java.util.zip.ZipEntry;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.pack.KeptClasses;
-import org.mechservice.solver.pack.PackedClasses;
 
-/** The content of a JAR whose hash was checked; what is loaded is what was checked. */
+/** The content of a JAR in memory: the bytes whose hash was checked are the bytes that are used. */
 final class FetchedJar {
   private static final String API_VERSION_ATTRIBUTE = "Mech-Api-Version";
 
@@ -27,12 +24,12 @@ final class FetchedJar {
   }
 
   /**
-   * Unpacks a JAR in memory.
+   * Reads a JAR in memory.
    *
-   * @param cache keeps classes that are packed together, which take long to unpack
+   * @param what the JAR's name in messages
    * @throws JarRefusedException if it cannot be read, or was built for another solver API
    */
-  static FetchedJar unpack(byte[] jar, String what, JarCache cache) {
+  static FetchedJar read(byte[] jar, String what) {
     Map<String, byte[]> entries = new HashMap<>();
     try (JarInputStream in = new JarInputStream(new ByteArrayInputStream(jar))) {
       Attributes manifest =
@@ -40,22 +37,18 @@ final class FetchedJar {
       requireSameApi(manifest, what);
       ZipEntry entry = in.getNextEntry();
       while (entry != null) {
-        byte[] content = in.readAllBytes();
-        if (entry.getName().equals(PackedClasses.ENTRY)) {
-          entries.putAll(classes(content, manifest, cache));
-        } else if (!entry.isDirectory()) {
-          entries.put(entry.getName(), content);
+        if (!entry.isDirectory()) {
+          entries.put(entry.getName(), in.readAllBytes());
         }
         entry = in.getNextEntry();
       }
       return new FetchedJar(manifest, entries);
-    } catch (IOException | UncheckedIOException e) {
+    } catch (IOException e) {
       throw new JarRefusedException(
           MessageCode.JAR_REFUSED.code(), what + " is no JAR: " + e.getMessage());
     }
   }
 
-  /** Before anything is unpacked: the form of packed classes belongs to the version, too. */
   private static void requireSameApi(Attributes manifest, String what) {
     String built = manifest.getValue(API_VERSION_ATTRIBUTE);
     String own = Integer.toString(Model.API_VERSION);
@@ -68,23 +61,6 @@ final class FetchedJar {
               + "; this client has "
               + own
               + ": use the client of the server's version");
-    }
-  }
-
-  /** The hash is the JAR's own word, and the JAR was checked. */
-  private static Map<String, byte[]> classes(byte[] packed, Attributes manifest, JarCache cache)
-      throws IOException {
-    String sha256 = manifest.getValue(PackedClasses.KEPT_SHA_256);
-    return sha256 == null
-        ? PackedClasses.unpack(packed)
-        : KeptClasses.read(cache.unpacked(sha256, () -> unpacked(packed)));
-  }
-
-  private static byte[] unpacked(byte[] packed) {
-    try {
-      return KeptClasses.write(PackedClasses.unpack(packed));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
     }
   }
 

@@ -13,6 +13,7 @@ import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.text.Sha256;
 
 /**
  * A model and the solver it came with, loaded apart from the client's own classes.
@@ -37,9 +38,9 @@ record FetchedModel(
    *
    * @throws JarRefusedException if they do not fit this client or each other
    */
-  static FetchedModel load(BuiltJar modelJar, byte[] runtimeJar, JarCache cache) {
-    FetchedJar model = FetchedJar.unpack(modelJar.bytes(), "the model JAR", cache);
-    FetchedJar runtime = FetchedJar.unpack(runtimeJar, "the runtime JAR", cache);
+  static FetchedModel load(BuiltJar modelJar, byte[] runtimeJar) {
+    FetchedJar model = FetchedJar.read(modelJar.bytes(), "the model JAR");
+    FetchedJar runtime = FetchedJar.read(runtimeJar, "the runtime JAR");
     FetchedClasses classes = new FetchedClasses(List.of(model, runtime));
     try {
       return new FetchedModel(

@@ -7,13 +7,14 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.function.Supplier;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.text.Sha256;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Keeps fetched JARs, and what they hold packed, by their SHA-256, so that each is fetched and
- * unpacked once. What is handed out has just been checked against its hash: a file that was changed
- * is fetched again, a download that does not fit is refused and not kept.
+ * Keeps fetched runtime JARs by their SHA-256, so that each is fetched once. Every JAR is checked
+ * against its hash before it is returned: a file that was changed is fetched again, a download that
+ * does not fit is refused and not kept.
  */
 public final class JarCache {
   private static final Logger LOG = LoggerFactory.getLogger(JarCache.class);
@@ -46,33 +47,18 @@ public final class JarCache {
    * @throws JarRefusedException if what was downloaded is not what was announced
    */
   byte[] get(String sha256, Supplier<byte[]> download) {
-    return get(sha256, ".jar", "the runtime JAR", download);
-  }
-
-  /**
-   * Returns what a JAR holds packed, from the cache if it was unpacked before.
-   *
-   * @param sha256 hash of what is unpacked, as the checked JAR tells it
-   * @param unpack unpacks it
-   * @throws JarRefusedException if what was unpacked is not what was announced
-   */
-  byte[] unpacked(String sha256, Supplier<byte[]> unpack) {
-    return get(sha256, ".classes", "what the runtime JAR holds", unpack);
-  }
-
-  private byte[] get(String sha256, String suffix, String what, Supplier<byte[]> source) {
     if (!Sha256.isHash(sha256)) {
       throw new JarRefusedException(
-          MessageCode.JAR_REFUSED.code(), "\"" + sha256 + "\" is no SHA-256 of " + what);
+          MessageCode.JAR_REFUSED.code(), "\"" + sha256 + "\" is no SHA-256 of the runtime JAR");
     }
-    Path file = folder.resolve(sha256 + suffix);
+    Path file = folder.resolve(sha256 + ".jar");
     byte[] kept = read(file);
     if (Sha256.of(kept).equals(sha256)) {
       return kept;
     }
-    byte[] made = Sha256.verified(source.get(), sha256, what);
-    keep(file, made);
-    return made;
+    byte[] fetched = BuiltJar.verified(download.get(), sha256, "the runtime JAR");
+    keep(file, fetched);
+    return fetched;
   }
 
   private static byte[] read(Path file) {

@@ -353,7 +353,7 @@ public final class MechSession implements AutoCloseable {
     heed(said.value);
     byte[] runtimeJar = jars.runtime(modelJar);
     double fetchSeconds = watch.lap();
-    FetchedModel fetched = FetchedModel.load(modelJar, runtimeJar, connection.cache());
+    FetchedModel fetched = FetchedModel.load(modelJar, runtimeJar);
     double total = openSeconds + loadSeconds + fetchSeconds + watch.lap();
     Map<String, Object> facts = new LinkedHashMap<>();
     boolean stepwise = said.value.length == 0;
@@ -381,7 +381,7 @@ public final class MechSession implements AutoCloseable {
     JarFetch jars = jars();
     BuiltJar modelJar = jars.model(options, new NameValueSeqHolder(new NameValue[0]));
     byte[] runtimeJar = jars.runtime(modelJar);
-    return new LocalModel(modelJar, FetchedModel.load(modelJar, runtimeJar, connection.cache()));
+    return new LocalModel(modelJar, FetchedModel.load(modelJar, runtimeJar));
   }
 
   /**

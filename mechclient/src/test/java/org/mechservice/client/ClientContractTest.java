@@ -119,8 +119,8 @@ class ClientContractTest {
   }
 
   @Test
-  void runtimePackedForAnotherApiIsRefusedByItsVersionNotAsDamaged() {
-    server.jars = TestJars.withRuntimePackedFor("99");
+  void runtimeForAnotherApiIsRefusedByItsVersion() {
+    server.jars = TestJars.withRuntimeFor("99");
     assertThatThrownBy(() -> session.prepareLocalRun(SimulationOptions.asInFile()))
         .isInstanceOf(JarRefusedException.class)
         .hasMessageContaining("the runtime JAR was built for solver API version 99");

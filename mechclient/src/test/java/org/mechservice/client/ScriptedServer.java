@@ -39,6 +39,7 @@ import org.mechservice.idl.RunSetUp;
 import org.mechservice.idl.ServerInfo;
 import org.mechservice.idl.Severity;
 import org.mechservice.idl.SimState;
+import org.mechservice.solver.text.Sha256;
 import org.omg.BiDirPolicy.BIDIRECTIONAL_POLICY_TYPE;
 import org.omg.BiDirPolicy.BOTH;
 import org.omg.BiDirPolicy.BidirectionalPolicyValueHelper;

@@ -10,7 +10,6 @@ import java.util.jar.JarOutputStream;
 import java.util.jar.Manifest;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Solver;
-import org.mechservice.solver.pack.PackedClasses;
 
 /** A model JAR and a runtime JAR made of this test's own classes. */
 @SuppressWarnings("ArrayRecordComponent") // files in memory
@@ -22,23 +21,20 @@ record TestJars(byte[] model, byte[] runtime) {
   }
 
   static TestJars make(String apiVersion) {
+    return make(apiVersion, "1");
+  }
+
+  private static TestJars make(String modelApi, String runtimeApi) {
     try {
-      return new TestJars(jar(apiVersion, SquareModel.class), jar("1", SquareSolver.class));
+      return new TestJars(jar(modelApi, SquareModel.class), jar(runtimeApi, SquareSolver.class));
     } catch (IOException e) {
       throw new IllegalStateException(e);
     }
   }
 
-  /** A runtime JAR whose classes are packed in a form of another version. */
-  static TestJars withRuntimePackedFor(String apiVersion) {
-    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    try (JarOutputStream jar = new JarOutputStream(bytes, manifest(apiVersion))) {
-      jar.putNextEntry(new JarEntry(PackedClasses.ENTRY));
-      jar.write(new byte[] {1, 2, 3});
-    } catch (IOException e) {
-      throw new IllegalStateException(e);
-    }
-    return new TestJars(make().model(), bytes.toByteArray());
+  /** Returns a good model JAR, and a runtime JAR for another version of the solver API. */
+  static TestJars withRuntimeFor(String apiVersion) {
+    return new TestJars(make().model(), make(apiVersion, apiVersion).runtime());
   }
 
   static Manifest manifest(String apiVersion) {

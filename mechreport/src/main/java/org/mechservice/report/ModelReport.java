@@ -16,27 +16,27 @@ import org.mechservice.client.ModelSummary;
 import org.mechservice.client.ServiceException;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.report.measure.Campaign;
+import org.mechservice.report.measure.ColdRunTimes;
+import org.mechservice.report.measure.ColdRunTiming;
 import org.mechservice.report.measure.Effort;
-import org.mechservice.report.measure.FirstRuns;
-import org.mechservice.report.measure.FreshStart;
-import org.mechservice.report.measure.Journal;
 import org.mechservice.report.measure.Judge;
 import org.mechservice.report.measure.LoopForces;
+import org.mechservice.report.measure.MeasurementFile;
 import org.mechservice.report.measure.MethodRunner;
 import org.mechservice.report.measure.Point;
-import org.mechservice.report.measure.Progress;
 import org.mechservice.report.measure.PublishedReference;
 import org.mechservice.report.measure.Reference;
 import org.mechservice.report.measure.ReferenceFile;
 import org.mechservice.report.measure.ReferenceMaker;
+import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.measure.RunGrid;
 import org.mechservice.report.measure.Spectrum;
 import org.mechservice.report.measure.StateDistance;
 import org.mechservice.report.measure.TimeShares;
 import org.mechservice.report.method.Candidate;
-import org.mechservice.report.method.Method;
 import org.mechservice.report.method.MethodList;
 import org.mechservice.report.method.ModelProblem;
+import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.report.page.ScenePage;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ExplicitModel;
@@ -53,13 +53,13 @@ public final class ModelReport {
   private final MechSession session;
   private final Path folder;
   private final Effort effort;
-  private final Progress progress;
+  private final ReportProgress progress;
 
   /**
    * @param session with the model loaded
    * @param folder for the pages
    */
-  public ModelReport(MechSession session, Path folder, Effort effort, Progress progress) {
+  public ModelReport(MechSession session, Path folder, Effort effort, ReportProgress progress) {
     this.session = session;
     this.folder = folder;
     this.effort = effort;
@@ -107,8 +107,9 @@ public final class ModelReport {
     List<Point> points = List.of();
     if (judge.reference().isPresent()) {
       Reference reference = judge.reference().get();
-      try (Journal journal =
-              Journal.open(folder.resolve(csv), purpose(file) + "; " + code(candidates.get(0)));
+      try (MeasurementFile journal =
+              MeasurementFile.open(
+                  folder.resolve(csv), purpose(file) + "; " + code(candidates.get(0)));
           MethodRunner runner =
               new MethodRunner(reference, distance, judge.grid(), loops(candidates))) {
         new Campaign(runner, journal, effort, progress).run(candidates);
@@ -116,7 +117,7 @@ public final class ModelReport {
         shares.putAll(shares(candidates, points, runner));
       }
     }
-    Map<String, FirstRuns> fresh = freshStarts(candidates, points, judge);
+    Map<String, ColdRunTimes> fresh = freshStarts(candidates, points, judge);
     ModelProblem problem = new ModelProblem(model);
     return new SceneFindings(
         model.description().name(),
@@ -138,8 +139,8 @@ public final class ModelReport {
 
   /** What tells residuals and multipliers of the scene's loops; empty for an open chain. */
   private Optional<LoopForces> loops(List<Candidate> candidates) {
-    Method first = candidates.get(0).method();
-    if (first.closure().equals(Method.OPEN)) {
+    SimulationMethod first = candidates.get(0).method();
+    if (first.closure().equals(SimulationMethod.OPEN)) {
       return Optional.empty();
     }
     SimulationOptions options = MethodList.options(first).columns(Set.of(ColumnGroup.CONSTRAINTS));
@@ -186,8 +187,8 @@ public final class ModelReport {
   private static List<ReferenceMaker.Source> sources(List<Candidate> candidates) {
     Map<String, ReferenceMaker.Source> sources = new LinkedHashMap<>();
     for (Candidate candidate : candidates) {
-      Method method = candidate.method();
-      String name = new Method(method.formulation(), method.closure(), "").name().strip();
+      SimulationMethod method = candidate.method();
+      String name = new SimulationMethod(method.formulation(), method.closure(), "").name().strip();
       sources.putIfAbsent(name, new ReferenceMaker.Source(name, candidate::problem));
     }
     return List.copyOf(sources.values());
@@ -239,11 +240,11 @@ public final class ModelReport {
         .anyMatch(point -> point.tolerance() == tolerance && point.completed());
   }
 
-  private Map<String, FirstRuns> freshStarts(
+  private Map<String, ColdRunTimes> freshStarts(
       List<Candidate> candidates, List<Point> points, Judge judge)
       throws IOException, InterruptedException {
     double end = judge.grid().start() + judge.grid().step() * (judge.grid().rows() - 1);
-    try (FreshStart fresh = new FreshStart()) {
+    try (ColdRunTiming fresh = new ColdRunTiming()) {
       for (Candidate candidate : candidates) {
         String name = candidate.method().name();
         if (completes(points, name, effort.typicalTolerance())) {

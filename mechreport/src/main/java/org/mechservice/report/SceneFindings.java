@@ -4,15 +4,15 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.mechservice.report.measure.ColdRunTimes;
 import org.mechservice.report.measure.Effort;
-import org.mechservice.report.measure.FirstRuns;
 import org.mechservice.report.measure.Judge;
 import org.mechservice.report.measure.Point;
 import org.mechservice.report.measure.Reference;
 import org.mechservice.report.measure.Spectrum;
 import org.mechservice.report.measure.TimeShares;
-import org.mechservice.report.method.LeftOut;
-import org.mechservice.report.method.Method;
+import org.mechservice.report.method.OmittedMethod;
+import org.mechservice.report.method.SimulationMethod;
 
 /**
  * All that a report found out about a scene: what its page is written from.
@@ -39,13 +39,13 @@ public record SceneFindings(
     int states,
     int freedoms,
     double endOfFile,
-    List<Method> methods,
-    List<LeftOut> leftOut,
+    List<SimulationMethod> methods,
+    List<OmittedMethod> leftOut,
     Judge judge,
     List<Point> points,
     Optional<Spectrum> spectrum,
     Map<String, TimeShares> shares,
-    Map<String, FirstRuns> freshStarts,
+    Map<String, ColdRunTimes> freshStarts,
     Effort effort,
     String csv,
     List<String> versions) {

@@ -6,7 +6,7 @@ import java.lang.reflect.Proxy;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.mechservice.report.method.Candidate;
-import org.mechservice.report.method.Method;
+import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelEvents;
 import org.mechservice.solver.api.WatchedModel;
@@ -14,7 +14,8 @@ import org.mechservice.solver.simulation.RuntimeSolver;
 
 class CandidateTest {
   private static Candidate candidate(Model model) {
-    return new Candidate(new Method("DTR", Method.OPEN, "DE"), () -> model, new RuntimeSolver());
+    return new Candidate(
+        new SimulationMethod("DTR", SimulationMethod.OPEN, "DE"), () -> model, new RuntimeSolver());
   }
 
   /** Events of these kinds; in a run begun, the equations jump at 1 s. */

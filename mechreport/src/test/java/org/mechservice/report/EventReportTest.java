@@ -14,19 +14,19 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.report.measure.Campaign;
 import org.mechservice.report.measure.Effort;
-import org.mechservice.report.measure.Journal;
 import org.mechservice.report.measure.Judge;
 import org.mechservice.report.measure.MeasuredRun;
+import org.mechservice.report.measure.MeasurementFile;
 import org.mechservice.report.measure.MethodRunner;
 import org.mechservice.report.measure.Point;
-import org.mechservice.report.measure.Progress;
 import org.mechservice.report.measure.Reference;
 import org.mechservice.report.measure.ReferenceMaker;
+import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.measure.RunGrid;
 import org.mechservice.report.measure.StateDistance;
 import org.mechservice.report.method.Candidate;
-import org.mechservice.report.method.Method;
-import org.mechservice.report.page.Doubts;
+import org.mechservice.report.method.SimulationMethod;
+import org.mechservice.report.page.ReliabilityWarnings;
 import org.mechservice.report.page.ScenePage;
 import org.mechservice.solver.api.ModelEvents.Action;
 import org.mechservice.solver.api.Solver;
@@ -232,10 +232,10 @@ class EventReportTest {
     Judge judge = judge(BALL, BALL_END);
     List<Point> points;
     Path runs = folder.resolve(candidate.method().integrator() + ".csv");
-    try (Journal journal = Journal.open(runs, "test");
+    try (MeasurementFile journal = MeasurementFile.open(runs, "test");
         MethodRunner runner =
             new MethodRunner(judge.reference().orElseThrow(), distance(BALL), judge.grid())) {
-      new Campaign(runner, journal, SHORT, Progress.SILENT).run(List.of(candidate));
+      new Campaign(runner, journal, SHORT, ReportProgress.SILENT).run(List.of(candidate));
       points = Point.of(journal.runs());
     }
     return new SceneFindings(
@@ -258,21 +258,21 @@ class EventReportTest {
 
   private SceneFindings findings(Mechanism mechanism, Solver solver, String name)
       throws IOException {
-    Method method = new Method("DTR", Method.OPEN, name);
+    SimulationMethod method = new SimulationMethod("DTR", SimulationMethod.OPEN, name);
     return findings(
         new Candidate(method, () -> EventScenes.model(mechanism, "DTR", BALL_END), solver));
   }
 
   @Test
   void methodsThatBounceWhereTheyHitRaiseNoDoubt() throws IOException {
-    assertThat(Doubts.of(findings(BALL, new RuntimeSolver(), "ode15s"))).isEmpty();
-    assertThat(Doubts.of(findings(BALL, new SteppedBall(true), "stepped"))).isEmpty();
+    assertThat(ReliabilityWarnings.of(findings(BALL, new RuntimeSolver(), "ode15s"))).isEmpty();
+    assertThat(ReliabilityWarnings.of(findings(BALL, new SteppedBall(true), "stepped"))).isEmpty();
   }
 
   @Test
   void methodThatBouncesAtTheEndsOfItsStepsIsExposed() throws IOException {
     SceneFindings found = findings(BALL, new SteppedBall(false), "late");
-    assertThat(Doubts.of(found))
+    assertThat(ReliabilityWarnings.of(found))
         .singleElement()
         .asString()
         .startsWith("DTR late does not converge");
@@ -282,7 +282,7 @@ class EventReportTest {
   @Test
   void methodThatDoesToTheStateWhatTheEventDoesNotSayIsExposed() throws IOException {
     Mechanism lively = EventScenes.ball(EventScenes.bounce(EventScenes.RESTITUTION + 1e-4, 0));
-    assertThat(Doubts.of(findings(lively, new RuntimeSolver(), "ode113")))
+    assertThat(ReliabilityWarnings.of(findings(lively, new RuntimeSolver(), "ode113")))
         .singleElement()
         .asString()
         .startsWith("DTR ode113 does not converge");
@@ -291,7 +291,7 @@ class EventReportTest {
   @Test
   void methodThatFindsTheEventInAWrongPlaceIsExposed() throws IOException {
     Mechanism hovering = EventScenes.ball(EventScenes.bounce(EventScenes.RESTITUTION, 1e-4));
-    assertThat(Doubts.of(findings(hovering, new RuntimeSolver(), "ode113")))
+    assertThat(ReliabilityWarnings.of(findings(hovering, new RuntimeSolver(), "ode113")))
         .singleElement()
         .asString()
         .startsWith("DTR ode113 does not converge");

@@ -6,7 +6,7 @@ import java.util.List;
 import org.mechservice.report.measure.Reference;
 import org.mechservice.report.measure.ReferenceMaker;
 import org.mechservice.report.method.Candidate;
-import org.mechservice.report.method.Method;
+import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelEvents.Action;
 import org.mechservice.solver.api.ModelEvents.Direction;
@@ -132,7 +132,7 @@ final class EventScenes {
   static Candidate candidate(
       Mechanism mechanism, String formulation, String integrator, double end) {
     return new Candidate(
-        new Method(formulation, Method.OPEN, integrator),
+        new SimulationMethod(formulation, SimulationMethod.OPEN, integrator),
         () -> model(mechanism, formulation, end),
         new RuntimeSolver());
   }

@@ -16,21 +16,21 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.report.RungeKuttaSolver.Fault;
 import org.mechservice.report.measure.Campaign;
 import org.mechservice.report.measure.Effort;
-import org.mechservice.report.measure.Journal;
 import org.mechservice.report.measure.Judge;
+import org.mechservice.report.measure.MeasurementFile;
 import org.mechservice.report.measure.MethodRunner;
 import org.mechservice.report.measure.Point;
-import org.mechservice.report.measure.Progress;
 import org.mechservice.report.measure.PublishedReference;
 import org.mechservice.report.measure.Reference;
 import org.mechservice.report.measure.ReferenceMaker;
+import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.measure.RunGrid;
 import org.mechservice.report.measure.Spectrum;
 import org.mechservice.report.measure.StateDistance;
 import org.mechservice.report.method.Candidate;
-import org.mechservice.report.method.Method;
 import org.mechservice.report.method.ModelProblem;
-import org.mechservice.report.page.Doubts;
+import org.mechservice.report.method.SimulationMethod;
+import org.mechservice.report.page.ReliabilityWarnings;
 import org.mechservice.report.page.ScenePage;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.simulation.RuntimeSolver;
@@ -58,13 +58,14 @@ class ReportTest {
 
   private SceneFindings findings(Judge judge, String integrator, Solver solver, double damping)
       throws IOException {
-    Method method = new Method("DTR", Method.OPEN, integrator);
+    SimulationMethod method = new SimulationMethod("DTR", SimulationMethod.OPEN, integrator);
     Candidate candidate = new Candidate(method, () -> new PlanarPendulum(damping), solver);
     Reference reference = judge.reference().orElseThrow();
     List<Point> points;
-    try (Journal journal = Journal.open(folder.resolve(integrator + ".csv"), "test");
+    try (MeasurementFile journal =
+            MeasurementFile.open(folder.resolve(integrator + ".csv"), "test");
         MethodRunner runner = new MethodRunner(reference, DISTANCE, judge.grid())) {
-      new Campaign(runner, journal, SHORT, Progress.SILENT).run(List.of(candidate));
+      new Campaign(runner, journal, SHORT, ReportProgress.SILENT).run(List.of(candidate));
       points = Point.of(journal.runs());
     }
     ModelProblem problem = new ModelProblem(new PlanarPendulum(damping));
@@ -89,13 +90,13 @@ class ReportTest {
   @Test
   void integratorsOfTheProductRaiseNoDoubt() throws IOException {
     SceneFindings found = findings(goodJudge(), "ode113", new RuntimeSolver(), 0);
-    assertThat(Doubts.of(found)).isEmpty();
+    assertThat(ReliabilityWarnings.of(found)).isEmpty();
   }
 
   @Test
   void rungeKuttaMethodWithItsRightCoefficientsRaisesNoDoubt() throws IOException {
     SceneFindings found = findings(goodJudge(), "RK4", new RungeKuttaSolver(Fault.NONE), 0);
-    assertThat(Doubts.of(found)).isEmpty();
+    assertThat(ReliabilityWarnings.of(found)).isEmpty();
   }
 
   @ParameterizedTest
@@ -108,7 +109,7 @@ class ReportTest {
   })
   void brokenIntegratorIsExposedByItsFault(Fault fault, String words) throws IOException {
     SceneFindings found = findings(goodJudge(), "RK4", new RungeKuttaSolver(fault), 0);
-    assertThat(Doubts.of(found)).first().asString().startsWith("DTR RK4 " + words);
+    assertThat(ReliabilityWarnings.of(found)).first().asString().startsWith("DTR RK4 " + words);
     assertThat(ScenePage.of(found)).contains("class=\"doubt\">DTR RK4 " + words);
   }
 
@@ -126,7 +127,7 @@ class ReportTest {
   void referenceThatNoMethodConvergesToIsExposedInOneSentence() throws IOException {
     SceneFindings one = findings(goodJudge(), "ode113", new RuntimeSolver(), 1e-3);
     SceneFindings other = findings(goodJudge(), "DE", new RuntimeSolver(), 1e-3);
-    List<Method> methods = List.of(one.methods().get(0), other.methods().get(0));
+    List<SimulationMethod> methods = List.of(one.methods().get(0), other.methods().get(0));
     List<Point> points = new ArrayList<>(one.points());
     points.addAll(other.points());
     SceneFindings both =
@@ -147,7 +148,7 @@ class ReportTest {
             one.csv(),
             one.versions());
 
-    assertThat(Doubts.of(both))
+    assertThat(ReliabilityWarnings.of(both))
         .singleElement()
         .asString()
         .startsWith("No method converges to the reference");
@@ -156,7 +157,10 @@ class ReportTest {
   @Test
   void modelThatDiffersFromItsReferenceIsExposed() throws IOException {
     SceneFindings found = findings(goodJudge(), "ode113", new RuntimeSolver(), 1e-3);
-    assertThat(Doubts.of(found)).singleElement().asString().contains("does not converge");
+    assertThat(ReliabilityWarnings.of(found))
+        .singleElement()
+        .asString()
+        .contains("does not converge");
   }
 
   @Test
@@ -166,7 +170,10 @@ class ReportTest {
     ReferenceMaker maker = new ReferenceMaker(DISTANCE, 20, 0.5, 0.1);
     Judge loose = Judge.of(Optional.empty(), List.of(pendulum(0)), maker, DISTANCE, coarse);
     SceneFindings found = findings(loose, "ode113", new RuntimeSolver(), 0);
-    assertThat(Doubts.of(found)).first().asString().startsWith("The reference is doubtful");
+    assertThat(ReliabilityWarnings.of(found))
+        .first()
+        .asString()
+        .startsWith("The reference is doubtful");
     assertThat(ScenePage.of(found)).contains("class=\"doubt\">The reference is doubtful");
   }
 
@@ -231,12 +238,12 @@ class ReportTest {
   void journalIsTakenUpAgainForTheSamePurposeAndNoOther() throws IOException {
     Path file = folder.resolve("kept.csv");
     findings(goodJudge(), "kept", new RungeKuttaSolver(Fault.NONE), 0);
-    int runs = Journal.read(file).size();
+    int runs = MeasurementFile.read(file).size();
     assertThat(runs).isPositive();
-    try (Journal again = Journal.open(file, "test")) {
+    try (MeasurementFile again = MeasurementFile.open(file, "test")) {
       assertThat(again.runs()).hasSize(runs);
     }
-    try (Journal other = Journal.open(file, "another model")) {
+    try (MeasurementFile other = MeasurementFile.open(file, "another model")) {
       assertThat(other.runs()).isEmpty();
     }
   }

@@ -24,11 +24,12 @@ public final class Campaign {
   private static final String BUDGET = "stopped by the budget: ";
 
   private final MethodRunner runner;
-  private final Journal journal;
+  private final MeasurementFile journal;
   private final Effort effort;
-  private final Progress progress;
+  private final ReportProgress progress;
 
-  public Campaign(MethodRunner runner, Journal journal, Effort effort, Progress progress) {
+  public Campaign(
+      MethodRunner runner, MeasurementFile journal, Effort effort, ReportProgress progress) {
     this.runner = runner;
     this.journal = journal;
     this.effort = effort;
@@ -126,7 +127,7 @@ public final class Campaign {
     List<Due> due = due(candidates);
     if (!due.isEmpty() && effort.warmSeconds() > 0 && toDo(due) > 0) {
       double limit = 5 * effort.limitSeconds();
-      WarmUp.until(
+      WarmUpRounds.until(
           () ->
               due.stream()
                   .mapToDouble(d -> runner.run(d.candidate(), d.tolerance(), 0, limit).seconds())

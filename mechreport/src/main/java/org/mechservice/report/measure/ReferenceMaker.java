@@ -184,14 +184,15 @@ public final class ReferenceMaker {
   private Optional<Reference> comparable(List<Solved> solved, double[] times, List<String> said) {
     int reached = solved.stream().mapToInt(one -> one.states().length).min().orElse(0);
     int[] kept =
-        ClearTimes.of(Arrays.copyOf(times, reached), solved.stream().map(Solved::jumps).toList());
+        ComparableTimes.of(
+            Arrays.copyOf(times, reached), solved.stream().map(Solved::jumps).toList());
     if (kept.length < 2) {
       return Optional.empty();
     }
     double[] clear = Arrays.stream(kept).mapToDouble(i -> times[i]).toArray();
     List<String> all = new ArrayList<>(said);
     List<ModelPhases> courses = solved.stream().flatMap(one -> one.course().stream()).toList();
-    all.addAll(CourseNotes.of(courses, clear[clear.length - 1], kept.length, times.length));
+    all.addAll(JumpNotes.of(courses, clear[clear.length - 1], kept.length, times.length));
     courses.stream().map(ModelPhases::end).filter(end -> !end.isEmpty()).limit(1).forEach(all::add);
     return Optional.of(judged(solved.stream().map(one -> one.at(kept)).toList(), clear, all));
   }

@@ -80,7 +80,7 @@ public record Rerun(List<Pair> pairs, int alone) {
    * @throws IOException if one cannot be read
    */
   public static Rerun of(Path first, Path second) throws IOException {
-    return of(Point.of(Journal.read(first)), Point.of(Journal.read(second)));
+    return of(Point.of(MeasurementFile.read(first)), Point.of(MeasurementFile.read(second)));
   }
 
   static Rerun of(List<Point> first, List<Point> second) {

@@ -14,7 +14,7 @@ import org.mechservice.solver.api.WatchedModel;
  * @param models makes an instance for each run
  * @param solver runs it
  */
-public record Candidate(Method method, Supplier<Model> models, Solver solver) {
+public record Candidate(SimulationMethod method, Supplier<Model> models, Solver solver) {
   /** Returns a new instance of the equations of motion, without what happens along a run. */
   public ExplicitModel equations() {
     return (ExplicitModel) WatchedModel.bare(ExtendedModel.bare(models.get()));

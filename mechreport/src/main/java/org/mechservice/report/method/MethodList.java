@@ -20,7 +20,7 @@ import org.mechservice.solver.api.ProjectedStates;
  * @param candidates what can be run
  * @param leftOut what cannot
  */
-public record MethodList(List<Candidate> candidates, List<LeftOut> leftOut) {
+public record MethodList(List<Candidate> candidates, List<OmittedMethod> leftOut) {
   private static final List<String> FORMULATIONS = List.of("DTR", "DSR", "RR", "RR-JF");
   private static final List<String> INTEGRATORS = List.of("ode113", "DE", "ode15s", "ode15sR");
   private static final List<String> CLOSURES = List.of("projection", "penalty");
@@ -37,23 +37,23 @@ public record MethodList(List<Candidate> candidates, List<LeftOut> leftOut) {
    */
   public static MethodList of(MechSession session) {
     List<Candidate> candidates = new ArrayList<>();
-    List<LeftOut> leftOut = new ArrayList<>();
+    List<OmittedMethod> leftOut = new ArrayList<>();
     boolean loops = hasLoops(session);
     for (String formulation : FORMULATIONS) {
-      for (String closure : loops ? CLOSURES : List.of(Method.OPEN)) {
+      for (String closure : loops ? CLOSURES : List.of(SimulationMethod.OPEN)) {
         for (String integrator : INTEGRATORS) {
-          Method method = new Method(formulation, closure, integrator);
+          SimulationMethod method = new SimulationMethod(formulation, closure, integrator);
           try {
             LocalModel model = session.fetchModel(options(method));
             candidates.add(new Candidate(method, model::newModel, model.solver()));
           } catch (InvalidOptionException | NotAvailableException e) {
-            leftOut.add(new LeftOut(method, String.valueOf(e.getMessage())));
+            leftOut.add(new OmittedMethod(method, String.valueOf(e.getMessage())));
           } catch (ServerLostException e) {
             // A build that takes too long is no reason to be silent about the other methods.
             if (candidates.isEmpty()) {
               throw e;
             }
-            leftOut.add(new LeftOut(method, String.valueOf(e.getMessage())));
+            leftOut.add(new OmittedMethod(method, String.valueOf(e.getMessage())));
           }
         }
       }
@@ -70,11 +70,13 @@ public record MethodList(List<Candidate> candidates, List<LeftOut> leftOut) {
   }
 
   /** Returns the options that choose a method. */
-  public static SimulationOptions options(Method method) {
+  public static SimulationOptions options(SimulationMethod method) {
     SimulationOptions options =
         SimulationOptions.asInFile()
             .formulation(method.formulation())
             .integrator(method.integrator());
-    return method.closure().equals(Method.OPEN) ? options : options.closure(method.closure());
+    return method.closure().equals(SimulationMethod.OPEN)
+        ? options
+        : options.closure(method.closure());
   }
 }

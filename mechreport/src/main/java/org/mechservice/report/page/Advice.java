@@ -9,7 +9,7 @@ import org.mechservice.report.SceneFindings;
 import org.mechservice.report.measure.EqualError;
 import org.mechservice.report.measure.Point;
 import org.mechservice.report.measure.Spectrum;
-import org.mechservice.report.method.Method;
+import org.mechservice.report.method.SimulationMethod;
 
 /** The recommendation in words, with its numbers. */
 final class Advice {
@@ -30,7 +30,7 @@ final class Advice {
    * @param method its method
    * @param runnerUp the next cheapest of another method; empty if there is none
    */
-  record Choice(double error, Point point, Method method, Optional<Point> runnerUp) {}
+  record Choice(double error, Point point, SimulationMethod method, Optional<Point> runnerUp) {}
 
   /** Returns the choices for the errors that the reference can tell and a method reaches. */
   List<Choice> choices() {
@@ -45,7 +45,7 @@ final class Advice {
 
   private Choice choice(double error, Point best) {
     String name = best.first().method();
-    Method method =
+    SimulationMethod method =
         found.methods().stream().filter(m -> m.name().equals(name)).findFirst().orElseThrow();
     return new Choice(error, best, method, cheapest(error, name));
   }
@@ -170,7 +170,7 @@ final class Advice {
 
   private double least(double error, boolean explicit) {
     double least = Double.POSITIVE_INFINITY;
-    for (Method method : found.methods()) {
+    for (SimulationMethod method : found.methods()) {
       if (method.integrator().startsWith("ode15") != explicit) {
         least =
             Math.min(

@@ -2,7 +2,7 @@ package org.mechservice.report.page;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.report.method.Method;
+import org.mechservice.report.method.SimulationMethod;
 
 /** Colours and marks of all methods of a page. */
 final class CurveStyles {
@@ -12,27 +12,27 @@ final class CurveStyles {
 
   private final List<String> groups = new ArrayList<>();
 
-  CurveStyles(List<Method> methods) {
-    for (Method method : methods) {
+  CurveStyles(List<SimulationMethod> methods) {
+    for (SimulationMethod method : methods) {
       if (!groups.contains(group(method))) {
         groups.add(group(method));
       }
     }
   }
 
-  private static String group(Method method) {
+  private static String group(SimulationMethod method) {
     return method.formulation() + method.closure();
   }
 
   /** Returns the style of one of the methods. */
-  CurveStyle of(Method method) {
+  CurveStyle of(SimulationMethod method) {
     int colour = groups.indexOf(group(method));
     int mark = Math.max(0, INTEGRATORS.indexOf(method.integrator()));
     return new CurveStyle(colour, mark, FAILURE_WIDTH * (colour % FAILURES_BESIDE_EACH_OTHER));
   }
 
   /** Returns a table's cell with a method's mark and name. */
-  String name(Method method) {
+  String name(SimulationMethod method) {
     return "<td class=\"name\" data-m=\""
         + Html.escape(method.name())
         + "\">"

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import org.mechservice.report.SceneFindings;
 import org.mechservice.report.measure.Point;
-import org.mechservice.report.method.Method;
+import org.mechservice.report.method.SimulationMethod;
 
 /** Which joints had steps rejected, and with which methods. */
 final class LimitsTable {
@@ -21,7 +21,7 @@ final class LimitsTable {
 
   LimitsTable(SceneFindings found) {
     long attempts = 0;
-    for (Method method : found.methods()) {
+    for (SimulationMethod method : found.methods()) {
       Map<String, Long> joints = new LinkedHashMap<>();
       for (Point point : found.pointsOf(method.name())) {
         point.first().limits().forEach((joint, count) -> joints.merge(joint, count, Long::sum));

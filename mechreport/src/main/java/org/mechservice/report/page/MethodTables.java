@@ -3,11 +3,11 @@ package org.mechservice.report.page;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import org.mechservice.report.SceneFindings;
+import org.mechservice.report.measure.ColdRunTimes;
 import org.mechservice.report.measure.EqualError;
-import org.mechservice.report.measure.FirstRuns;
 import org.mechservice.report.measure.Point;
 import org.mechservice.report.measure.TimeShares;
-import org.mechservice.report.method.Method;
+import org.mechservice.report.method.SimulationMethod;
 
 /** The numbers behind the diagrams, as tables. */
 final class MethodTables {
@@ -47,7 +47,7 @@ final class MethodTables {
     for (double error : errors) {
       html.append("<th>").append(Html.tolerance(error));
     }
-    for (Method method : found.methods()) {
+    for (SimulationMethod method : found.methods()) {
       html.append("<tr>").append(styles.name(method));
       for (int i = 0; i < errors.length; i++) {
         html.append(cell(cost(method, errors[i]), best[i]));
@@ -67,13 +67,13 @@ final class MethodTables {
     return "<td class=\"" + (ratio < 1.5 ? "good" : "") + "\">" + Html.factor(ratio);
   }
 
-  private OptionalDouble cost(Method method, double error) {
+  private OptionalDouble cost(SimulationMethod method, double error) {
     return EqualError.cost(found.pointsOf(method.name()), error, Point::seconds);
   }
 
   private double best(double error) {
     double best = Double.POSITIVE_INFINITY;
-    for (Method method : found.methods()) {
+    for (SimulationMethod method : found.methods()) {
       best = Math.min(best, cost(method, error).orElse(Double.POSITIVE_INFINITY));
     }
     return best;
@@ -88,9 +88,9 @@ final class MethodTables {
     html.append("; of first runs the median, least and most, start of Java included. Order: how");
     html.append(" fast the error falls with the number of steps.</p><table><tr><th>method");
     html.append("<th>order observed<th>first run in a fresh JVM<th>where the time goes, warm");
-    for (Method method : found.methods()) {
+    for (SimulationMethod method : found.methods()) {
       OptionalDouble order = EqualError.order(found.pointsOf(method.name()), found.floor());
-      FirstRuns fresh = found.freshStarts().get(method.name());
+      ColdRunTimes fresh = found.freshStarts().get(method.name());
       html.append("<tr>").append(styles.name(method));
       html.append("<td>").append(order(order));
       html.append("<td>").append(fresh == null ? "–" : firstRuns(fresh));
@@ -99,7 +99,7 @@ final class MethodTables {
     return html.append("</table>").append(partLegend()).append("</section>").toString();
   }
 
-  private static String firstRuns(FirstRuns runs) {
+  private static String firstRuns(ColdRunTimes runs) {
     String median = Html.seconds(runs.seconds());
     return runs.count() == 1
         ? median
@@ -180,7 +180,7 @@ final class MethodTables {
     html.append("<th>steps<th>rejected<th>evaluations");
     html.append(implicit ? "<th>Jacobians<th>factorisations" : "");
     html.append("<th>time<th>quartiles<th>runs<th>allocated");
-    for (Method method : found.methods()) {
+    for (SimulationMethod method : found.methods()) {
       for (Point point : found.pointsOf(method.name())) {
         html.append("\n<tr>").append(styles.name(method));
         html.append(row(point, loops, energy, implicit));
@@ -202,7 +202,7 @@ final class MethodTables {
           .toString();
     }
     boolean grey = point.error() <= found.floor();
-    boolean flagged = Doubts.dishonest(point, found.floor());
+    boolean flagged = ReliabilityWarnings.dishonest(point, found.floor());
     row.append(grey ? "<td class=\"none\">" : "<td>").append(Html.error(point.error()));
     row.append(flagged ? "<td class=\"flag\">" : "<td>");
     row.append(grey ? "" : Html.number(point.error() / point.tolerance()));

@@ -12,8 +12,8 @@ import org.mechservice.report.measure.Effort;
 import org.mechservice.report.measure.Point;
 import org.mechservice.report.measure.Reference;
 import org.mechservice.report.measure.Spectrum;
-import org.mechservice.report.method.LeftOut;
-import org.mechservice.report.method.Method;
+import org.mechservice.report.method.OmittedMethod;
+import org.mechservice.report.method.SimulationMethod;
 
 /** The page of one scene. What does not concern the scene is not on it. */
 public final class ScenePage {
@@ -38,7 +38,8 @@ public final class ScenePage {
 
   private void write() {
     head();
-    Doubts.of(found).forEach(doubt -> add("<p class=\"doubt\">" + Html.escape(doubt) + "</p>"));
+    ReliabilityWarnings.of(found)
+        .forEach(doubt -> add("<p class=\"doubt\">" + Html.escape(doubt) + "</p>"));
     recommendation();
     if (!found.points().isEmpty()) {
       diagrams();
@@ -63,7 +64,7 @@ public final class ScenePage {
   private void head() {
     double end = found.judge().reference().map(Reference::end).orElse(found.endOfFile());
     String loops =
-        found.methods().stream().anyMatch(method -> !method.closure().equals(Method.OPEN))
+        found.methods().stream().anyMatch(method -> !method.closure().equals(SimulationMethod.OPEN))
             ? "closed loops"
             : "open chain";
     add("<h1>" + Html.escape(found.model()) + "</h1>");
@@ -111,8 +112,9 @@ public final class ScenePage {
     add("<section><h2>Error against run time</h2>");
     add(legend());
     add(
-        "<p class=\"note\">The number at a point is the exponent of the tolerance asked for (3: 1e-3); the"
-            + " line through it spans the quartiles of its times where that is wider than the mark. "
+        "<p class=\"note\">The number at a point is the exponent of the tolerance asked for (3:"
+            + " 1e-3); the line through it spans the quartiles of its times where that is wider"
+            + " than the mark. "
             + HowMeasured.definition(found)
             + "</p>");
     add(timeChart());
@@ -127,7 +129,7 @@ public final class ScenePage {
         "<p class=\"note\">On the line the error is the tolerance; between the dotted lines (0.01"
             + " to 100) the tolerance is honest.</p>");
     add(honesty());
-    add(new HonestyTable(found, styles).html());
+    add(new ToleranceTable(found, styles).html());
     add("</section>");
   }
 
@@ -142,7 +144,7 @@ public final class ScenePage {
 
   private String legend() {
     StringBuilder legend = new StringBuilder("<p class=\"legend\">");
-    for (Method method : found.methods()) {
+    for (SimulationMethod method : found.methods()) {
       legend
           .append("<span data-m=\"")
           .append(Html.escape(method.name()))
@@ -162,13 +164,14 @@ public final class ScenePage {
 
   private String chart(String xTitle, ToDoubleFunction<Point> x, boolean timed) {
     LogLogChart chart = new LogLogChart(xTitle, "largest error over time").floor(found.floor());
-    for (Method method : found.methods()) {
+    for (SimulationMethod method : found.methods()) {
       chart.add(curve(method, x, timed));
     }
     return chart.svg();
   }
 
-  private LogLogChart.Curve curve(Method method, ToDoubleFunction<Point> x, boolean timed) {
+  private LogLogChart.Curve curve(
+      SimulationMethod method, ToDoubleFunction<Point> x, boolean timed) {
     List<LogLogChart.Mark> marks = new ArrayList<>();
     List<LogLogChart.Mark> failures = new ArrayList<>();
     for (Point point : found.pointsOf(method.name())) {
@@ -196,7 +199,7 @@ public final class ScenePage {
     return crowded && exponent % 3 != 0 ? "" : Long.toString(exponent);
   }
 
-  private String hover(Method method, Point point) {
+  private String hover(SimulationMethod method, Point point) {
     if (!point.completed()) {
       return method.name()
           + "\nasked "
@@ -230,7 +233,7 @@ public final class ScenePage {
         new LogLogChart("relative tolerance asked for", "largest error over time")
             .floor(found.floor())
             .honestBand();
-    for (Method method : found.methods()) {
+    for (SimulationMethod method : found.methods()) {
       List<LogLogChart.Mark> marks = new ArrayList<>();
       for (Point point : found.pointsOf(method.name())) {
         if (point.completed() && Double.isFinite(point.error())) {
@@ -292,19 +295,19 @@ public final class ScenePage {
     if (found.leftOut().isEmpty()) {
       return;
     }
-    Map<String, List<LeftOut>> byReason = new LinkedHashMap<>();
-    for (LeftOut one : found.leftOut()) {
+    Map<String, List<OmittedMethod>> byReason = new LinkedHashMap<>();
+    for (OmittedMethod one : found.leftOut()) {
       String key = one.method().formulation() + one.method().closure();
       byReason.computeIfAbsent(key, k -> new ArrayList<>()).add(one);
     }
     add("<details><summary>Methods that do not fit this scene</summary><table>");
-    for (List<LeftOut> same : byReason.values()) {
+    for (List<OmittedMethod> same : byReason.values()) {
       String names =
           String.join(", ", same.stream().map(one -> one.method().integrator()).toList());
-      Method first = same.get(0).method();
+      SimulationMethod first = same.get(0).method();
       add(
           "<tr><td>"
-              + new Method(first.formulation(), first.closure(), "").name().strip()
+              + new SimulationMethod(first.formulation(), first.closure(), "").name().strip()
               + " with "
               + names
               + "<td class=\"text\">"

@@ -28,11 +28,12 @@ public final class ExtrapolationCode implements ReferenceCode {
     CompensatedState state = new CompensatedState(y0);
     Solution steps = new Solution(problem, state, tolerance);
     double firstStep = (times[times.length - 1] - times[0]) / 100;
-    return new Course(problem, state, steps, tolerance, deadline).through(times, firstStep);
+    return new PhaseIntegration(problem, state, steps, tolerance, deadline)
+        .through(times, firstStep);
   }
 
   /** One problem in progress. */
-  private final class Solution implements Course.Steps {
+  private final class Solution implements PhaseIntegration.Steps {
     private final int n;
     private final Problem problem;
     private final double tolerance;

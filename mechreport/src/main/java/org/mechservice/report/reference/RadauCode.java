@@ -46,11 +46,12 @@ public final class RadauCode implements ReferenceCode {
     CompensatedState state = new CompensatedState(y0);
     Solution steps = new Solution(problem, state, tolerance);
     double firstStep = (times[times.length - 1] - times[0]) / 1000;
-    return new Course(problem, state, steps, tolerance, deadline).through(times, firstStep);
+    return new PhaseIntegration(problem, state, steps, tolerance, deadline)
+        .through(times, firstStep);
   }
 
   /** One problem in progress. */
-  private final class Solution implements Course.Steps {
+  private final class Solution implements PhaseIntegration.Steps {
     private final int n;
     private final int s = tableau.stages;
     private final Problem problem;

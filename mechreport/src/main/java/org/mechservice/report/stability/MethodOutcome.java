@@ -1,7 +1,7 @@
 package org.mechservice.report.stability;
 
 import org.mechservice.report.measure.MeasuredRun;
-import org.mechservice.report.method.Method;
+import org.mechservice.report.method.SimulationMethod;
 
 /**
  * What one method made of a case.
@@ -11,7 +11,8 @@ import org.mechservice.report.method.Method;
  * @param measured error or change of energy; NaN where nothing moved
  * @param run counts and costs
  */
-public record MethodOutcome(Method method, Verdict verdict, double measured, MeasuredRun run) {
+public record MethodOutcome(
+    SimulationMethod method, Verdict verdict, double measured, MeasuredRun run) {
   private static final String CODED = "(?s).*\\b[MNS]-\\d{3}\\b.*";
 
   /** How an outcome is judged. */
@@ -31,7 +32,7 @@ public record MethodOutcome(Method method, Verdict verdict, double measured, Mea
   }
 
   /** Judges a run. */
-  static MethodOutcome of(Method method, MeasuredRun run, ExtremeCase wanted) {
+  static MethodOutcome of(SimulationMethod method, MeasuredRun run, ExtremeCase wanted) {
     if (!run.completed()) {
       boolean late = run.cause().startsWith("not finished");
       Verdict verdict =

@@ -16,10 +16,10 @@ import org.mechservice.client.ServiceException;
 import org.mechservice.report.measure.Judge;
 import org.mechservice.report.measure.MeasuredRun;
 import org.mechservice.report.measure.MethodRunner;
-import org.mechservice.report.measure.Progress;
 import org.mechservice.report.measure.PublishedReference;
 import org.mechservice.report.measure.Reference;
 import org.mechservice.report.measure.ReferenceMaker;
+import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.measure.RunGrid;
 import org.mechservice.report.measure.StateDistance;
 import org.mechservice.report.method.Candidate;
@@ -34,13 +34,14 @@ public final class StabilityReport {
 
   private final Supplier<MechSession> sessions;
   private final TimeBudget budget;
-  private final Progress progress;
+  private final ReportProgress progress;
 
   /**
    * @param sessions opens one per case
    * @param budget of time, which begins when it is made
    */
-  public StabilityReport(Supplier<MechSession> sessions, TimeBudget budget, Progress progress) {
+  public StabilityReport(
+      Supplier<MechSession> sessions, TimeBudget budget, ReportProgress progress) {
     this.sessions = sessions;
     this.budget = budget;
     this.progress = progress;

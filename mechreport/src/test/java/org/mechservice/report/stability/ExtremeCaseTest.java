@@ -6,10 +6,11 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.mechservice.report.measure.MeasuredRun;
-import org.mechservice.report.method.Method;
+import org.mechservice.report.method.SimulationMethod;
 
 class ExtremeCaseTest {
-  private static final Method METHOD = new Method("DTR", Method.OPEN, "ode113");
+  private static final SimulationMethod METHOD =
+      new SimulationMethod("DTR", SimulationMethod.OPEN, "ode113");
 
   private static ExtremeCase wanted(ExtremeCase.Expectation expectation, String part) {
     return new ExtremeCase(

@@ -23,11 +23,11 @@ import java.util.jar.JarFile;
 import java.util.stream.Stream;
 import java.util.zip.CRC32;
 import org.jspecify.annotations.Nullable;
-import org.mechservice.sim.jar.Sha256;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.simulation.Simulation;
+import org.mechservice.solver.text.Sha256;
 
 /**
  * The class files of the solver's four artifacts as this process has them, wherever each is: a
@@ -74,8 +74,8 @@ public final class SolverClasses {
   }
 
   /**
-   * Returns the SHA-256 of the paths, lengths and CRCs of all files, in which it shows whether the
-   * solver was compiled anew. Of a JAR only the table of contents is read; to inflate and hash the
+   * Returns the SHA-256 of the paths, lengths and CRCs of all files. It changes when the solver is
+   * compiled anew. Only the table of contents of a JAR is read, because inflating and hashing the
    * files would take as long as a small simulation. It is no protection against forgery.
    */
   public static String fingerprint() {

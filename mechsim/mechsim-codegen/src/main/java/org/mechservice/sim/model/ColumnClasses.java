@@ -5,12 +5,13 @@ import static java.util.Map.entry;
 import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.mechservice.sim.compile.SolverClasses;
 import org.mechservice.solver.api.ColumnGroup;
 
 /**
- * The classes of the solver that compute one group of further columns each. All of them are named
- * where columns are made; those of groups that a model was not built with are never made, so they
- * need not travel with it.
+ * The classes of the solver that compute one group of further columns each. The class that makes
+ * columns names all of them. A standalone JAR leaves out those of the groups that its model was not
+ * built with, because they are never made.
  */
 final class ColumnClasses {
   private static final String FOLDER = "org/mechservice/solver/analysis/";
@@ -34,6 +35,6 @@ final class ColumnClasses {
   static byte @Nullable [] needed(String path, CompiledModel model) {
     ColumnGroup group = GROUPS.get(path);
     boolean unneeded = group != null && !model.generated().dataColumns().contains(group);
-    return unneeded ? null : SolverFiles.lean(path);
+    return unneeded ? null : SolverClasses.file(path);
   }
 }

@@ -7,11 +7,11 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.compile.ModelClassLoader;
-import org.mechservice.sim.jar.Sha256;
 import org.mechservice.sim.user.IdleForces;
 import org.mechservice.sim.user.UserClasses;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.text.Sha256;
 
 /** A generated model and its class files. Immutable; shared freely between threads. */
 public final class CompiledModel {

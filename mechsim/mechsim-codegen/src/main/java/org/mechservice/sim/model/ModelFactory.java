@@ -6,7 +6,6 @@ import java.util.TreeMap;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.compile.ModelCompiler;
 import org.mechservice.sim.emit.AnalysisTask;
-import org.mechservice.sim.jar.Packing;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.user.UserClasses;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -82,18 +81,18 @@ public final class ModelFactory {
     return new CompiledModel(model, generated, options, classFiles, UserClasses.NONE);
   }
 
-  /** Packs the model's own classes, description and manifest; it runs with {@link #runtimeJar}. */
-  public static PackedJar modelJar(CompiledModel model, String mechmlSha256, Packing packing) {
-    return ModelJars.model(model, mechmlSha256, packing);
+  /** Returns a JAR of the model's own classes and description; it runs with {@link #runtimeJar}. */
+  public static JarImage modelJar(CompiledModel model, String mechmlSha256) {
+    return ModelJars.model(model, mechmlSha256);
   }
 
-  /** Packs the model with just the solver classes it reaches; starts with {@code java -jar}. */
-  public static PackedJar standaloneJar(CompiledModel model, String mechmlSha256, Packing packing) {
-    return ModelJars.standalone(model, mechmlSha256, packing);
+  /** Returns a JAR of the model and the solver classes it reaches; {@code java -jar} runs it. */
+  public static JarImage standaloneJar(CompiledModel model, String mechmlSha256) {
+    return ModelJars.standalone(model, mechmlSha256);
   }
 
-  /** Returns the solver of this process, packed. */
-  public static PackedJar runtimeJar() {
-    return RuntimeJar.current().jar();
+  /** Returns the JAR of this process's solver. */
+  public static JarImage runtimeJar() {
+    return RuntimeJar.current();
   }
 }

@@ -1,83 +1,71 @@
 package org.mechservice.sim.model;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.SortedMap;
 import java.util.stream.Collectors;
-import org.mechservice.sim.jar.LeanClass;
 import org.mechservice.sim.jar.ModelDescriptionXml;
-import org.mechservice.sim.jar.Packing;
 import org.mechservice.sim.jar.ReachableClasses;
 import org.mechservice.sim.jar.ReproducibleJar;
-import org.mechservice.sim.jar.Sha256;
-import org.mechservice.sim.jar.SolidClasses;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.simulation.SolverVersion;
-import org.mechservice.solver.standalone.Launcher;
+import org.mechservice.solver.text.Sha256;
 
-/** Packs models. */
+/** Makes the JARs of models. */
 final class ModelJars {
-  /** The classes that take data apart by the components of records. */
-  private static final String READS_RECORDS = "org/mechservice/solver/compact/Record";
-
   private ModelJars() {}
 
-  /** Packs a model without a solver, but with what it needs beyond the runtime JAR. */
-  static PackedJar model(CompiledModel model, String mechmlSha256, Packing packing) {
-    Map<String, String> manifest = manifest(model, mechmlSha256);
-    ReproducibleJar jar = new ReproducibleJar(manifest, packing).addClasses(model.classFiles());
-    RuntimeJar runtime = RuntimeJar.current();
-    // What the runtime JAR has reaches nothing beyond it.
-    ReachableClasses.from(
-            model.classFiles(),
-            path -> runtime.has(path) ? null : ColumnClasses.needed(path, model))
-        .forEach(jar::add);
-    return packed(model, jar, packing, "", model.generated().className(), manifest);
+  /** Returns the JAR of a model without a solver, which needs the runtime JAR beside it. */
+  static JarImage model(CompiledModel model, String mechmlSha256) {
+    return image(
+        model,
+        model.classFiles(),
+        Collections.emptySortedMap(),
+        model.generated().className(),
+        "",
+        manifest(model, mechmlSha256));
   }
 
-  /** Packs a model with its main class and the solver classes that it reaches. */
-  static PackedJar standalone(CompiledModel model, String mechmlSha256, Packing packing) {
+  /** Returns the JAR of a model with a main class and the solver classes that it reaches. */
+  static JarImage standalone(CompiledModel model, String mechmlSha256) {
     SortedMap<String, byte[]> own = StandaloneMain.classFiles(model);
     String mainClass = StandaloneMain.className(model.generated());
     Map<String, String> manifest = new LinkedHashMap<>();
-    String launcher = Launcher.class.getName();
-    manifest.put("Main-Class", launcher);
+    manifest.put("Main-Class", mainClass);
     manifest.putAll(manifest(model, mechmlSha256));
     SortedMap<String, byte[]> solver =
         ReachableClasses.from(own, path -> ColumnClasses.needed(path, model));
-    if (solver.keySet().stream().noneMatch(path -> path.startsWith(READS_RECORDS))) {
-      solver.replaceAll((path, file) -> LeanClass.withoutComponents(file));
-    }
-    ReproducibleJar jar = new ReproducibleJar(manifest, packing).addClasses(own);
-    String launcherFile = launcher.replace('.', '/') + ".class";
-    jar.add(launcherFile, Objects.requireNonNull(SolverFiles.lean(launcherFile)));
-    jar.add(Launcher.SOLVER, SolidClasses.of(mainClass, solver));
-    return packed(model, jar, packing, "-standalone", launcher, manifest);
+    return image(model, own, solver, mainClass, "-standalone", manifest);
   }
 
-  private static PackedJar packed(
+  /**
+   * @param own the model's classes, by binary name
+   * @param solver the solver's classes, by path
+   * @param suffix of the file's name
+   */
+  private static JarImage image(
       CompiledModel model,
-      ReproducibleJar jar,
-      Packing packing,
-      String suffix,
+      SortedMap<String, byte[]> own,
+      SortedMap<String, byte[]> solver,
       String mainClass,
+      String suffix,
       Map<String, String> manifest) {
-    String className = model.generated().className();
-    String xml = descriptionXml(model);
-    jar.add("META-INF/modelDescription.xml", xml.getBytes(StandardCharsets.UTF_8));
+    ReproducibleJar jar = new ReproducibleJar(manifest).addClasses(own);
+    solver.forEach(jar::add);
+    jar.add(
+        "META-INF/modelDescription.xml", descriptionXml(model).getBytes(StandardCharsets.UTF_8));
     byte[] bytes = jar.bytes();
-    long modelBytes =
-        model.classFiles().values().stream().mapToLong(file -> packing.deflated(file).length).sum();
-    return new PackedJar(
+    String className = model.generated().className();
+    return new JarImage(
         className.substring(className.lastIndexOf('.') + 1) + suffix + ".jar",
         bytes,
         Sha256.of(bytes),
         mainClass,
-        modelBytes,
+        jar.compressedSize(model.classFiles()),
         manifest);
   }
 

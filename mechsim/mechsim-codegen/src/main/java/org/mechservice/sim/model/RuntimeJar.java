@@ -2,126 +2,106 @@ package org.mechservice.sim.model;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
-import java.util.Set;
-import java.util.SortedMap;
-import java.util.TreeMap;
+import java.util.Optional;
 import java.util.jar.Attributes;
 import java.util.jar.JarInputStream;
-import org.mechservice.sim.jar.Packing;
-import org.mechservice.sim.jar.ReachableClasses;
+import java.util.jar.Manifest;
+import org.mechservice.sim.compile.SolverClasses;
 import org.mechservice.sim.jar.ReproducibleJar;
-import org.mechservice.sim.jar.Sha256;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.pack.KeptClasses;
-import org.mechservice.solver.pack.PackedClasses;
 import org.mechservice.solver.simulation.SolverVersion;
+import org.mechservice.solver.text.Sha256;
 
 /**
- * The solver as a JAR: all that models of any kind may need, but of the integration methods only
- * those that its service offers by name, and nothing of the main class of standalone JARs. Its
- * classes are packed together, which takes a sixth of the room they take one by one.
+ * The runtime JAR: every class of the solver, for models that travel without one. A client fetches
+ * it once and keeps it by its SHA-256; on a class path, {@code RunModel} in it runs the model JAR
+ * beside it.
  *
- * @param jar the JAR
- * @param classes paths of the classes in it, such as {@code org/mechservice/solver/api/Model.class}
+ * <p>The build makes it, because compressing the solver takes longer than a small simulation. Its
+ * manifest holds a fingerprint of the class files it was made from. A process whose solver was
+ * compiled since then has another fingerprint and makes the JAR anew.
  */
-record RuntimeJar(PackedJar jar, Set<String> classes) {
-  private static final String CLASS = ".class";
-  private static final String SOLVER = "org/mechservice/solver/";
+public final class RuntimeJar {
+  private static final String RESOURCE = "runtime.jar";
+  private static final String FINGERPRINT = "Mech-Solver-Fingerprint";
 
-  /** What is in these folders comes along if something else needs it. */
-  private static final List<String> ON_DEMAND =
-      List.of(
-          SOLVER + "integration/",
-          SOLVER + "linear/",
-          SOLVER + "analysis/",
-          SOLVER + "standalone/");
+  private RuntimeJar() {}
 
-  /** What unpacks is there already. */
-  private static final String PACKER = SOLVER + "pack/";
-
-  RuntimeJar {
-    classes = Set.copyOf(classes);
-  }
-
-  /** Taken from the build, or packed, once per process, when first needed. */
+  /** Read or made once per process, when first needed. */
   private static final class Holder {
-    private static final RuntimeJar CURRENT = BuiltRuntime.find().orElseGet(RuntimeJar::pack);
+    private static final JarImage CURRENT = ofBuild().orElseGet(RuntimeJar::make);
   }
 
-  static RuntimeJar current() {
+  /** Returns the JAR of this process's solver. */
+  static JarImage current() {
     return Holder.CURRENT;
   }
 
-  /** Returns whether the JAR has a class, by its path. */
-  boolean has(String path) {
-    return classes.contains(path);
+  /** Returns the JAR that the build made, unless it is of another solver. */
+  static Optional<JarImage> ofBuild() {
+    try (InputStream file = RuntimeJar.class.getResourceAsStream(RESOURCE)) {
+      if (file == null) {
+        return Optional.empty();
+      }
+      byte[] bytes = file.readAllBytes();
+      Map<String, String> manifest = manifestOf(bytes);
+      return SolverClasses.fingerprint().equals(manifest.get(FINGERPRINT))
+          ? Optional.of(image(bytes, manifest))
+          : Optional.empty();
+    } catch (IOException e) {
+      throw new UncheckedIOException("the runtime JAR of the build cannot be read", e);
+    }
   }
 
-  /** Packs the solver of this process. */
-  static RuntimeJar pack() {
-    SortedMap<String, byte[]> classes = contents();
-    byte[] packed = PackedClasses.pack(classes);
+  private static Map<String, String> manifestOf(byte[] bytes) throws IOException {
+    Map<String, String> attributes = new LinkedHashMap<>();
+    try (JarInputStream jar = new JarInputStream(new ByteArrayInputStream(bytes))) {
+      Manifest manifest = jar.getManifest();
+      if (manifest != null) {
+        manifest
+            .getMainAttributes()
+            .forEach((name, value) -> attributes.put(name.toString(), value.toString()));
+      }
+    }
+    attributes.remove(Attributes.Name.MANIFEST_VERSION.toString());
+    return attributes;
+  }
+
+  /** Makes the JAR from the class files of this process's solver. */
+  static JarImage make() {
     Map<String, String> manifest = new LinkedHashMap<>();
     manifest.put("Implementation-Title", "MechService solver");
     manifest.put("Implementation-Version", SolverVersion.CURRENT);
     manifest.put("Mech-Api-Version", Integer.toString(Model.API_VERSION));
-    manifest.put(PackedClasses.KEPT_SHA_256, Sha256.of(kept(packed)));
-    ReproducibleJar jar = new ReproducibleJar(manifest, Packing.QUICK);
-    jar.add(PackedClasses.ENTRY, packed);
-    SolverFiles.lean().forEach((path, bytes) -> addOther(jar, path, bytes));
-    return new RuntimeJar(asJar(jar.bytes(), manifest), classes.keySet());
+    manifest.put(FINGERPRINT, SolverClasses.fingerprint());
+    ReproducibleJar jar = new ReproducibleJar(manifest);
+    SolverClasses.files().forEach(jar::add);
+    return image(jar.bytes(), manifest);
+  }
+
+  private static JarImage image(byte[] bytes, Map<String, String> manifest) {
+    String name = "mechservice-runtime-" + SolverVersion.CURRENT + ".jar";
+    return new JarImage(name, bytes, Sha256.of(bytes), "", 0, manifest);
   }
 
   /**
-   * Returns a JAR packed before.
+   * Writes the JAR beside this class, unless the one there is of this solver. The build calls it.
    *
-   * @throws IOException if it is no JAR
+   * @param arguments the folder of this module's classes
+   * @throws IOException if it cannot be written
    */
-  static RuntimeJar of(byte[] jar, Set<String> classes) throws IOException {
-    try (JarInputStream in = new JarInputStream(new ByteArrayInputStream(jar))) {
-      Map<String, String> manifest = new LinkedHashMap<>();
-      in.getManifest()
-          .getMainAttributes()
-          .forEach((name, value) -> manifest.put(name.toString(), value.toString()));
-      manifest.remove(Attributes.Name.MANIFEST_VERSION.toString());
-      return new RuntimeJar(asJar(jar, manifest), classes);
+  public static void main(String[] arguments) throws IOException {
+    if (ofBuild().isEmpty()) {
+      Path folder =
+          Path.of(arguments[0]).resolve(RuntimeJar.class.getPackageName().replace('.', '/'));
+      Files.createDirectories(folder);
+      Files.write(folder.resolve(RESOURCE), make().bytes());
     }
-  }
-
-  private static PackedJar asJar(byte[] bytes, Map<String, String> manifest) {
-    String name = "mechservice-runtime-" + SolverVersion.CURRENT + ".jar";
-    return new PackedJar(name, bytes, Sha256.of(bytes), "", 0, manifest);
-  }
-
-  /** What clients will have unpacked; the constants of each class are in an order of their own. */
-  private static byte[] kept(byte[] packed) {
-    try {
-      return KeptClasses.write(PackedClasses.unpack(packed));
-    } catch (IOException e) {
-      throw new UncheckedIOException("what was just packed is whole", e);
-    }
-  }
-
-  private static void addOther(ReproducibleJar jar, String path, byte[] bytes) {
-    if (!path.endsWith(CLASS)) {
-      jar.add(path, bytes);
-    }
-  }
-
-  private static SortedMap<String, byte[]> contents() {
-    SortedMap<String, byte[]> contents = new TreeMap<>(SolverFiles.lean());
-    contents
-        .keySet()
-        .removeIf(
-            path ->
-                !path.endsWith(CLASS)
-                    || path.startsWith(PACKER)
-                    || ON_DEMAND.stream().anyMatch(path::startsWith));
-    contents.putAll(ReachableClasses.from(contents, SolverFiles::lean));
-    return contents;
   }
 }

@@ -23,7 +23,7 @@ final class SourceCompiler {
           "17",
           "--limit-modules",
           "java.base",
-          "-g:lines",
+          "-g",
           "-proc:none",
           "-implicit:none",
           "-Xlint:none");

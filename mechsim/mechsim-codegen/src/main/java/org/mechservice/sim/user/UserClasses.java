@@ -5,9 +5,9 @@ import java.util.Collections;
 import java.util.List;
 import java.util.SortedMap;
 import org.mechservice.mechml.MechmlException;
-import org.mechservice.sim.jar.Sha256;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.UserForceElement;
+import org.mechservice.solver.text.Sha256;
 
 /**
  * The classes that a model's forces name, and those these need: checked, none of them loaded.

@@ -18,7 +18,7 @@ import java.util.jar.JarInputStream;
 import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.MechmlReader;
-import org.mechservice.sim.jar.Packing;
+import org.mechservice.sim.compile.SolverClasses;
 import org.mechservice.sim.jar.ReachableClasses;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunSettings;
@@ -27,9 +27,6 @@ import org.mechservice.solver.api.RunSettings;
 final class CodeSizes {
   /** Bytes of manifest and description that a JAR may have beside its classes. */
   static final int OVERHEAD = 1536;
-
-  /** Bytes of the runtime JAR, that of the paper's solver. */
-  static final int RUNTIME = 125 * 1024;
 
   /**
    * A model whose size has a bound.
@@ -50,9 +47,14 @@ final class CodeSizes {
   private static final String PENDULUM = "pendulum/pendulum.xml";
   private static final String SUSPENSION = "five-point-suspension/variants/elements.xml";
   private static final String DRIVER = "driver/driver-free-c0.xml";
+  private static final String SOLVER = "org/mechservice/solver/";
   private static final int LISTED = Integer.MAX_VALUE;
 
-  /** Issue 6: 2.2 KB and 4 KB, 11.8 KB and 28 KB, 7.1 KB; the compact ones are the paper's. */
+  /**
+   * Issue 6: 2.2 KB and 4 KB, 11.8 KB and 28 KB, 7.1 KB; the compact ones are the paper's. Issue 19
+   * has the JARs compressed by the deflater of Java, which leaves the driver's code 5 % larger than
+   * the deflater of issue 6 did: 30 KB instead of 28.
+   */
   static final List<Row> ROWS =
       List.of(
           new Row(PENDULUM, "DTR", true, 2252, 290),
@@ -65,7 +67,7 @@ final class CodeSizes {
           new Row(SUSPENSION, "RR", false, LISTED, 340),
           new Row(SUSPENSION, "RR-JF", false, LISTED, 340),
           new Row(DRIVER, "DTR", true, 12083, 540),
-          new Row(DRIVER, "DTR", false, 28 * 1024, 540),
+          new Row(DRIVER, "DTR", false, 30 * 1024, 540),
           new Row(DRIVER, "DSR", false, LISTED, 540),
           new Row(DRIVER, "RR", false, LISTED, 540),
           new Row(DRIVER, "RR-JF", false, LISTED, 540));
@@ -99,8 +101,8 @@ final class CodeSizes {
     return throughBytes(model(row), options(row));
   }
 
-  static PackedJar jar(CompiledModel model) {
-    return ModelFactory.modelJar(model, "0".repeat(64), Packing.SMALLEST);
+  static JarImage jar(CompiledModel model) {
+    return ModelFactory.modelJar(model, "0".repeat(64));
   }
 
   /** Generates, writes the class file and loads it. */
@@ -145,8 +147,7 @@ final class CodeSizes {
       lines.add("");
     }
     int runtime = ModelFactory.runtimeJar().bytes().length;
-    assertThat(runtime).isLessThanOrEqualTo(RUNTIME);
-    lines.add("Runtime JAR: " + runtime + " B / " + RUNTIME + " B.");
+    lines.add("Runtime JAR, the whole solver: " + runtime + " B.");
     lines.add("");
   }
 
@@ -157,7 +158,7 @@ final class CodeSizes {
     for (Omission omission : compiled.generated().fromData()) {
       fromData.add("- " + row + ": " + omission.what() + " from data, " + omission.why() + ".");
     }
-    PackedJar jar = jar(compiled);
+    JarImage jar = jar(compiled);
     long beside = jar.bytes().length - jar.modelBytes();
     assertThat(jar.modelBytes()).as(row.toString()).isLessThanOrEqualTo(row.bound());
     if (row.bound() != LISTED) {
@@ -189,13 +190,10 @@ final class CodeSizes {
   private void standalone() throws Exception {
     lines.add("## Standalone JARs");
     lines.add("");
-    lines.add(
-        "They start with `java -jar` and hold the solver's classes that the model reaches, in one"
-            + " file that compresses better than many.");
+    lines.add("They start with `java -jar` and hold the solver's classes that the model reaches.");
     lines.add("");
-    lines.add(
-        "| model | formulation | JAR [B] | contents, compressed [B] | classes of the solver |");
-    lines.add("|---|---|---:|---|---|");
+    lines.add("| model | formulation | JAR [B] | solver, compressed [B] | classes of the solver |");
+    lines.add("|---|---|---:|---:|---|");
     for (Row row : ROWS) {
       if (row.bound() != LISTED) {
         lines.add(standalone(row));
@@ -205,34 +203,33 @@ final class CodeSizes {
 
   private static String standalone(Row row) throws Exception {
     CompiledModel model = built(row);
-    PackedJar jar = ModelFactory.standaloneJar(model, "0".repeat(64), Packing.SMALLEST);
-    List<String> contents = new ArrayList<>();
+    JarImage jar = ModelFactory.standaloneJar(model, "0".repeat(64));
+    long solver = 0;
     try (JarInputStream in = new JarInputStream(new ByteArrayInputStream(jar.bytes()))) {
       for (JarEntry entry = in.getNextJarEntry(); entry != null; entry = in.getNextJarEntry()) {
         in.readAllBytes();
         in.closeEntry();
-        String name = entry.getName();
-        contents.add(name.substring(name.lastIndexOf('/') + 1) + " " + entry.getCompressedSize());
+        solver += entry.getName().startsWith(SOLVER) ? entry.getCompressedSize() : 0;
       }
     }
     return String.format(
         Locale.ROOT,
-        "| %s | %s | %d | %s | %s |",
+        "| %s | %s | %d | %d | %s |",
         row.file(),
         row.formulation() + (row.compact() ? ", compact" : ""),
         jar.bytes().length,
-        String.join(", ", contents),
+        solver,
         solverClasses(model));
   }
 
   /** Returns how many classes of each of the solver's packages a model reaches. */
   private static String solverClasses(CompiledModel model) {
     SortedMap<String, byte[]> reached =
-        ReachableClasses.from(StandaloneMain.classFiles(model), SolverFiles::lean);
+        ReachableClasses.from(StandaloneMain.classFiles(model), SolverClasses::file);
     Map<String, Integer> counts = new TreeMap<>();
     for (String file : reached.keySet()) {
       String folder = file.substring(0, file.lastIndexOf('/'));
-      counts.merge(folder.replace("org/mechservice/solver/", ""), 1, Integer::sum);
+      counts.merge(folder.replace(SOLVER, ""), 1, Integer::sum);
     }
     List<String> told = new ArrayList<>();
     counts.forEach((folder, count) -> told.add(folder + " " + count));

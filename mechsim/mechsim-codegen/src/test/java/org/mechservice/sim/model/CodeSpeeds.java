@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Locale;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.emit.CodeForm;
-import org.mechservice.sim.jar.Packing;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -57,8 +56,8 @@ final class CodeSpeeds {
     }
     lines.add("");
     lines.add(
-        "DTR, DSR: forward dynamics; RR: the residual alone. DSR of chain200 is left out: factors of"
-            + " its mass matrix are left to data.");
+        "DTR, DSR: forward dynamics; RR: the residual alone. DSR of chain200 is left out: factors"
+            + " of its mass matrix are left to data.");
   }
 
   private void forms() throws Exception {
@@ -94,7 +93,7 @@ final class CodeSpeeds {
     MechmlModel file = Scenes.model(mechanism);
     GeneratedModel generated = ModelFactory.generate(file, options);
     CompiledModel compiled = ModelFactory.compile(file, options, generated);
-    PackedJar jar = ModelFactory.modelJar(compiled, "0".repeat(64), Packing.SMALLEST);
+    JarImage jar = ModelFactory.modelJar(compiled, "0".repeat(64));
     double[] first =
         FreshMachine.firstEvaluations(compiled, folder.resolve(mechanism.name() + form));
     return String.format(

@@ -10,9 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.jar.JarEntry;
 import java.util.jar.JarInputStream;
 import org.junit.jupiter.api.Test;
@@ -21,7 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.sim.jar.Packing;
+import org.mechservice.sim.compile.SolverClasses;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.Model;
@@ -34,9 +32,6 @@ import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.simulation.RuntimeSolver;
-import org.mechservice.solver.standalone.Launcher;
-import org.objectweb.asm.ClassReader;
-import org.objectweb.asm.tree.ClassNode;
 
 /** Columns that no code is generated for travel as data with the models that asked for them. */
 class DataColumnsTest {
@@ -105,37 +100,32 @@ class DataColumnsTest {
     return ExtendedModel.columnsOf(built).columns(ColumnGroup.FORCES);
   }
 
-  @Test
-  void modelJarHasWhatTheRuntimeLacksOnlyIfAskedFor() throws IOException {
-    assertThat(entries(ModelFactory.modelJar(pendulum(false), "", Packing.SMALLEST)))
+  /** The runtime JAR has the whole solver, so a model JAR needs none of it. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void modelJarHasNoClassOfTheSolver(boolean compact) throws IOException {
+    assertThat(entries(ModelFactory.modelJar(pendulum(compact), "")))
         .noneMatch(name -> name.contains("solver"));
-    assertThat(
-            entries(
-                ModelFactory.modelJar(
-                    pendulum(false, ColumnGroup.REACTIONS), "", Packing.SMALLEST)))
-        .anyMatch(name -> name.contains(ANALYSIS))
-        .contains(
-            "org/mechservice/model/FiveBarPendulum.class",
-            "org/mechservice/model/FiveBarPendulumWithColumns.class");
-    assertThat(entries(ModelFactory.runtimeJar())).noneMatch(name -> name.contains(ANALYSIS));
+    assertThat(entries(ModelFactory.modelJar(pendulum(compact, ColumnGroup.REACTIONS), "")))
+        .noneMatch(name -> name.contains("solver"))
+        .contains("org/mechservice/model/FiveBarPendulum.class");
+    assertThat(entries(ModelFactory.modelJar(pendulum(false, ColumnGroup.REACTIONS), "")))
+        .contains("org/mechservice/model/FiveBarPendulumWithColumns.class");
   }
 
   @Test
   void standaloneJarHasColumnsOnlyIfAskedFor() throws IOException {
-    assertThat(solverOf(ModelFactory.standaloneJar(pendulum(false), "", Packing.SMALLEST)))
-        .noneMatch(name -> name.contains("solver.analysis."));
-    assertThat(
-            solverOf(
-                ModelFactory.standaloneJar(
-                    pendulum(false, ColumnGroup.REACTIONS), "", Packing.SMALLEST)))
-        .anyMatch(name -> name.contains("solver.analysis.ReactionColumns"));
+    assertThat(entries(ModelFactory.standaloneJar(pendulum(false), "")))
+        .noneMatch(name -> name.contains(ANALYSIS));
+    assertThat(entries(ModelFactory.standaloneJar(pendulum(false, ColumnGroup.REACTIONS), "")))
+        .anyMatch(name -> name.contains(ANALYSIS + "ReactionColumns"));
   }
 
   @ParameterizedTest
   @EnumSource(names = {"REACTIONS", "MOMENTUM", "OUTPUTS"})
   void aJarCarriesTheClassesOfTheColumnsAskedForAlone(ColumnGroup group) throws IOException {
     CompiledModel model = pushed(group);
-    assertThat(entries(ModelFactory.modelJar(model, "", Packing.SMALLEST)))
+    assertThat(entries(ModelFactory.standaloneJar(model, "")))
         .filteredOn(ColumnClasses.paths()::contains)
         .hasSize(1)
         .allMatch(path -> ColumnClasses.needed(path, model) != null);
@@ -155,7 +145,7 @@ class DataColumnsTest {
   void aStandaloneJarPutsOutTheColumnsItWasBuiltWith(ColumnGroup group, @TempDir Path folder)
       throws Exception {
     Path jar = folder.resolve("p.jar");
-    Files.write(jar, ModelFactory.standaloneJar(pushed(group), "", Packing.SMALLEST).bytes());
+    Files.write(jar, ModelFactory.standaloneJar(pushed(group), "").bytes());
     Path rows = folder.resolve("rows.csv");
     Process process =
         new ProcessBuilder(
@@ -175,21 +165,11 @@ class DataColumnsTest {
 
   @Test
   void theClassesOfColumnsAreClassesOfTheSolver() {
-    assertThat(ColumnClasses.paths()).allSatisfy(p -> assertThat(SolverFiles.lean(p)).isNotNull());
+    assertThat(ColumnClasses.paths())
+        .allSatisfy(p -> assertThat(SolverClasses.file(p)).isNotNull());
   }
 
-  /** Components are listed for those who take records apart, which data are read by alone. */
-  @ParameterizedTest
-  @ValueSource(booleans = {false, true})
-  void recordsListTheirComponentsWhereDataAreRead(boolean compact) throws IOException {
-    Map<String, byte[]> solver =
-        solverClasses(ModelFactory.standaloneJar(pendulum(compact), "", Packing.SMALLEST));
-    ClassNode settings = new ClassNode();
-    new ClassReader(solver.get(RunSettings.class.getName())).accept(settings, 0);
-    assertThat(settings.recordComponents != null).isEqualTo(compact);
-  }
-
-  private static List<String> entries(PackedJar jar) throws IOException {
+  private static List<String> entries(JarImage jar) throws IOException {
     List<String> names = new ArrayList<>();
     try (JarInputStream stream = new JarInputStream(new ByteArrayInputStream(jar.bytes()))) {
       for (JarEntry e = stream.getNextJarEntry(); e != null; e = stream.getNextJarEntry()) {
@@ -197,21 +177,5 @@ class DataColumnsTest {
       }
     }
     return names;
-  }
-
-  private static Set<String> solverOf(PackedJar jar) throws IOException {
-    return solverClasses(jar).keySet();
-  }
-
-  private static Map<String, byte[]> solverClasses(PackedJar jar) throws IOException {
-    Map<String, byte[]> classes = new TreeMap<>();
-    try (JarInputStream stream = new JarInputStream(new ByteArrayInputStream(jar.bytes()))) {
-      for (JarEntry e = stream.getNextJarEntry(); e != null; e = stream.getNextJarEntry()) {
-        if (e.getName().equals(Launcher.SOLVER)) {
-          Launcher.read(stream, classes);
-        }
-      }
-    }
-    return classes;
   }
 }

@@ -30,7 +30,7 @@ class GeneratedCodePageTest {
   @ParameterizedTest
   @MethodSource("bounded")
   void aModelIsNoLargerThanItMayBe(CodeSizes.Row row) throws Exception {
-    PackedJar jar = CodeSizes.jar(CodeSizes.built(row));
+    JarImage jar = CodeSizes.jar(CodeSizes.built(row));
     assertThat(jar.modelBytes()).isLessThanOrEqualTo(row.bound());
     assertThat(jar.bytes().length - jar.modelBytes()).isLessThanOrEqualTo(CodeSizes.OVERHEAD);
   }

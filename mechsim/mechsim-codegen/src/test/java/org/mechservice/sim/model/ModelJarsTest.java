@@ -1,44 +1,50 @@
 package org.mechservice.sim.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.ByteArrayInputStream;
 import java.io.File;
 import java.io.IOException;
-import java.io.UncheckedIOException;
+import java.net.URL;
+import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.LocalDateTime;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
-import java.util.Random;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.function.Predicate;
 import java.util.jar.Attributes;
 import java.util.jar.JarEntry;
+import java.util.jar.JarFile;
 import java.util.jar.JarInputStream;
 import java.util.jar.Manifest;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.sim.jar.LeanClass;
-import org.mechservice.sim.jar.Packing;
+import org.mechservice.mechml.MechmlReader;
+import org.mechservice.sim.compile.SolverClasses;
+import org.mechservice.sim.jar.ReachableClasses;
 import org.mechservice.sim.jar.ReproducibleJar;
-import org.mechservice.sim.jar.Sha256;
-import org.mechservice.sim.jar.SolidClasses;
+import org.mechservice.sim.user.PushedCart;
+import org.mechservice.sim.user.UserClasses;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunSettings;
-import org.mechservice.solver.pack.PackedClasses;
-import org.mechservice.solver.standalone.Launcher;
+import org.mechservice.solver.text.Sha256;
 
 class ModelJarsTest {
   private static final String SHA = "0123456789abcdef".repeat(4);
   private static final String MODEL = "org/mechservice/model/FiveBarPendulum.class";
+  private static final String SOLVER = "org/mechservice/solver/";
+  private static final String DE = SOLVER + "ode/De.class";
+  private static final Predicate<String> CLASS_FILE = name -> name.endsWith(".class");
 
   private static CompiledModel pendulum(String integrator) {
     RunSettings settings = new RunSettings(0, 3, 0.01, integrator, 1e-5, 1e-5);
@@ -47,7 +53,7 @@ class ModelJarsTest {
     return ModelFactory.compile(model, options, ModelFactory.generate(model, options));
   }
 
-  private static SortedMap<String, byte[]> entries(PackedJar jar) throws IOException {
+  private static SortedMap<String, byte[]> entries(JarImage jar) throws IOException {
     SortedMap<String, byte[]> entries = new TreeMap<>();
     try (JarInputStream stream = new JarInputStream(new ByteArrayInputStream(jar.bytes()))) {
       for (JarEntry entry = stream.getNextJarEntry();
@@ -59,7 +65,7 @@ class ModelJarsTest {
     return entries;
   }
 
-  private static Attributes manifest(PackedJar jar) throws IOException {
+  private static Attributes manifest(JarImage jar) throws IOException {
     try (JarInputStream stream = new JarInputStream(new ByteArrayInputStream(jar.bytes()))) {
       Manifest manifest = stream.getManifest();
       return manifest.getMainAttributes();
@@ -68,7 +74,7 @@ class ModelJarsTest {
 
   @Test
   void theModelJarHoldsTheModelAndNothingElse() throws IOException {
-    PackedJar jar = ModelFactory.modelJar(pendulum("DE"), SHA, Packing.SMALLEST);
+    JarImage jar = ModelFactory.modelJar(pendulum("DE"), SHA);
     assertThat(entries(jar).keySet()).containsExactly("META-INF/modelDescription.xml", MODEL);
     assertThat(jar.fileName()).isEqualTo("FiveBarPendulum.jar");
     assertThat(jar.mainClass()).isEqualTo("org.mechservice.model.FiveBarPendulum");
@@ -78,13 +84,12 @@ class ModelJarsTest {
   /** Issue 2: the pendulum's classes take at most 4 KB. */
   @Test
   void thePendulumsClassIsSmall() {
-    assertThat(ModelFactory.modelJar(pendulum("DE"), SHA, Packing.SMALLEST).modelBytes())
-        .isLessThan(4096);
+    assertThat(ModelFactory.modelJar(pendulum("DE"), SHA).modelBytes()).isLessThan(4096);
   }
 
   @Test
   void thePendulumsClassNamesNothingItDoesNotNeed() throws IOException {
-    byte[] bytes = entries(ModelFactory.modelJar(pendulum("DE"), SHA, Packing.SMALLEST)).get(MODEL);
+    byte[] bytes = entries(ModelFactory.modelJar(pendulum("DE"), SHA)).get(MODEL);
     String constants = new String(bytes, StandardCharsets.ISO_8859_1);
     assertThat(constants)
         .contains("org/mechservice/solver/spatial/SinCos", "org/mechservice/solver/api/Energies")
@@ -94,7 +99,7 @@ class ModelJarsTest {
 
   @Test
   void theManifestSaysWhatTheModelIs() throws IOException {
-    PackedJar jar = ModelFactory.modelJar(pendulum("ode113"), SHA, Packing.SMALLEST);
+    JarImage jar = ModelFactory.modelJar(pendulum("ode113"), SHA);
     Attributes manifest = manifest(jar);
     assertThat(manifest.getValue("Mech-Model")).isEqualTo("org.mechservice.model.FiveBarPendulum");
     assertThat(manifest.getValue("Mech-Api-Version")).isEqualTo("1");
@@ -111,19 +116,18 @@ class ModelJarsTest {
     MechmlModel file = Scenes.model(Scenes.pendulum());
     BuildOptions options = new BuildOptions("DTR", Set.of(ColumnGroup.REACTIONS), Scenes.SETTINGS);
     CompiledModel model = ModelFactory.compile(file, options, ModelFactory.generate(file, options));
-    assertThat(ModelFactory.modelJar(model, SHA, Packing.QUICK).manifest())
+    assertThat(ModelFactory.modelJar(model, SHA).manifest())
         .containsEntry(
             "Mech-From-Data",
             "reactions (one sweep over the mechanism gives them once for each row of results)");
-    assertThat(ModelFactory.modelJar(pendulum("DE"), SHA, Packing.QUICK).manifest())
+    assertThat(ModelFactory.modelJar(pendulum("DE"), SHA).manifest())
         .doesNotContainKey("Mech-From-Data");
   }
 
   @Test
   void theDescriptionListsVariablesWithUnitsAndStart() throws IOException {
     byte[] xml =
-        entries(ModelFactory.modelJar(pendulum("DE"), SHA, Packing.SMALLEST))
-            .get("META-INF/modelDescription.xml");
+        entries(ModelFactory.modelJar(pendulum("DE"), SHA)).get("META-INF/modelDescription.xml");
     assertThat(new String(xml, StandardCharsets.UTF_8))
         .contains("<joint name=\"j3\" type=\"R\"><state name=\"q\" unit=\"rad\" start=\"0\"/>")
         .contains("<output name=\"a\" unit=\"rad/s^2\"/>")
@@ -132,152 +136,174 @@ class ModelJarsTest {
 
   @Test
   void theSameModelGivesTheSameBytes() {
-    assertThat(ModelFactory.modelJar(pendulum("DE"), SHA, Packing.SMALLEST).bytes())
-        .isEqualTo(ModelFactory.modelJar(pendulum("DE"), SHA, Packing.SMALLEST).bytes());
-    assertThat(ModelFactory.standaloneJar(pendulum("DE"), SHA, Packing.SMALLEST).bytes())
-        .isEqualTo(ModelFactory.standaloneJar(pendulum("DE"), SHA, Packing.SMALLEST).bytes());
-  }
-
-  /** Issue 2: at most 125 KB. */
-  @Test
-  void theRuntimeJarHoldsTheSolverInLittleRoom() throws IOException {
-    PackedJar runtime = ModelFactory.runtimeJar();
-    assertThat(runtime.bytes().length).isLessThan(125 * 1024);
-    assertThat(ModelFactory.runtimeJar()).isSameAs(runtime);
-    assertThat(entries(runtime).keySet())
-        .containsExactly(
-            PackedClasses.ENTRY, "META-INF/services/org.mechservice.solver.api.Solver");
-    assertThat(runtimeClasses())
-        .containsKey("org/mechservice/solver/simulation/Simulation.class")
-        .containsKey("org/mechservice/solver/dynamics/ArticulatedBody.class");
-    assertThat(runtimeClasses().keySet())
-        .allMatch(name -> name.startsWith("org/mechservice/solver/"))
-        .noneMatch(name -> name.startsWith("org/mechservice/solver/pack/"));
-  }
-
-  /** Unpacked once for all tests, which leave it as it is. */
-  private static final class Unpacked {
-    private static final SortedMap<String, byte[]> CLASSES = classes();
-
-    private static SortedMap<String, byte[]> classes() {
-      try {
-        return PackedClasses.unpack(packedClasses());
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
-    }
-  }
-
-  private static SortedMap<String, byte[]> runtimeClasses() {
-    return Unpacked.CLASSES;
-  }
-
-  private static byte[] packedClasses() throws IOException {
-    return Objects.requireNonNull(entries(ModelFactory.runtimeJar()).get(PackedClasses.ENTRY));
-  }
-
-  /** Unpacks the classes of a runtime JAR. */
-  static SortedMap<String, byte[]> classesOf(PackedJar runtime) throws IOException {
-    return PackedClasses.unpack(Objects.requireNonNull(entries(runtime).get(PackedClasses.ENTRY)));
-  }
-
-  /** Written anew, a class has its constants in the order of their use: then bytes can be equal. */
-  @Test
-  void packingLeavesTheSolversCodeAsItIs() throws IOException {
-    runtimeClasses()
-        .forEach(
-            (path, unpacked) ->
-                assertThat(LeanClass.of(unpacked))
-                    .as(path)
-                    .isEqualTo(SolverFiles.lean().get(path)));
-  }
-
-  @Test
-  void packedClassesAreTheSameFromWhateverOrderOfTheirConstants() throws IOException {
-    byte[] packed = packedClasses();
-    assertThat(PackedClasses.pack(runtimeClasses())).isEqualTo(packed);
-  }
-
-  /** Every class is verified when it is initialised. */
-  @Test
-  void unpackedClassesAreValid() throws Exception {
-    SortedMap<String, byte[]> byName = new TreeMap<>();
-    runtimeClasses()
-        .forEach(
-            (path, bytes) ->
-                byName.put(path.substring(0, path.length() - 6).replace('/', '.'), bytes));
-    ClassLoader loader =
-        new ClassLoader(ClassLoader.getPlatformClassLoader()) {
-          @Override
-          protected Class<?> findClass(String name) throws ClassNotFoundException {
-            byte[] bytes = byName.get(name);
-            if (bytes == null) {
-              throw new ClassNotFoundException(name);
-            }
-            return defineClass(name, bytes, 0, bytes.length);
-          }
-        };
-    for (String name : byName.keySet()) {
-      assertThat(Class.forName(name, true, loader).getName()).isEqualTo(name);
-    }
-  }
-
-  @Test
-  void damagedPackedClassesAreRefused() throws IOException {
-    SortedMap<String, byte[]> some =
-        runtimeClasses().headMap("org/mechservice/solver/closure/Partition.class");
-    byte[] packed = PackedClasses.pack(some);
-    Random random = new Random(5);
-    for (int i = 0; i < 200; i++) {
-      byte[] damaged = packed.clone();
-      damaged[random.nextInt(damaged.length)] ^= (byte) (1 << random.nextInt(8));
-      try {
-        // What still unpacks is for the virtual machine to verify; nothing else may escape.
-        assertThat(PackedClasses.unpack(damaged)).isNotNull();
-      } catch (IOException e) {
-        assertThat(e).hasMessageContaining("packed class");
-      }
-    }
+    assertThat(ModelFactory.modelJar(pendulum("DE"), SHA).bytes())
+        .isEqualTo(ModelFactory.modelJar(pendulum("DE"), SHA).bytes());
+    assertThat(ModelFactory.standaloneJar(pendulum("DE"), SHA).bytes())
+        .isEqualTo(ModelFactory.standaloneJar(pendulum("DE"), SHA).bytes());
   }
 
   @Test
   void theStandaloneJarHoldsOnlyWhatItReaches() throws IOException {
-    PackedJar jar = ModelFactory.standaloneJar(pendulum("DE"), SHA, Packing.SMALLEST);
-    Set<String> solver = classesIn(Objects.requireNonNull(entries(jar).get(Launcher.SOLVER)));
-    assertThat(solver)
-        .hasSizeLessThan(runtimeClasses().size() * 9 / 10)
-        .contains("org.mechservice.solver.standalone.Standalone")
-        .contains("org.mechservice.solver.ode.De")
-        .noneMatch(name -> name.startsWith("org.mechservice.solver.dynamics."))
-        .noneMatch(name -> name.startsWith("org.mechservice.solver.mechanism."));
-    assertThat(entries(jar)).containsKey(MODEL);
+    JarImage jar = ModelFactory.standaloneJar(pendulum("DE"), SHA);
+    Set<String> names = entries(jar).keySet();
+    long solver = SolverClasses.files().keySet().stream().filter(CLASS_FILE).count();
+    assertThat(names.stream().filter(name -> name.startsWith(SOLVER)).count())
+        .isLessThan(solver / 3);
+    assertThat(names)
+        .contains(MODEL, "org/mechservice/model/FiveBarPendulumMain.class")
+        .contains("org/mechservice/solver/standalone/Standalone.class")
+        .contains("org/mechservice/solver/ode/De.class")
+        .noneMatch(name -> name.startsWith("org/mechservice/solver/dynamics/"))
+        .noneMatch(name -> name.startsWith("org/mechservice/solver/mechanism/"))
+        .noneMatch(name -> name.contains("ode15s") || name.contains("Ode15s"));
     assertThat(manifest(jar).getValue("Main-Class")).isEqualTo(jar.mainClass());
+    assertThat(jar.mainClass()).isEqualTo("org.mechservice.model.FiveBarPendulumMain");
   }
 
-  private static Set<String> classesIn(byte[] solid) throws IOException {
-    Map<String, byte[]> classes = new HashMap<>();
-    assertThat(Launcher.read(new ByteArrayInputStream(solid), classes)).endsWith("Main");
-    return classes.keySet();
-  }
-
-  /** A class's bytes are those it was packed from. */
+  /**
+   * Issue 19 withdraws the former bounds of 85 and 125 KB: a JAR holds ordinary class files with
+   * line numbers and names. What remains is that a pendulum does not carry the whole solver.
+   */
   @Test
-  void classesOfTheSolidFileComeOutAsTheyWentIn() throws IOException {
-    Map<String, byte[]> classes = new HashMap<>();
-    Launcher.read(new ByteArrayInputStream(SolidClasses.of("a.Main", runtimeClasses())), classes);
-    assertThat(classes).hasSameSizeAs(runtimeClasses());
-    runtimeClasses()
-        .forEach(
-            (path, bytes) ->
-                assertThat(classes.get(path.substring(0, path.length() - 6).replace('/', '.')))
-                    .as(path)
-                    .isEqualTo(bytes));
+  void theStandaloneJarOfThePendulumIsAFractionOfTheWholeSolver() {
+    int whole = ModelFactory.runtimeJar().bytes().length;
+    assertThat(ModelFactory.standaloneJar(pendulum("DE"), SHA).bytes().length)
+        .isLessThan(whole / 3);
+  }
+
+  /** As jdeps would: no class of the JAR names a class of the product that is missing there. */
+  @Test
+  void everyClassThatTheStandaloneJarNamesIsInItOrInJava() throws IOException {
+    SortedMap<String, byte[]> files = entries(ModelFactory.standaloneJar(pendulum("DE"), SHA));
+    Set<String> missing = new TreeSet<>();
+    for (Map.Entry<String, byte[]> file : files.entrySet()) {
+      if (CLASS_FILE.test(file.getKey())) {
+        for (String name : ReachableClasses.namesIn(file.getValue())) {
+          if (!files.containsKey(name + ".class") && !name.startsWith("java/")) {
+            missing.add(name + ".class");
+          }
+        }
+      }
+    }
+    // The model was built without these columns, so that their classes are never loaded.
+    assertThat(missing).isSubsetOf(ColumnClasses.paths());
+  }
+
+  @Test
+  void everyEntryOfAJarIsReadAndVerifiedByJava(@TempDir Path folder) throws Exception {
+    for (JarImage image :
+        List.of(
+            ModelFactory.modelJar(pendulum("DE"), SHA),
+            ModelFactory.standaloneJar(pendulum("switching"), SHA),
+            ModelFactory.runtimeJar())) {
+      Path file = Files.write(folder.resolve(image.fileName()), image.bytes());
+      try (JarFile jar = new JarFile(file.toFile(), true)) {
+        for (JarEntry entry : jar.stream().toList()) {
+          // The stream checks length and CRC at its end.
+          byte[] content = jar.getInputStream(entry).readAllBytes();
+          assertThat(content).as(entry.getName()).hasSize((int) entry.getSize());
+          assertThat(entry.getTimeLocal()).isEqualTo(LocalDateTime.of(1980, 2, 1, 0, 0));
+        }
+        assertThat(jar.getManifest().getMainAttributes()).isNotEmpty();
+      }
+    }
+  }
+
+  /** Java verifies a class when it initialises it. */
+  @Test
+  void everyClassOfAStandaloneJarIsValid(@TempDir Path folder) throws Exception {
+    JarImage image = ModelFactory.standaloneJar(pendulum("switching"), SHA);
+    Path file = Files.write(folder.resolve(image.fileName()), image.bytes());
+    try (URLClassLoader loader =
+        new URLClassLoader(
+            new URL[] {file.toUri().toURL()}, ClassLoader.getPlatformClassLoader())) {
+      for (String path : entries(image).keySet()) {
+        if (CLASS_FILE.test(path)) {
+          String name = path.substring(0, path.length() - ".class".length()).replace('/', '.');
+          assertThat(Class.forName(name, true, loader).getName()).isEqualTo(name);
+        }
+      }
+    }
+  }
+
+  @Test
+  void classesOfTheSolverKeepWhatDebuggersRead() throws IOException {
+    byte[] file = entries(ModelFactory.standaloneJar(pendulum("DE"), SHA)).get(DE);
+    assertThat(new String(file, StandardCharsets.ISO_8859_1))
+        .contains("LineNumberTable", "SourceFile", "LocalVariableTable");
+  }
+
+  @Test
+  void theModelRunsBesideTheRuntimeToTheSameBytesAsStandalone(@TempDir Path folder)
+      throws Exception {
+    for (String integrator : List.of("DE", "ode15s")) {
+      CompiledModel model = pendulum(integrator);
+      List<String> jars = new ArrayList<>();
+      for (JarImage image : List.of(ModelFactory.runtimeJar(), ModelFactory.modelJar(model, SHA))) {
+        jars.add(Files.write(folder.resolve(image.fileName()), image.bytes()).toString());
+      }
+      Path alone = folder.resolve("alone.jar");
+      Files.write(alone, ModelFactory.standaloneJar(model, SHA).bytes());
+      String classPath = String.join(File.pathSeparator, jars);
+      String runModel = "org.mechservice.solver.standalone.RunModel";
+      finished(java(folder, "-cp", classPath, runModel, "--out", "beside.csv"));
+      finished(java(folder, "-jar", alone.toString(), "--out", "alone.csv"));
+      assertThat(folder.resolve("beside.csv")).hasSameBinaryContentAs(folder.resolve("alone.csv"));
+    }
+  }
+
+  private static void finished(Process process) throws Exception {
+    String printed = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertThat(process.waitFor()).as(printed).isZero();
+  }
+
+  @Test
+  void withoutAModelOnTheClassPathRunModelSaysWhatIsMissing(@TempDir Path folder) throws Exception {
+    JarImage runtime = ModelFactory.runtimeJar();
+    Path file = Files.write(folder.resolve(runtime.fileName()), runtime.bytes());
+    Process process =
+        java(folder, "-cp", file.toString(), "org.mechservice.solver.standalone.RunModel");
+    String printed = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertThat(process.waitFor()).isEqualTo(2);
+    assertThat(printed).startsWith("S-069 the class path has no model JAR");
+  }
+
+  @Test
+  void stackTracesInUserForcesShowFileAndLine(@TempDir Path folder) throws Exception {
+    String text =
+        PushedCart.harmlessSource()
+            .replace("(slide, 3)", "(slide, 3 / (int) Math.min(0.0, state.time()))");
+    MechmlModel file = MechmlReader.read("pushed.xml", PushedCart.file());
+    UserClasses user =
+        UserClasses.admit(file.mechanism(), List.of(PushedCart.asSource(text)), true);
+    BuildOptions options = new BuildOptions("auto", Set.of(), Scenes.SETTINGS);
+    CompiledModel model =
+        ModelFactory.compile(file, options, ModelFactory.generate(file, options), user);
+    Path jar = folder.resolve("pushed.jar");
+    Files.write(jar, ModelFactory.standaloneJar(model, SHA).bytes());
+    try (URLClassLoader loader =
+        new URLClassLoader(new URL[] {jar.toUri().toURL()}, ClassLoader.getPlatformClassLoader())) {
+      Class<?> force = loader.loadClass("car.Push");
+      Object instance = force.getConstructor().newInstance();
+      assertThatThrownBy(
+              () ->
+                  Stream.of(force.getMethods())
+                      .filter(method -> method.getName().equals("apply"))
+                      .findFirst()
+                      .orElseThrow()
+                      .invoke(instance, null, null))
+          .cause()
+          .satisfies(
+              thrown ->
+                  assertThat(thrown.getStackTrace()[0].toString())
+                      .contains("car.Push.apply(Push.java:16)"));
+    }
   }
 
   @Test
   void theStandaloneJarRunsByItself(@TempDir Path folder) throws Exception {
     for (String integrator : List.of("DE", "ode113", "switching")) {
-      PackedJar jar = ModelFactory.standaloneJar(pendulum(integrator), SHA, Packing.SMALLEST);
+      JarImage jar = ModelFactory.standaloneJar(pendulum(integrator), SHA);
       Files.write(folder.resolve(jar.fileName()), jar.bytes());
       Path results = folder.resolve(integrator + ".csv");
       Process process =
@@ -312,13 +338,13 @@ class ModelJarsTest {
 
   private static String digests() {
     CompiledModel pendulum = pendulum("DE");
-    return ModelFactory.modelJar(pendulum, SHA, Packing.SMALLEST).sha256()
-        + ModelFactory.standaloneJar(pendulum, SHA, Packing.SMALLEST).sha256()
+    return ModelFactory.modelJar(pendulum, SHA).sha256()
+        + ModelFactory.standaloneJar(pendulum, SHA).sha256()
         + ModelFactory.runtimeJar().sha256();
   }
 
   private static String jarOf(Path directory, Path folder, int number) throws IOException {
-    ReproducibleJar jar = new ReproducibleJar(Map.of(), Packing.SMALLEST);
+    ReproducibleJar jar = new ReproducibleJar(Map.of());
     try (Stream<Path> files = Files.walk(directory)) {
       for (Path file : files.filter(Files::isRegularFile).toList()) {
         String name = directory.relativize(file).toString().replace('\\', '/');

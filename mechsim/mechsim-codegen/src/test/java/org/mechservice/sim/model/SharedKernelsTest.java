@@ -18,7 +18,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.emit.CodeForm;
 import org.mechservice.sim.emit.MethodSizes;
-import org.mechservice.sim.jar.Packing;
 import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Energies;
@@ -234,10 +233,7 @@ class SharedKernelsTest {
   void theManifestSaysWhichFormAModelHas() {
     MechmlModel file = Scenes.model(Chains.ofDifferentLinks(60));
     CompiledModel model = compiled(file, options("DTR", CodeForm.AUTO));
-    assertThat(
-            ModelFactory.modelJar(model, "0".repeat(64), Packing.SMALLEST)
-                .manifest()
-                .get("Mech-Code"))
+    assertThat(ModelFactory.modelJar(model, "0".repeat(64)).manifest().get("Mech-Code"))
         .isEqualTo(model.generated().code());
   }
 

@@ -15,12 +15,11 @@ import java.util.StringTokenizer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.sim.compile.SolverClasses;
-import org.mechservice.sim.jar.Packing;
 import org.mechservice.sim.jar.ReproducibleJar;
 
-/** What tells whether the runtime JAR of the build is of the solver of this process. */
+/** The fingerprint of the solver: it decides whether the runtime JAR of the build is used. */
 final class SolverFingerprintTest {
-  private static final String ONE = "org/mechservice/solver/standalone/Launcher.class";
+  private static final String ONE = "org/mechservice/solver/standalone/RunModel.class";
 
   @TempDir Path directory;
 
@@ -34,9 +33,9 @@ final class SolverFingerprintTest {
     assertThat(fingerprintIn(jar(false))).isNotEqualTo(SolverClasses.fingerprint());
   }
 
-  /** Returns a JAR of the solver; if not true to it, with one byte of one class another. */
+  /** Returns a JAR of the solver; unless it is to be true, one byte of one class is changed. */
   private Path jar(boolean isTrue) throws Exception {
-    ReproducibleJar jar = new ReproducibleJar(Map.of(), Packing.QUICK);
+    ReproducibleJar jar = new ReproducibleJar(Map.of());
     SolverClasses.files().forEach(jar::add);
     if (!isTrue) {
       byte[] changed = Objects.requireNonNull(SolverClasses.file(ONE)).clone();

@@ -33,14 +33,13 @@ import org.mechservice.idl.SimEvent;
 import org.mechservice.idl.SimState;
 import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.SimulationSettings;
-import org.mechservice.sim.jar.Packing;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.CheckReport;
 import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.model.GeneratedFacts;
 import org.mechservice.sim.model.GeneratedModel;
+import org.mechservice.sim.model.JarImage;
 import org.mechservice.sim.model.ModelFactory;
-import org.mechservice.sim.model.PackedJar;
 import org.mechservice.sim.model.SourceFile;
 import org.mechservice.sim.user.UserFile;
 import org.mechservice.solver.api.RunRequest;
@@ -306,19 +305,19 @@ final class MechSimServant implements MechSimOperations {
   public byte[] compileToJar(NameValue[] options, JarInfoHolder info)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
     LoadedModel source = requireModel(options);
-    return packed(source, suiting(options, source), info, Packing.SMALLEST);
+    return packed(source, suiting(options, source), info);
   }
 
-  private byte[] packed(LoadedModel source, RunOptions asked, JarInfoHolder info, Packing packing)
+  private byte[] packed(LoadedModel source, RunOptions asked, JarInfoHolder info)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
     requireNoWarnings(source, asked);
     BuildOptions build = asked.forJar();
     CompiledModel compiled = Built.orRefused(() -> library.compiled(source, build, times));
     long start = System.nanoTime();
-    PackedJar jar =
+    JarImage jar =
         asked.standalone()
-            ? ModelFactory.standaloneJar(compiled, source.sha256(), packing)
-            : ModelFactory.modelJar(compiled, source.sha256(), packing);
+            ? ModelFactory.standaloneJar(compiled, source.sha256())
+            : ModelFactory.modelJar(compiled, source.sha256());
     String runtime = asked.standalone() ? "" : ModelFactory.runtimeJar().sha256();
     times.addPacking(System.nanoTime() - start);
     info.value =
@@ -339,13 +338,13 @@ final class MechSimServant implements MechSimOperations {
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
     LoadedModel source = requireModel(options);
     RunOptions asked = suiting(options, source);
-    byte[] jar = packed(source, asked, info, Packing.QUICK);
+    byte[] jar = packed(source, asked, info);
     facts.value = facts("", RunWarnings.facts(source, asked.formulation(), asked.settings()));
     return jar;
   }
 
   /** Returns the signature that travels beside a JAR; empty without TLS, where nobody has a key. */
-  private byte[] signature(PackedJar jar) {
+  private byte[] signature(JarImage jar) {
     return session
         .host()
         .orb()
@@ -356,13 +355,13 @@ final class MechSimServant implements MechSimOperations {
 
   @Override
   public RuntimeInfo getRuntimeInfo() {
-    PackedJar jar = ModelFactory.runtimeJar();
+    JarImage jar = ModelFactory.runtimeJar();
     return new RuntimeInfo(jar.sha256(), jar.bytes().length, signature(jar), SolverVersion.CURRENT);
   }
 
   @Override
   public byte[] fetchRuntime(String sha256) throws NotFound {
-    PackedJar jar = ModelFactory.runtimeJar();
+    JarImage jar = ModelFactory.runtimeJar();
     if (!jar.sha256().equals(sha256)) {
       throw Refusal.notFound("this server's runtime JAR is " + jar.sha256() + ", not " + sha256);
     }

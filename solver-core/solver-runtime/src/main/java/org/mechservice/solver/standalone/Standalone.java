@@ -83,7 +83,7 @@ public final class Standalone {
       }
       Simulation.requireColumns(model, options.request().columns(), built);
       return options.out().isEmpty() ? runWithoutFile(model, options) : runIntoFile(model, options);
-    } catch (UsageException | IllegalArgumentException | IOException e) {
+    } catch (OptionException | IllegalArgumentException | IOException e) {
       err.println(e.getMessage());
       return BAD_USAGE;
     }

@@ -58,11 +58,12 @@ record StandaloneOptions(
    * @param defaults settings the model was built with
    * @param available column groups the model was built with
    * @param shown those of them put out where nothing else is asked for
-   * @throws UsageException if an option is unknown, lacks its value, or has one that cannot be used
+   * @throws OptionException if an option is unknown, lacks its value, or has one that cannot be
+   *     used
    */
   static StandaloneOptions parse(
       String[] args, RunSettings defaults, Set<ColumnGroup> available, Set<ColumnGroup> shown)
-      throws UsageException {
+      throws OptionException {
     Parser parser = new Parser(args, available, shown);
     while (parser.next < args.length) {
       parser.take(args[parser.next++]);
@@ -117,7 +118,7 @@ record StandaloneOptions(
       columns = shown;
     }
 
-    void take(String word) throws UsageException {
+    void take(String word) throws OptionException {
       int equals = word.indexOf('=');
       String option = equals < 0 ? word : word.substring(0, equals);
       String inline = equals < 0 ? "" : word.substring(equals + 1);
@@ -135,15 +136,15 @@ record StandaloneOptions(
         case "--json" -> json = true;
         case "--help" -> help = true;
         default ->
-            throw new UsageException(
+            throw new OptionException(
                 MessageCode.STANDALONE_USAGE + " unknown option " + word + "\n" + HELP);
       }
     }
 
-    private void set(String assignment) throws UsageException {
+    private void set(String assignment) throws OptionException {
       int equals = assignment.indexOf('=');
       if (equals < 1) {
-        throw new UsageException(
+        throw new OptionException(
             MessageCode.STANDALONE_USAGE
                 + " --set takes PARAMETER=VALUE, not \""
                 + assignment
@@ -151,28 +152,28 @@ record StandaloneOptions(
       }
       String name = assignment.substring(0, equals).strip();
       if (parameters.put(name, assignment.substring(equals + 1)) != null) {
-        throw new UsageException(
+        throw new OptionException(
             MessageCode.STANDALONE_USAGE + " --set names parameter \"" + name + "\" twice");
       }
     }
 
-    private String value(String option, String inline) throws UsageException {
+    private String value(String option, String inline) throws OptionException {
       if (!inline.isEmpty()) {
         return inline;
       }
       if (next == args.length) {
-        throw new UsageException(MessageCode.STANDALONE_USAGE + " " + option + " lacks its value");
+        throw new OptionException(MessageCode.STANDALONE_USAGE + " " + option + " lacks its value");
       }
       return args[next++];
     }
 
-    private static List<Double> tolerances(String text) throws UsageException {
+    private static List<Double> tolerances(String text) throws OptionException {
       List<Double> tolerances = new ArrayList<>();
       for (String one : text.split(";", -1)) {
         tolerances.add(parse("--atol", one));
       }
       if (tolerances.size() != 1 && tolerances.size() != 4) {
-        throw new UsageException(
+        throw new OptionException(
             MessageCode.STANDALONE_USAGE
                 + " --atol takes one number or four, not \""
                 + text
@@ -181,20 +182,20 @@ record StandaloneOptions(
       return tolerances;
     }
 
-    private double number(String option, String inline) throws UsageException {
+    private double number(String option, String inline) throws OptionException {
       return parse(option, value(option, inline));
     }
 
-    private double positive(String option, String inline) throws UsageException {
+    private double positive(String option, String inline) throws OptionException {
       double number = number(option, inline);
       if (number <= 0) {
-        throw new UsageException(
+        throw new OptionException(
             MessageCode.STANDALONE_USAGE + " " + option + " must be positive, not " + number);
       }
       return number;
     }
 
-    private static double parse(String option, String text) throws UsageException {
+    private static double parse(String option, String text) throws OptionException {
       try {
         double number = Double.parseDouble(text);
         if (Double.isFinite(number)) {
@@ -203,7 +204,7 @@ record StandaloneOptions(
       } catch (NumberFormatException e) {
         // Said below, as for numbers that are not finite.
       }
-      throw new UsageException(
+      throw new OptionException(
           MessageCode.STANDALONE_USAGE
               + " "
               + option
@@ -212,7 +213,7 @@ record StandaloneOptions(
               + "\"");
     }
 
-    private Set<ColumnGroup> groups(String list) throws UsageException {
+    private Set<ColumnGroup> groups(String list) throws OptionException {
       if (list.equals("all")) {
         return available;
       }
@@ -223,7 +224,7 @@ record StandaloneOptions(
       return groups;
     }
 
-    private static ColumnGroup group(String name) throws UsageException {
+    private static ColumnGroup group(String name) throws OptionException {
       StringBuilder known = new StringBuilder();
       for (ColumnGroup group : ColumnGroup.values()) {
         if (group.label().equals(name)) {
@@ -231,7 +232,7 @@ record StandaloneOptions(
         }
         known.append(group.label()).append(", ");
       }
-      throw new UsageException(
+      throw new OptionException(
           MessageCode.STANDALONE_USAGE
               + " --columns: \""
               + name

@@ -1,0 +1,110 @@
+package org.mechservice.benchmarks.suite;
+
+import com.google.gson.Gson;
+import com.google.gson.JsonElement;
+import com.google.gson.reflect.TypeToken;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+
+/** A problem of the suite as its file has it: expressions, start, verified end. */
+final class SuiteProblem {
+  private static final String FILE = "/org/mechservice/benchmarks/suite/problems.json";
+
+  String id = "";
+  String title = "";
+  String klass = "";
+  String form = "";
+  int n;
+  Map<String, String> params = Map.of();
+  List<Named> aux = List.of();
+  List<String> rhs = List.of();
+  List<MassElement> mass = List.of();
+  List<String> residual = List.of();
+  String t0 = "0";
+  String t1 = "0";
+  List<String> y0 = List.of();
+  List<String> yp0 = List.of();
+  List<Integer> algebraic = List.of();
+  List<String> scale = List.of();
+  @Nullable JsonElement scd_components;
+  List<String> reference = List.of();
+  double digits;
+
+  /**
+   * An expression that others use.
+   *
+   * @param name by which
+   * @param expr its text
+   */
+  record Named(String name, String expr) {}
+
+  /**
+   * An element of the mass matrix; those not listed are zero.
+   *
+   * @param i row
+   * @param j column
+   * @param expr its text
+   */
+  record MassElement(int i, int j, String expr) {}
+
+  /** Returns all problems of the suite. */
+  static List<SuiteProblem> all() {
+    try (InputStream in = SuiteProblem.class.getResourceAsStream(FILE)) {
+      if (in == null) {
+        throw new IllegalStateException("resource " + FILE + " is missing");
+      }
+      return new Gson()
+          .fromJson(
+              new InputStreamReader(in, StandardCharsets.UTF_8),
+              new TypeToken<List<SuiteProblem>>() {});
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Returns whether y' can be had by solving for it: not of algebraic or implicit equations. */
+  boolean isExplicit() {
+    return !form.equals("residual") && !klass.startsWith("dae");
+  }
+
+  /** Returns whether stability limits explicit methods on it. */
+  boolean isStiff() {
+    return klass.contains("stiff") && !klass.equals("nonstiff");
+  }
+
+  /** Returns the components that count. */
+  int[] scored() {
+    if (scd_components == null || !scd_components.isJsonArray()) {
+      return IntStream.range(0, n).toArray();
+    }
+    return scd_components.getAsJsonArray().asList().stream()
+        .mapToInt(JsonElement::getAsInt)
+        .toArray();
+  }
+
+  /** Returns numbers written as text. */
+  static double[] numbers(List<String> texts) {
+    return texts.stream()
+        .mapToDouble(text -> Formula.of(text, name -> -1).at(new double[0]))
+        .toArray();
+  }
+
+  /** Returns the error of an end: the largest |y − ref| / (|ref| + scale) that counts. */
+  double error(double[] y) {
+    double[] expected = numbers(reference);
+    double[] scales = numbers(scale);
+    double largest = 0;
+    for (int i : scored()) {
+      double error = Math.abs(y[i] - expected[i]) / (Math.abs(expected[i]) + scales[i]);
+      largest = error >= 0 ? Math.max(largest, error) : Double.POSITIVE_INFINITY;
+    }
+    return largest;
+  }
+}

@@ -1,0 +1,109 @@
+package org.mechservice.report.measure;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.concurrent.TimeUnit;
+import org.mechservice.client.BuiltJar;
+
+/**
+ * Times first runs in Java machines of their own, start of the machine included. All JARs are run
+ * in turns, so that whatever slows the computer down hits all alike.
+ */
+public final class ColdRunTiming implements AutoCloseable {
+  private final Path folder;
+  private final Map<String, Path> jars = new LinkedHashMap<>();
+
+  /**
+   * @throws IOException if there is no place for temporary files
+   */
+  public ColdRunTiming() throws IOException {
+    folder = Files.createTempDirectory("mech-report");
+  }
+
+  /** Adds a standalone JAR, which starts with {@code java -jar}. */
+  public void add(String name, BuiltJar jar) throws IOException {
+    Path file = folder.resolve(jars.size() + ".jar");
+    Files.write(file, jar.bytes());
+    jars.put(name, file);
+  }
+
+  /**
+   * Runs every JAR some times.
+   *
+   * @param tolerance relative tolerance of the runs
+   * @param endTime of the runs, s
+   * @param times number of runs of each
+   * @param limitSeconds for one run, s
+   * @param progress hears of every run
+   * @return by name; none for a JAR of which a run fails or takes too long
+   */
+  public Map<String, ColdRunTimes> run(
+      double tolerance, double endTime, int times, double limitSeconds, ReportProgress progress)
+      throws IOException, InterruptedException {
+    Map<String, double[]> taken = new LinkedHashMap<>();
+    jars.keySet().forEach(name -> taken.put(name, new double[times]));
+    long started = System.nanoTime();
+    int done = 0;
+    for (int i = 0; i < times; i++) {
+      for (Map.Entry<String, Path> jar : jars.entrySet()) {
+        double elapsed = (System.nanoTime() - started) * 1e-9;
+        double left = done == 0 ? Double.NaN : elapsed / done * (times * jars.size() - done);
+        progress.at("first runs: " + jar.getKey(), 0.97, left);
+        done++;
+        double[] seconds = taken.get(jar.getKey());
+        OptionalDouble one =
+            seconds == null
+                ? OptionalDouble.empty()
+                : seconds(jar.getValue(), tolerance, endTime, limitSeconds);
+        if (one.isEmpty()) {
+          taken.remove(jar.getKey());
+        } else if (seconds != null) {
+          seconds[i] = one.getAsDouble();
+        }
+      }
+    }
+    Map<String, ColdRunTimes> runs = new LinkedHashMap<>();
+    taken.forEach((name, seconds) -> runs.put(name, ColdRunTimes.of(seconds)));
+    return runs;
+  }
+
+  private static OptionalDouble seconds(
+      Path jar, double tolerance, double endTime, double limitSeconds)
+      throws IOException, InterruptedException {
+    long started = System.nanoTime();
+    Process process =
+        new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-jar",
+                jar.toString(),
+                "--quiet",
+                "--t-end",
+                Double.toString(endTime),
+                "--rtol",
+                Double.toString(tolerance),
+                "--atol",
+                Double.toString(tolerance * MethodRunner.ABSOLUTE_PART))
+            .redirectErrorStream(true)
+            .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+            .start();
+    if (!process.waitFor((long) (1000 * limitSeconds), TimeUnit.MILLISECONDS)) {
+      process.destroyForcibly();
+      return OptionalDouble.empty();
+    }
+    return process.exitValue() == 0
+        ? OptionalDouble.of((System.nanoTime() - started) * 1e-9)
+        : OptionalDouble.empty();
+  }
+
+  @Override
+  public void close() throws IOException {
+    for (Path jar : jars.values()) {
+      Files.deleteIfExists(jar);
+    }
+    Files.deleteIfExists(folder);
+  }
+}

@@ -1,9 +1,0 @@
-package org.mechservice.report.method;
-
-/**
- * A method the scene cannot be run with.
- *
- * @param method the method
- * @param reason the service's, with its code
- */
-public record LeftOut(Method method, String reason) {}

@@ -1,0 +1,30 @@
+package org.mechservice.report.method;
+
+/**
+ * How a scene is simulated.
+ *
+ * @param formulation {@code DTR}, {@code DSR}, {@code RR} or {@code RR-JF}
+ * @param closure {@code none}, {@code projection} or {@code penalty}
+ * @param integrator {@code ode113}, {@code DE}, {@code ode15s} or {@code ode15sR}
+ */
+public record SimulationMethod(String formulation, String closure, String integrator) {
+  /** What a model without loops has for a closure. */
+  public static final String OPEN = "none";
+
+  /** Returns the method's name, such as {@code DSR penalty ode113}. */
+  public String name() {
+    String loops = closure.equals(OPEN) ? "" : closure + " ";
+    return formulation + " " + loops + integrator;
+  }
+
+  /** Returns the options of {@code mech simulate} that choose the method. */
+  public String options() {
+    String loops = closure.equals(OPEN) ? "" : " --closure " + closure;
+    return "--formulation " + formulation + loops + " --integrator " + integrator;
+  }
+
+  @Override
+  public String toString() {
+    return name();
+  }
+}

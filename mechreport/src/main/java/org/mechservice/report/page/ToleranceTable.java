@@ -1,0 +1,83 @@
+package org.mechservice.report.page;
+
+import java.util.List;
+import java.util.Locale;
+import org.mechservice.report.SceneFindings;
+import org.mechservice.report.measure.Point;
+import org.mechservice.report.method.SimulationMethod;
+
+/** Error achieved over tolerance asked for, per method and tolerance; flagged where dishonest. */
+final class ToleranceTable {
+  private final SceneFindings found;
+  private final CurveStyles styles;
+
+  ToleranceTable(SceneFindings found, CurveStyles styles) {
+    this.found = found;
+    this.styles = styles;
+  }
+
+  String html() {
+    double[] tolerances = found.effort().tolerances();
+    StringBuilder html = new StringBuilder();
+    html.append("<p class=\"note\">").append(summary()).append("</p>");
+    html.append("<div class=\"wide\"><table><tr><th>error ÷ tolerance");
+    for (double tolerance : tolerances) {
+      html.append("<th>").append(Html.tolerance(tolerance));
+    }
+    for (SimulationMethod method : found.methods()) {
+      html.append("\n<tr>").append(styles.name(method));
+      for (double tolerance : tolerances) {
+        html.append(cell(found.pointsOf(method.name()), tolerance));
+      }
+    }
+    return html.append("</table></div>").toString();
+  }
+
+  private String cell(List<Point> points, double tolerance) {
+    for (Point point : points) {
+      if (point.tolerance() == tolerance && point.completed()) {
+        boolean grey = point.error() <= found.floor();
+        boolean flagged = ReliabilityWarnings.dishonest(point, found.floor());
+        String css = grey ? "none" : flagged ? "flag" : "";
+        return "<td class=\"" + css + "\">" + ratio(point.error() / tolerance);
+      }
+    }
+    return "<td class=\"none\">failed";
+  }
+
+  private static String ratio(double ratio) {
+    return ratio >= 1e4 || ratio < 1e-2
+        ? Html.error(ratio)
+        : String.format(Locale.ROOT, ratio < 9.95 ? "%.2g" : "%.0f", ratio);
+  }
+
+  private String summary() {
+    List<Point> completed = found.points().stream().filter(Point::completed).toList();
+    long flagged =
+        completed.stream()
+            .filter(point -> ReliabilityWarnings.dishonest(point, found.floor()))
+            .count();
+    String sum =
+        flagged == 0
+            ? "All "
+                + completed.size()
+                + " runs that reached the end keep their tolerance within"
+                + " 0.01 to 100 times."
+            : "<b>"
+                + flagged
+                + " of "
+                + completed.size()
+                + "</b> runs that reached the end leave 0.01 to 100 times their tolerance (red).";
+    return sum + growth();
+  }
+
+  /** A scene that amplifies makes every method's errors larger than its tolerance. */
+  private String growth() {
+    double most = found.growth();
+    return most > 10
+        ? " The scene itself makes errors grow: a small change of the start up to "
+            + Html.factor(most)
+            + "."
+        : "";
+  }
+}

@@ -1,5 +1,0 @@
-/** The integrators alone, on problems with verified solutions, with peers in the same run. */
-@NullMarked
-package org.mechservice.report.suite;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,27 @@
+package org.mechservice.solver.text;
+
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import java.util.regex.Pattern;
+
+/** SHA-256 hashes as the service writes them: 64 lower-case hexadecimal digits. */
+public final class Sha256 {
+  private static final Pattern FORM = Pattern.compile("[0-9a-f]{64}");
+
+  private Sha256() {}
+
+  /** Returns the hash of bytes, which are not modified. */
+  public static String of(byte[] bytes) {
+    try {
+      return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException("every Java platform has SHA-256", e);
+    }
+  }
+
+  /** Returns whether a text has the form of a hash. */
+  public static boolean isHash(String text) {
+    return FORM.matcher(text).matches();
+  }
+}
