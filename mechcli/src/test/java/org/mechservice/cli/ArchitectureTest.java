@@ -5,6 +5,7 @@ import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyP
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideOutsideOfPackage;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 import static java.util.Map.entry;
 
 import com.tngtech.archunit.base.DescribedPredicate;
@@ -119,6 +120,11 @@ class ArchitectureTest {
             .flatMap(module -> packagesOf(module).stream())
             .toArray(String[]::new);
     classes().should().resideInAnyPackage(all).check(PRODUCT);
+  }
+
+  @Test
+  void packagesOfMechmlFormNoCircle() {
+    slices().matching(ROOT + "(mechml..)").should().beFreeOfCycles().check(PRODUCT);
   }
 
   @Test

@@ -1,6 +1,7 @@
 package org.mechservice.mechml;
 
 import java.util.List;
+import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
 

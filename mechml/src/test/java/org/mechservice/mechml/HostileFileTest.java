@@ -7,7 +7,9 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.document.Limits;
+import org.mechservice.mechml.resolve.MechmlReader;
 
 /** Files made to exhaust the reader are refused; ordinary large ones are read. */
 class HostileFileTest {

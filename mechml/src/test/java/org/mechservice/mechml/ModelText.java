@@ -1,6 +1,8 @@
 package org.mechservice.mechml;
 
 import java.nio.charset.StandardCharsets;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -33,7 +35,8 @@ public record ModelText(
         "name='link' point='p' vector='u'",
         "",
         "",
-        "<timeSet tini='0' tend='1' tstep='0.1'/><integrator name='DE' relTol='1e-5' absTol='1e-5'/>");
+        "<timeSet tini='0' tend='1' tstep='0.1'/><integrator name='DE' relTol='1e-5'"
+            + " absTol='1e-5'/>");
   }
 
   public ModelText withUnits(String text) {
@@ -67,15 +70,15 @@ public record ModelText(
   /** Returns the file. */
   public String text() {
     return """
-        <MechML>
-          <MBSsimulation><dynamic>%s</dynamic></MBSsimulation>
-          <MBSmodel name='Link' %s>
-            <Bodies><body name='Ground'>%s</body><body name='link'>%s</body></Bodies>
-            <Joints><joint name='j' type='%s'><body1 %s/><body2 %s/></joint></Joints>
-            <topology><root name='Ground'>%s</root><relCoorVals>%s</relCoorVals></topology>
-          </MBSmodel>
-        </MechML>
-        """
+    <MechML>
+      <MBSsimulation><dynamic>%s</dynamic></MBSsimulation>
+      <MBSmodel name='Link' %s>
+        <Bodies><body name='Ground'>%s</body><body name='link'>%s</body></Bodies>
+        <Joints><joint name='j' type='%s'><body1 %s/><body2 %s/></joint></Joints>
+        <topology><root name='Ground'>%s</root><relCoorVals>%s</relCoorVals></topology>
+      </MBSmodel>
+    </MechML>
+    """
         .formatted(simulation, units, ground, link, type, body1, body2, inipos, jointVal);
   }
 

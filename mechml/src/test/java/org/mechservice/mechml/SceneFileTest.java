@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.mechservice.mechml.resolve.MechmlReader;
 
 /** The examples' files hold the numbers of the reference scenes, which were written down apart. */
 class SceneFileTest {

@@ -11,9 +11,11 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.mechservice.mechml.expression.Evaluation;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.expression.ConstantEvaluation;
 import org.mechservice.mechml.expression.ExpressionParser;
 import org.mechservice.mechml.expression.Scope;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Joint;
@@ -77,9 +79,9 @@ class UnitsOfModelTest {
     ModelText model =
         ModelText.of("R")
             .withLink(
-                "<point name='p' x='3' y='1' z='0' unit='mm'/><vector name='u' vx='1' vy='0' vz='0'/>"
-                    + "<cog x='1' y='0' z='0' unit='in'/><mass value='7' unit='t'/>"
-                    + "<inertiaTensor Ixx='1' Iyy='2' Izz='3' unit='kg*cm^2'/>");
+                "<point name='p' x='3' y='1' z='0' unit='mm'/><vector name='u' vx='1' vy='0'"
+                    + " vz='0'/><cog x='1' y='0' z='0' unit='in'/><mass value='7'"
+                    + " unit='t'/><inertiaTensor Ixx='1' Iyy='2' Izz='3' unit='kg*cm^2'/>");
     Body link = model.mechanism().bodies().get(0);
     assertThat(model.joint().attachment().childPoint()).isEqualTo(new Vector3(0.003, 0.001, 0));
     assertThat(link.mass()).isEqualTo(7000);
@@ -174,7 +176,8 @@ class UnitsOfModelTest {
       delimiter = '|',
       value = {
         "C | vector='u' | vector='u' | 10;90 | 20;180 | 0.01;PI/2 | 0.02;PI",
-        "PL | vector='u' vector2='w' | vector='u' | 10;20;90 | 1;2;180 | 0.01;0.02;PI/2 | 1e-3;2e-3;PI",
+        "PL | vector='u' vector2='w' | vector='u' | 10;20;90 | 1;2;180 | 0.01;0.02;PI/2 |"
+            + " 1e-3;2e-3;PI",
         "U | vector='u' | vector='w' | 90;45 | 180;90 | PI/2;PI/4 | PI;PI/2",
         "S | | | 1;0;0;0 | 90;0;180 | 1;0;0;0 | PI/2;0;PI",
         "F | | | 1;0;0;0;1;2;3 | 90;0;0;4;5;6 | 1;0;0;0;1e-3;2e-3;3e-3 | PI/2;0;0;4e-3;5e-3;6e-3"
@@ -204,7 +207,7 @@ class UnitsOfModelTest {
     model.mechanism().initialState(y);
     List<Double> expected = new ArrayList<>();
     for (String number : (qSi + ";" + vSi).split(";", -1)) {
-      expected.add(Evaluation.of(ExpressionParser.parse(number.strip()), Scope.CONSTANTS));
+      expected.add(ConstantEvaluation.of(ExpressionParser.parse(number.strip()), Scope.CONSTANTS));
     }
     for (int i = 0; i < expected.size(); i++) {
       assertThat(y[i]).isCloseTo(expected.get(i), within(1e-15));

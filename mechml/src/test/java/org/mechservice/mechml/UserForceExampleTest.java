@@ -10,6 +10,8 @@ import java.util.Random;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.UserForceSource;
 import org.mechservice.solver.kinematics.TreeGeometry;

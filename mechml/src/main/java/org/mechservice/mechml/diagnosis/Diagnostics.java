@@ -5,12 +5,10 @@ import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
-import org.mechservice.mechml.Diagnostic;
-import org.mechservice.mechml.MechmlException;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.Severity;
 
-/** Collects what there is to say about one file; says the same thing at the same place once. */
+/** Collects what there is to say about one file; says the same thing at the same position once. */
 public final class Diagnostics {
   /** As many messages as somebody reads; a file with more has one cause for most of them. */
   public static final int MOST = 100;
@@ -34,21 +32,21 @@ public final class Diagnostics {
   }
 
   /** Adds what makes the model unusable. */
-  public void error(MessageCode code, Place place, String message) {
+  public void error(MessageCode code, SourcePosition position, String message) {
     errors = true;
-    add(Severity.ERROR, code, place, message);
+    add(Severity.ERROR, code, position, message);
   }
 
   /** Adds what is probably not meant. */
-  public void warning(MessageCode code, Place place, String message) {
-    add(Severity.WARNING, code, place, message);
+  public void warning(MessageCode code, SourcePosition position, String message) {
+    add(Severity.WARNING, code, position, message);
   }
 
-  private void add(Severity severity, MessageCode code, Place place, String message) {
+  private void add(Severity severity, MessageCode code, SourcePosition position, String message) {
     if (!isFull()) {
       found.add(
           new Diagnostic(
-              severity, code, message, file, place.line(), place.column(), place.path()));
+              severity, code, message, file, position.line(), position.column(), position.path()));
     }
   }
 

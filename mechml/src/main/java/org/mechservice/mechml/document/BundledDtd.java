@@ -18,11 +18,11 @@ final class BundledDtd implements EntityResolver2 {
   private static final String FILE = "mechml.dtd";
   private static final byte[] TEXT = load();
 
-  private final ParserPlace here;
+  private final ParserPosition here;
   private boolean served;
   private boolean unasked;
 
-  BundledDtd(ParserPlace here) {
+  BundledDtd(ParserPosition here) {
     this.here = here;
   }
 
@@ -65,9 +65,9 @@ final class BundledDtd implements EntityResolver2 {
       @Nullable String name, @Nullable String publicId, @Nullable String baseUri, String systemId)
       throws SAXException {
     if (!"[dtd]".equals(name) || !systemId.toLowerCase(Locale.ROOT).endsWith(FILE)) {
-      throw new Refusal(
+      throw new RejectedFileException(
           MessageCode.REFERS_TO_OTHER_FILE,
-          here.place(),
+          here.position(),
           Phrase.of(
               "the file refers to %s; only \"MechML.dtd\" may be named, and nothing is fetched",
               Quoted.of(systemId)));

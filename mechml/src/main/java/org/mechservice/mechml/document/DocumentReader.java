@@ -7,11 +7,11 @@ import java.util.Optional;
 import org.apache.xerces.parsers.DTDConfiguration;
 import org.apache.xerces.parsers.SAXParser;
 import org.apache.xerces.util.SecurityManager;
-import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.diagnosis.Phrase;
-import org.mechservice.mechml.diagnosis.Place;
 import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.mechml.diagnosis.SourcePosition;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.xml.sax.InputSource;
 import org.xml.sax.SAXException;
@@ -26,7 +26,7 @@ public final class DocumentReader {
   private static final String ROOT = "MechML";
 
   private final Diagnostics diagnostics;
-  private final ParserPlace here = new ParserPlace();
+  private final ParserPosition here = new ParserPosition();
   private final BundledDtd dtd = new BundledDtd(here);
   private final GrammarReader grammarReader = new GrammarReader(dtd, here);
   private final ElementBuilder builder;
@@ -77,15 +77,15 @@ public final class DocumentReader {
     Optional<Document> document = Optional.empty();
     try {
       document = parse(content, own);
-    } catch (Refusal refusal) {
-      diagnostics.error(refusal.code(), refusal.place(), refusal.text());
+    } catch (RejectedFileException refusal) {
+      diagnostics.error(refusal.code(), refusal.position(), refusal.text());
     } catch (SAXException | RuntimeException e) {
       // The parser has, rarely, exceptions of its own for bytes it cannot make sense of.
-      diagnostics.error(MessageCode.NOT_WELL_FORMED, here.place(), "this cannot be read as XML");
+      diagnostics.error(MessageCode.NOT_WELL_FORMED, here.position(), "this cannot be read as XML");
     } catch (IOException e) {
       diagnostics.error(
           MessageCode.UNREADABLE_TEXT,
-          here.place(),
+          here.position(),
           "the file is not written in the encoding it claims, UTF-8 if it claims none; save it as"
               + " UTF-8");
     }
@@ -97,9 +97,9 @@ public final class DocumentReader {
 
   private Optional<Document> parse(byte[] content, boolean own) throws SAXException, IOException {
     if (content.length > Limits.BYTES) {
-      throw new Refusal(
+      throw new RejectedFileException(
           MessageCode.MODEL_FILE_TOO_LARGE,
-          Place.FILE,
+          SourcePosition.FILE,
           Phrase.of("the file has %d bytes; %d are allowed", content.length, Limits.BYTES));
     }
     parser(own).parse(new InputSource(new ByteArrayInputStream(content)));
@@ -130,7 +130,7 @@ public final class DocumentReader {
     if (!root.name().equals(ROOT)) {
       diagnostics.error(
           MessageCode.UNKNOWN_ELEMENT,
-          root.place(),
+          root.position(),
           Phrase.of(
               "the outermost element is <%s>; that of a model file is <%s>",
               Quoted.plain(root.name()), ROOT));
@@ -142,7 +142,7 @@ public final class DocumentReader {
     if (!diagnostics.hasErrors()) {
       errors
           .invalidity()
-          .ifPresent(i -> diagnostics.error(MessageCode.INVALID_DOCUMENT, i.place(), i.text()));
+          .ifPresent(i -> diagnostics.error(MessageCode.INVALID_DOCUMENT, i.position(), i.text()));
     }
   }
 }

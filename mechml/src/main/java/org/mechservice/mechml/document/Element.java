@@ -3,8 +3,8 @@ package org.mechservice.mechml.document;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.mechservice.mechml.diagnosis.Place;
 import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.mechml.diagnosis.SourcePosition;
 
 /**
  * An element of a model file.
@@ -12,12 +12,16 @@ import org.mechservice.mechml.diagnosis.Quoted;
  * @param name name of the element, such as {@code joint}
  * @param attributes in file order
  * @param content elements and comments between its tags, in file order
- * @param place where its tag begins
+ * @param position where its tag begins
  * @param owner the nearest named element around it as {@link #label()} gives it, such as {@code
  *     body "bar1"}; empty if there is none
  */
 public record Element(
-    String name, List<Attribute> attributes, List<Content> content, Place place, String owner)
+    String name,
+    List<Attribute> attributes,
+    List<Content> content,
+    SourcePosition position,
+    String owner)
     implements Content {
   public Element {
     attributes = List.copyOf(attributes);

@@ -9,8 +9,8 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
-import org.mechservice.mechml.diagnosis.Place;
 import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.mechml.diagnosis.SourcePosition;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.xml.sax.Attributes;
 import org.xml.sax.Locator;
@@ -35,12 +35,12 @@ final class ElementBuilder extends DefaultHandler2 {
    */
   private record Open(Element head, List<Content> content) {
     Element close() {
-      return new Element(head.name(), head.attributes(), content, head.place(), head.owner());
+      return new Element(head.name(), head.attributes(), content, head.position(), head.owner());
     }
   }
 
   private final Diagnostics diagnostics;
-  private final ParserPlace here;
+  private final ParserPosition here;
   private final Deque<Open> open = new ArrayDeque<>();
   private final List<Comment> prolog = new ArrayList<>();
   private final List<Comment> epilog = new ArrayList<>();
@@ -56,9 +56,9 @@ final class ElementBuilder extends DefaultHandler2 {
    * Begins without elements.
    *
    * @param diagnostics takes text found between tags
-   * @param here always tells the parser's present place
+   * @param here always tells the parser's present position
    */
-  ElementBuilder(Diagnostics diagnostics, ParserPlace here) {
+  ElementBuilder(Diagnostics diagnostics, ParserPosition here) {
     this.diagnostics = diagnostics;
     this.here = here;
   }
@@ -96,17 +96,17 @@ final class ElementBuilder extends DefaultHandler2 {
       column = Math.max(1, here.column() - name.length() - 2);
     }
     List<Attribute> copy = copy(attributes);
-    Element head = new Element(name, copy, List.of(), place(name, attributes), owner());
+    Element head = new Element(name, copy, List.of(), position(name, attributes), owner());
     checkLimits(head);
     open.push(new Open(head, new ArrayList<>()));
     passed();
   }
 
-  private Place place(String name, Attributes attributes) {
-    String parentPath = innermost().map(e -> e.place().path() + "/").orElse("");
+  private SourcePosition position(String name, Attributes attributes) {
+    String parentPath = innermost().map(e -> e.position().path() + "/").orElse("");
     String ownName = attributes.getValue("name");
     String step = ownName == null ? name : name + "[" + ownName + "]";
-    return new Place(line, column, parentPath + Quoted.plain(step));
+    return new SourcePosition(line, column, parentPath + Quoted.plain(step));
   }
 
   private String owner() {
@@ -127,7 +127,7 @@ final class ElementBuilder extends DefaultHandler2 {
     return copy;
   }
 
-  private void checkLimits(Element element) throws Refusal {
+  private void checkLimits(Element element) throws RejectedFileException {
     elements++;
     if (elements > Limits.ELEMENTS) {
       throw tooLarge(element, "the file has more than " + Limits.ELEMENTS + " elements");
@@ -146,8 +146,8 @@ final class ElementBuilder extends DefaultHandler2 {
     }
   }
 
-  private static Refusal tooLarge(Element element, String message) {
-    return new Refusal(MessageCode.MODEL_FILE_TOO_LARGE, element.place(), message);
+  private static RejectedFileException tooLarge(Element element, String message) {
+    return new RejectedFileException(MessageCode.MODEL_FILE_TOO_LARGE, element.position(), message);
   }
 
   @Override
@@ -174,7 +174,7 @@ final class ElementBuilder extends DefaultHandler2 {
   private void reportText(Element element, String content) {
     diagnostics.error(
         MessageCode.STRAY_TEXT,
-        new Place(line, column, element.place().path()),
+        new SourcePosition(line, column, element.position().path()),
         Phrase.of(
             "%s: text %s stands between tags; values stand in attributes",
             element.label(), Quoted.of(content)));
@@ -194,8 +194,8 @@ final class ElementBuilder extends DefaultHandler2 {
   public void startDTD(String name, @Nullable String publicId, @Nullable String dtdId)
       throws SAXException {
     if (foreign) {
-      throw new Refusal(
-          MessageCode.DOCTYPE_DECLARES, here.place(), "the file has a DOCTYPE; leave it out");
+      throw new RejectedFileException(
+          MessageCode.DOCTYPE_DECLARES, here.position(), "the file has a DOCTYPE; leave it out");
     }
     inDtd = true;
     // Without DOCTYPE the parser announces the bundled grammar with the file's own id, which is

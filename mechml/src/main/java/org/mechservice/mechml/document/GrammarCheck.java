@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.Nearest;
+import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.solver.catalogue.MessageCode;
@@ -78,7 +78,7 @@ final class GrammarCheck {
   /** A name like no other stands for the one required attribute that is lacking. */
   private static Optional<String> meant(
       String name, Collection<String> known, Collection<String> lacking) {
-    Optional<String> nearest = Nearest.of(name, known);
+    Optional<String> nearest = NearestName.of(name, known);
     return nearest.isEmpty() && lacking.size() == 1 ? lacking.stream().findFirst() : nearest;
   }
 
@@ -103,7 +103,7 @@ final class GrammarCheck {
             attribute.name(),
             Quoted.of(attribute.value()),
             String.join(", ", rule.choices()),
-            Choices.meant(attribute.value(), rule.choices())
+            ValueSuggestion.meant(attribute.value(), rule.choices())
                 .map(meant -> "; did you mean " + Quoted.of(meant) + "?")
                 .orElse("")));
   }
@@ -119,7 +119,7 @@ final class GrammarCheck {
       given.add(child.name());
       if (grammar.content(child.name()).isEmpty()) {
         unknownElement(element, child, content);
-        Nearest.of(child.name(), grammar.elements()).ifPresent(given::add);
+        NearestName.of(child.name(), grammar.elements()).ifPresent(given::add);
       } else if (rest.next().contains(child.name())) {
         rest = rest.after(child.name());
       } else {
@@ -137,12 +137,12 @@ final class GrammarCheck {
 
   private void unknownElement(Element parent, Element child, ContentModel content) {
     String hint =
-        Nearest.of(child.name(), grammar.elements())
+        NearestName.of(child.name(), grammar.elements())
             .map(n -> "; did you mean <" + n + ">?")
             .orElse("; " + inside(parent, content));
     diagnostics.error(
         MessageCode.UNKNOWN_ELEMENT,
-        child.place(),
+        child.position(),
         Phrase.of("<%s> is not an element of MechML%s", Quoted.plain(child.name()), hint));
   }
 
@@ -153,7 +153,7 @@ final class GrammarCheck {
             : "does not belong here; ";
     diagnostics.error(
         MessageCode.WRONG_CONTENT,
-        child.place(),
+        child.position(),
         Phrase.of("%s: <%s> %s%s", parent.label(), child.name(), fault, inside(parent, content)));
   }
 
@@ -170,6 +170,6 @@ final class GrammarCheck {
   }
 
   private void error(MessageCode code, Element element, String message) {
-    diagnostics.error(code, element.place(), element.label() + ": " + message);
+    diagnostics.error(code, element.position(), element.label() + ": " + message);
   }
 }

@@ -14,15 +14,15 @@ import org.xml.sax.ext.DefaultHandler2;
 final class GrammarReader extends DefaultHandler2 {
   private final Grammar grammar = new Grammar();
   private final BundledDtd dtd;
-  private final ParserPlace here;
+  private final ParserPosition here;
 
   /**
    * Begins with an empty grammar.
    *
    * @param dtd says whether declarations are its own or the file's
-   * @param here place of the declaration being read
+   * @param here position of the declaration being read
    */
-  GrammarReader(BundledDtd dtd, ParserPlace here) {
+  GrammarReader(BundledDtd dtd, ParserPosition here) {
     this.dtd = dtd;
     this.here = here;
   }
@@ -56,9 +56,9 @@ final class GrammarReader extends DefaultHandler2 {
       refuseUnlessBundled("parameter entity " + Quoted.of(name.substring(1)));
     }
     if (value.length() > Limits.ENTITY_LENGTH) {
-      throw new Refusal(
+      throw new RejectedFileException(
           MessageCode.MODEL_FILE_TOO_LARGE,
-          here.place(),
+          here.position(),
           Phrase.of(
               "entity %s has %d characters; %d are allowed",
               Quoted.of(name), value.length(), Limits.ENTITY_LENGTH));
@@ -68,19 +68,19 @@ final class GrammarReader extends DefaultHandler2 {
   @Override
   public void externalEntityDecl(String name, String publicId, String systemId)
       throws SAXException {
-    throw new Refusal(
+    throw new RejectedFileException(
         MessageCode.REFERS_TO_OTHER_FILE,
-        here.place(),
+        here.position(),
         Phrase.of(
             "entity %s lies in another file, %s; a model file stands alone, nothing is fetched",
             Quoted.of(name), Quoted.of(systemId)));
   }
 
-  private void refuseUnlessBundled(String what) throws Refusal {
+  private void refuseUnlessBundled(String what) throws RejectedFileException {
     if (!dtd.isServed()) {
-      throw new Refusal(
+      throw new RejectedFileException(
           MessageCode.DOCTYPE_DECLARES,
-          here.place(),
+          here.position(),
           Phrase.of(
               "the DOCTYPE declares %s of its own; the language is that of mechml.dtd,"
                   + " only entities may be added",

@@ -5,7 +5,7 @@ import org.apache.xerces.xni.XNIException;
 import org.apache.xerces.xni.parser.XMLErrorHandler;
 import org.apache.xerces.xni.parser.XMLParseException;
 import org.mechservice.mechml.diagnosis.Phrase;
-import org.mechservice.mechml.diagnosis.Place;
+import org.mechservice.mechml.diagnosis.SourcePosition;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
@@ -16,10 +16,10 @@ final class ParserErrors implements XMLErrorHandler {
   /**
    * A complaint about validity.
    *
-   * @param place where the parser stood
+   * @param position where the parser stood
    * @param text the parser's sentence
    */
-  record Invalidity(Place place, String text) {}
+  record Invalidity(SourcePosition position, String text) {}
 
   private final ElementBuilder builder;
   private Optional<Invalidity> invalidity = Optional.empty();
@@ -47,13 +47,13 @@ final class ParserErrors implements XMLErrorHandler {
   public void error(String domain, String key, XMLParseException exception) {
     invalidities++;
     Invalidity first =
-        invalidity.orElseGet(() -> new Invalidity(place(exception), invalid(key, exception)));
+        invalidity.orElseGet(() -> new Invalidity(position(exception), invalid(key, exception)));
     invalidity = Optional.of(first);
     if (invalidities > Limits.INVALIDITIES) {
       throw new XNIException(
-          new Refusal(
+          new RejectedFileException(
               MessageCode.INVALID_DOCUMENT,
-              first.place(),
+              first.position(),
               first.text() + "; more than " + Limits.INVALIDITIES + " such faults follow"));
     }
   }
@@ -74,32 +74,33 @@ final class ParserErrors implements XMLErrorHandler {
               MessageCode.UNREADABLE_TEXT;
           default -> MessageCode.NOT_WELL_FORMED;
         };
-    throw new XNIException(new Refusal(code, place(exception), notWellFormed(key, exception)));
+    throw new XNIException(
+        new RejectedFileException(code, position(exception), notWellFormed(key, exception)));
   }
 
-  private static Place place(XMLParseException exception) {
-    return new Place(
+  private static SourcePosition position(XMLParseException exception) {
+    return new SourcePosition(
         Math.max(0, exception.getLineNumber()), Math.max(0, exception.getColumnNumber()), "");
   }
 
   private String invalid(String key, XMLParseException exception) {
     return key.startsWith("MSG_CONTENT_IN")
         ? innermost(" has something between its tags, if only a blank; it must be empty")
-        : ParserSentences.of(key, String.valueOf(exception.getMessage()));
+        : ParserMessages.of(key, String.valueOf(exception.getMessage()));
   }
 
   private String notWellFormed(String key, XMLParseException exception) {
     return switch (key) {
       case "ETagRequired" -> innermost(" is still open here; its end tag must come first");
       case "MarkupEntityMismatch" -> innermost(" is still open where the file ends");
-      default -> ParserSentences.of(key, String.valueOf(exception.getMessage()));
+      default -> ParserMessages.of(key, String.valueOf(exception.getMessage()));
     };
   }
 
   private String innermost(String predicate) {
     return builder
         .innermost()
-        .map(e -> Phrase.of("<%s> of line %d%s", e.name(), e.place().line(), predicate))
+        .map(e -> Phrase.of("<%s> of line %d%s", e.name(), e.position().line(), predicate))
         .orElse("the outermost element" + predicate);
   }
 }

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.regex.Pattern;
-import org.mechservice.mechml.diagnosis.Nearest;
+import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.unit.UnitSymbols;
@@ -170,7 +170,7 @@ public final class ExpressionParser {
               + Quoted.of(name.text())
               + Optional.ofNullable(ELSEWHERE.get(symbol))
                   .map(ours -> "; here it is " + Quoted.of(ours))
-                  .orElseGet(() -> Nearest.suggestion(symbol, Function.symbols())));
+                  .orElseGet(() -> NearestName.suggestion(symbol, Function.symbols())));
     }
     List<ParsedExpression> arguments = arguments();
     if (arguments.size() != function.arity()) {

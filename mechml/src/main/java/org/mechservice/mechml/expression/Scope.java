@@ -3,7 +3,7 @@ package org.mechservice.mechml.expression;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
-import org.mechservice.mechml.diagnosis.Nearest;
+import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.solver.catalogue.MessageCode;
 
@@ -44,6 +44,6 @@ public interface Scope {
             + " stands for nothing here"
             + (name.text().equals("time")
                 ? "; time is written t"
-                : Nearest.suggestion(name.text(), known)));
+                : NearestName.suggestion(name.text(), known)));
   }
 }

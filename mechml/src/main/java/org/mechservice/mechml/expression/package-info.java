@@ -1,5 +1,5 @@
 /**
- * The expressions that numeric attributes of MechML hold.
+ * Expressions in the numeric attributes of MechML: grammar, parser, constant evaluation.
  *
  * <pre>
  * sum     = product { ("+" | "-") product }
@@ -11,8 +11,14 @@
  * number  = digits [ "." [digits] ] [exponent]  |  "." digits [exponent]
  * </pre>
  *
- * <p>Text becomes a tree of {@link org.mechservice.mechml.expression.ParsedExpression}; what its
- * names stand for is the business of a {@link org.mechservice.mechml.expression.Scope}.
+ * <p>{@link org.mechservice.mechml.expression.ExpressionParser} turns text into a tree of {@link
+ * org.mechservice.mechml.expression.ParsedExpression}. {@link
+ * org.mechservice.mechml.expression.ConstantEvaluation} computes the value of a constant
+ * expression; a {@link org.mechservice.mechml.expression.Scope} gives the names their values. Every
+ * error is an {@link org.mechservice.mechml.expression.ExpressionException} with the character
+ * where it occurs.
+ *
+ * <p>All functions use {@code StrictMath}, so that every machine computes the same bits.
  */
 @NullMarked
 package org.mechservice.mechml.expression;

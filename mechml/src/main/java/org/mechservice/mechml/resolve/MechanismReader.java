@@ -9,6 +9,25 @@ import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.document.Limits;
+import org.mechservice.mechml.resolve.body.BodyDefinition;
+import org.mechservice.mechml.resolve.body.BodyIndex;
+import org.mechservice.mechml.resolve.body.BodyReader;
+import org.mechservice.mechml.resolve.body.RootReader;
+import org.mechservice.mechml.resolve.force.ForcesReader;
+import org.mechservice.mechml.resolve.force.JointAttributesReader;
+import org.mechservice.mechml.resolve.formula.FormulaReader;
+import org.mechservice.mechml.resolve.formula.MechanismNames;
+import org.mechservice.mechml.resolve.formula.ResolvedJoint;
+import org.mechservice.mechml.resolve.joint.ConstraintsReader;
+import org.mechservice.mechml.resolve.joint.DriveReader;
+import org.mechservice.mechml.resolve.joint.JointLink;
+import org.mechservice.mechml.resolve.joint.JointTree;
+import org.mechservice.mechml.resolve.joint.JointsReader;
+import org.mechservice.mechml.resolve.joint.MotionCheck;
+import org.mechservice.mechml.resolve.value.NameRule;
+import org.mechservice.mechml.resolve.value.NameTable;
+import org.mechservice.mechml.resolve.value.ResolvedParameter;
+import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
@@ -37,14 +56,14 @@ final class MechanismReader {
   private final JointsReader jointsReader;
   private final List<JointLink> links;
   private final JointTree tree;
-  private final ModelNames names;
+  private final MechanismNames names;
   private final FormulaReader formulas;
 
   private MechanismReader(
       Element model,
       ValueReader values,
       Diagnostics diagnostics,
-      NameTable<BodyParts> bodies,
+      NameTable<BodyDefinition> bodies,
       Optional<Root> root,
       BodyIndex index) {
     this.model = model;
@@ -55,7 +74,7 @@ final class MechanismReader {
     this.jointsReader = new JointsReader(values, bodies, index, diagnostics);
     this.links = jointsReader.read(joints(), jointVals());
     this.tree = new JointTree(links, index);
-    this.names = new ModelNames(bodies, index, diagnostics);
+    this.names = new MechanismNames(bodies, index, diagnostics);
     this.formulas = new FormulaReader(values, names, diagnostics);
     checkTree();
     placeJoints();
@@ -66,9 +85,9 @@ final class MechanismReader {
       Element model, ValueReader values, Diagnostics diagnostics) {
     NameRule.check(model, diagnostics);
     Element rootElement = model.requiredChild("topology").requiredChild("root");
-    NameTable<BodyParts> names = new NameTable<>("body", "does not exist", diagnostics);
-    List<BodyParts> bodies = bodies(model, names, values, diagnostics);
-    Optional<BodyParts> rootBody = names.find(rootElement, rootElement.required("name"));
+    NameTable<BodyDefinition> names = new NameTable<>("body", "does not exist", diagnostics);
+    List<BodyDefinition> bodies = bodies(model, names, values, diagnostics);
+    Optional<BodyDefinition> rootBody = names.find(rootElement, rootElement.required("name"));
     if (rootBody.isEmpty() || bodies.size() > Limits.BODIES) {
       return Optional.empty();
     }
@@ -78,19 +97,19 @@ final class MechanismReader {
             model, values, diagnostics, names, root, new BodyIndex(bodies, rootBody.get())));
   }
 
-  private static List<BodyParts> bodies(
-      Element model, NameTable<BodyParts> names, ValueReader values, Diagnostics diagnostics) {
+  private static List<BodyDefinition> bodies(
+      Element model, NameTable<BodyDefinition> names, ValueReader values, Diagnostics diagnostics) {
     List<Element> elements = model.requiredChild("Bodies").children("body");
     if (elements.size() > Limits.BODIES) {
       diagnostics.error(
           MessageCode.MODEL_FILE_TOO_LARGE,
-          model.place(),
+          model.position(),
           Phrase.of("the model has %d bodies; %d are allowed", elements.size(), Limits.BODIES));
     }
     BodyReader reader = new BodyReader(values, diagnostics);
-    List<BodyParts> bodies = new ArrayList<>();
+    List<BodyDefinition> bodies = new ArrayList<>();
     for (Element element : elements) {
-      BodyParts parts = reader.read(element);
+      BodyDefinition parts = reader.read(element);
       names.add(element, Optional.of(parts));
       bodies.add(parts);
     }
@@ -106,7 +125,7 @@ final class MechanismReader {
     if (index.moving().isEmpty()) {
       diagnostics.error(
           MessageCode.NOTHING_MOVES,
-          model.requiredChild("Bodies").place(),
+          model.requiredChild("Bodies").position(),
           Phrase.of(
               "%s is the only body, and it is the root: nothing moves",
               index.root().element().label()));
@@ -120,13 +139,13 @@ final class MechanismReader {
       JointLink link = links.get(j);
       boolean cut = tree.isCut(j);
       names.add(
-          new JointPlace(
+          new ResolvedJoint(
               link.element(), link.type(), cut, link.isDriven(), cut ? closures++ : inTree++));
     }
   }
 
   /** Returns what names stand for. */
-  ModelNames names() {
+  MechanismNames names() {
     return names;
   }
 
@@ -171,7 +190,10 @@ final class MechanismReader {
             model.required("name"),
             root.orElseThrow(),
             gravity.orElseThrow(),
-            index.moving().stream().map(BodyParts::body).flatMap(Optional<Body>::stream).toList(),
+            index.moving().stream()
+                .map(BodyDefinition::body)
+                .flatMap(Optional<Body>::stream)
+                .toList(),
             tree.outward(),
             motions,
             roles,
@@ -202,7 +224,7 @@ final class MechanismReader {
 
   private List<Parameter> parameters() {
     List<Parameter> parameters = new ArrayList<>();
-    for (NamedNumber tunable : values.parameters().tunable()) {
+    for (ResolvedParameter tunable : values.parameters().tunable()) {
       parameters.add(
           new Parameter(
               tunable.name(),

@@ -2,12 +2,17 @@ package org.mechservice.mechml.resolve;
 
 import java.util.List;
 import java.util.Optional;
-import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.resolve.simulation.EventsReader;
+import org.mechservice.mechml.resolve.simulation.SimulationsReader;
+import org.mechservice.mechml.resolve.value.ParameterTable;
+import org.mechservice.mechml.resolve.value.ParametersReader;
+import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Unit;
 import org.mechservice.mechml.unit.UnitSymbols;
 import org.mechservice.mechml.unit.UnitSystem;

@@ -7,6 +7,12 @@ import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.resolve.formula.FormulaReader;
+import org.mechservice.mechml.resolve.formula.FormulaRole;
+import org.mechservice.mechml.resolve.formula.MechanismNames;
+import org.mechservice.mechml.resolve.value.AttributeText;
+import org.mechservice.mechml.resolve.value.NameTable;
+import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Unit;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Output;
@@ -15,11 +21,11 @@ import org.mechservice.solver.mechanism.Output;
 final class OutputsReader {
   private final ValueReader values;
   private final FormulaReader formulas;
-  private final ModelNames names;
+  private final MechanismNames names;
   private final Diagnostics diagnostics;
 
   OutputsReader(
-      ValueReader values, FormulaReader formulas, ModelNames names, Diagnostics diagnostics) {
+      ValueReader values, FormulaReader formulas, MechanismNames names, Diagnostics diagnostics) {
     this.values = values;
     this.formulas = formulas;
     this.names = names;
@@ -75,6 +81,6 @@ final class OutputsReader {
 
   private void error(Element element, String message) {
     diagnostics.error(
-        MessageCode.OUTPUT_INCOMPLETE, element.place(), element.label() + ": " + message);
+        MessageCode.OUTPUT_INCOMPLETE, element.position(), element.label() + ": " + message);
   }
 }

@@ -4,6 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.mechml.resolve.body.BodyDefinition;
+import org.mechservice.mechml.resolve.formula.MechanismNames;
+import org.mechservice.mechml.resolve.value.ParameterTable;
+import org.mechservice.mechml.resolve.value.ResolvedParameter;
 
 /** What a file defines and nothing in it refers to: often a slip, never an error. */
 final class UnusedNames {
@@ -14,14 +18,14 @@ final class UnusedNames {
    *
    * @param byClasses whether classes of users may refer to points and tunable parameters
    */
-  static List<String> of(ModelNames names, ParameterTable parameters, boolean byClasses) {
+  static List<String> of(MechanismNames names, ParameterTable parameters, boolean byClasses) {
     List<String> unused = new ArrayList<>();
-    for (NamedNumber parameter : parameters.unused()) {
+    for (ResolvedParameter parameter : parameters.unused()) {
       if (!(byClasses && parameter.tunable())) {
         unused.add("parameter " + Quoted.of(parameter.name()));
       }
     }
-    for (BodyParts body : names.bodies()) {
+    for (BodyDefinition body : names.bodies()) {
       if (!byClasses) {
         add(unused, "point", body.points().unused(), body);
       }
@@ -30,7 +34,8 @@ final class UnusedNames {
     return unused;
   }
 
-  private static void add(List<String> unused, String kind, List<String> names, BodyParts body) {
+  private static void add(
+      List<String> unused, String kind, List<String> names, BodyDefinition body) {
     for (String name : names) {
       unused.add(Phrase.of("%s %s of body %s", kind, Quoted.of(name), Quoted.of(body.name())));
     }

@@ -2,7 +2,7 @@ package org.mechservice.mechml.unit;
 
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.mechservice.mechml.diagnosis.Nearest;
+import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Quoted;
 
 /**
@@ -65,7 +65,7 @@ public final class UnitParser {
                 new UnitException(
                     Quoted.of(text)
                         + " is not a unit"
-                        + Nearest.of(symbol, UnitSymbols.all())
+                        + NearestName.of(symbol, UnitSymbols.all())
                             .map(n -> "; did you mean " + Quoted.of(n) + "?")
                             .orElse("; known are " + String.join(", ", UnitSymbols.all()))));
   }

@@ -33,7 +33,7 @@ final class MechmlRobot {
   }
 
   Document document() {
-    Tag mechml = new Tag("MechML").add(simulation()).add(model());
+    TagBuilder mechml = new TagBuilder("MechML").add(simulation()).add(model());
     List<Comment> prolog =
         List.of(
             new Comment(
@@ -44,31 +44,31 @@ final class MechmlRobot {
     return new Document(Optional.of("mechml.dtd"), prolog, mechml.element(), List.of());
   }
 
-  private static Tag simulation() {
-    Tag dynamic =
-        new Tag("dynamic")
-            .add(new Tag("timeSet").set("tini", "0").set("tend", "1").set("tstep", "0.01"))
+  private static TagBuilder simulation() {
+    TagBuilder dynamic =
+        new TagBuilder("dynamic")
+            .add(new TagBuilder("timeSet").set("tini", "0").set("tend", "1").set("tstep", "0.01"))
             .add(
-                new Tag("integrator")
+                new TagBuilder("integrator")
                     .set("name", "auto")
                     .set("relTol", "1e-6")
                     .set("absTol", "1e-8"));
-    return new Tag("MBSsimulation").add(dynamic);
+    return new TagBuilder("MBSsimulation").add(dynamic);
   }
 
   private Element model() {
-    Tag bodies = new Tag("Bodies");
-    Tag all = new Tag("Joints");
-    Tag couplings = new Tag("Constraints");
-    Tag start = new Tag("relCoorVals");
+    TagBuilder bodies = new TagBuilder("Bodies");
+    TagBuilder all = new TagBuilder("Joints");
+    TagBuilder couplings = new TagBuilder("Constraints");
+    TagBuilder start = new TagBuilder("relCoorVals");
     robot.links().forEach(link -> bodies.add(body(link)));
     for (Joint joint : robot.joints()) {
       all.add(joints.joint(joint));
       joint.mimic().ifPresent(mimic -> couplings.add(coupling(joint, mimic)));
       joints.start(joint).ifPresent(start::add);
     }
-    Tag model =
-        new Tag("MBSmodel")
+    TagBuilder model =
+        new TagBuilder("MBSmodel")
             .set("name", robot.name())
             .set("massUnits", "kg")
             .set("lengthUnits", "m");
@@ -76,30 +76,33 @@ final class MechmlRobot {
     return model
         .addUnlessEmpty(couplings)
         .add(
-            new Tag("Forces")
-                .add(new Tag("gravity").set("gx", "0").set("gy", "0").set("gz", GRAVITY)))
+            new TagBuilder("Forces")
+                .add(new TagBuilder("gravity").set("gx", "0").set("gy", "0").set("gz", GRAVITY)))
         .add(
-            new Tag("topology").add(new Tag("root").set("name", tree.root())).addUnlessEmpty(start))
+            new TagBuilder("topology")
+                .add(new TagBuilder("root").set("name", tree.root()))
+                .addUnlessEmpty(start))
         .element();
   }
 
   private Element body(Link link) {
-    Tag body = Tag.of("body", link.element()).set("name", link.name());
+    TagBuilder body = TagBuilder.of("body", link.element()).set("name", link.name());
     link.mesh().ifPresent(mesh -> body.set("graphSrc", mesh));
     joints.frames(link.name()).forEach(body::add);
     link.inertial().ifPresent(inertial -> inertia(body, inertial));
     return body.element();
   }
 
-  private static void inertia(Tag body, Inertial inertial) {
+  private static void inertia(TagBuilder body, Inertial inertial) {
     Vector3 cog = inertial.frame().at();
     Element from = inertial.element();
     if (!cog.equals(Vector3.ZERO)) {
-      body.add(Tag.of("cog", from, body).set("x", cog.x()).set("y", cog.y()).set("z", cog.z()));
+      body.add(
+          TagBuilder.of("cog", from, body).set("x", cog.x()).set("y", cog.y()).set("z", cog.z()));
     }
-    body.add(Tag.of("mass", from, body).set("value", inertial.mass()));
+    body.add(TagBuilder.of("mass", from, body).set("value", inertial.mass()));
     double[] m = turned(inertial.frame().turn(), inertial.moments());
-    Tag tensor = Tag.of("inertiaTensor", from, body);
+    TagBuilder tensor = TagBuilder.of("inertiaTensor", from, body);
     List<String> names = List.of("Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz");
     for (int i = 0; i < m.length; i++) {
       tensor.set(names.get(i), m[i]);
@@ -126,15 +129,17 @@ final class MechmlRobot {
   }
 
   private static Element coupling(Joint joint, Mimic mimic) {
-    Tag coupling =
-        Tag.of("CoordConstraint", mimic.element())
+    TagBuilder coupling =
+        TagBuilder.of("CoordConstraint", mimic.element())
             .set("name", joint.name() + " follows " + mimic.joint())
             .set("constant", mimic.offset());
     return coupling
         .add(
-            Tag.of("term", mimic.element(), coupling).set("joint", joint.name()).set("factor", "1"))
+            TagBuilder.of("term", mimic.element(), coupling)
+                .set("joint", joint.name())
+                .set("factor", "1"))
         .add(
-            Tag.of("term", mimic.element(), coupling)
+            TagBuilder.of("term", mimic.element(), coupling)
                 .set("joint", mimic.joint())
                 .set("factor", -mimic.multiplier()))
         .element();

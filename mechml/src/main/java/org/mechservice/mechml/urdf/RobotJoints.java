@@ -55,12 +55,12 @@ final class RobotJoints {
   }
 
   /** Returns what the joints need that URDF does not say, as parameters. */
-  Tag parameters() {
-    Tag parameters = new Tag("Parameters");
+  TagBuilder parameters() {
+    TagBuilder parameters = new TagBuilder("Parameters");
     for (Assumption assumption : Assumption.values()) {
       if (robot.joints().stream().anyMatch(joint -> needs(joint, assumption))) {
         parameters.add(
-            new Tag("parameter")
+            new TagBuilder("parameter")
                 .set("name", assumption.parameter)
                 .set("value", assumption.value)
                 .set("unit", assumption.unit));
@@ -80,18 +80,19 @@ final class RobotJoints {
   }
 
   /** Returns the points and vectors of a link. */
-  List<Tag> frames(String link) {
-    List<Tag> frames = new ArrayList<>();
+  List<TagBuilder> frames(String link) {
+    List<TagBuilder> frames = new ArrayList<>();
     for (Joint joint : robot.joints()) {
       Rotation turn = joint.frame().turn();
       if (joint.parent().equals(link)) {
-        frames.add(point(Tag.of("point", joint.element()), joint.name(), joint.frame().at()));
+        frames.add(
+            point(TagBuilder.of("point", joint.element()), joint.name(), joint.frame().at()));
         if (hasVectors(joint)) {
           frames.add(vector(joint, "_axis", turn.apply(joint.axis())));
           frames.add(vector(joint, "_side", turn.apply(across(joint.axis()))));
         }
       } else if (joint.child().equals(link)) {
-        frames.add(point(Tag.of("point", joint.element()), origin, Vector3.ZERO));
+        frames.add(point(TagBuilder.of("point", joint.element()), origin, Vector3.ZERO));
         if (hasVectors(joint)) {
           frames.add(vector(joint, "_axis", joint.axis()));
           frames.add(vector(joint, "_side", across(joint.axis())));
@@ -105,12 +106,12 @@ final class RobotJoints {
     return joint.type() != Freedom.FLOATING;
   }
 
-  private static Tag point(Tag point, String name, Vector3 at) {
+  private static TagBuilder point(TagBuilder point, String name, Vector3 at) {
     return point.set("name", name).set("x", at.x()).set("y", at.y()).set("z", at.z());
   }
 
-  private static Tag vector(Joint joint, String end, Vector3 v) {
-    return Tag.of("vector", joint.element())
+  private static TagBuilder vector(Joint joint, String end, Vector3 v) {
+    return TagBuilder.of("vector", joint.element())
         .set("name", joint.name() + end)
         .set("vx", v.x())
         .set("vy", v.y())
@@ -131,8 +132,8 @@ final class RobotJoints {
 
   /** Returns a joint. */
   Element joint(Joint joint) {
-    Tag tag =
-        Tag.of("joint", joint.element())
+    TagBuilder tag =
+        TagBuilder.of("joint", joint.element())
             .set("name", joint.name())
             .set("type", letter(joint.type()));
     if (joint.damping() > 0) {
@@ -166,15 +167,17 @@ final class RobotJoints {
     };
   }
 
-  private static Tag end(Tag joint, Joint from, String name, String body, String point) {
-    Tag end = Tag.of(name, from.element(), joint).set("name", body).set("point", point);
+  private static TagBuilder end(
+      TagBuilder joint, Joint from, String name, String body, String point) {
+    TagBuilder end =
+        TagBuilder.of(name, from.element(), joint).set("name", body).set("point", point);
     return hasVectors(from)
         ? end.set("vector", from.name() + "_axis").set("vector2", from.name() + "_side")
         : end;
   }
 
   /** Returns where a joint is at the start, unless that is at zero in its own words. */
-  Optional<Tag> start(Joint joint) {
+  Optional<TagBuilder> start(Joint joint) {
     if (joint.type() == Freedom.FLOATING) {
       String turn =
           joint.frame().eulerParameters().stream()
@@ -186,7 +189,7 @@ final class RobotJoints {
     return position == 0 ? Optional.empty() : Optional.of(value(joint).set("posVals", position));
   }
 
-  private static Tag value(Joint joint) {
-    return Tag.of("jointVal", joint.element()).set("name", joint.name());
+  private static TagBuilder value(Joint joint) {
+    return TagBuilder.of("jointVal", joint.element()).set("name", joint.name());
   }
 }

@@ -1,11 +1,11 @@
 package org.mechservice.mechml.urdf;
 
 import java.util.List;
-import org.mechservice.mechml.Diagnostic;
-import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
+import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Document;
@@ -40,7 +40,7 @@ public record UrdfImport(Document document, List<Diagnostic> losses, MechmlModel
     Diagnostics diagnostics = new Diagnostics(fileName);
     Element robot = DocumentReader.readForeign(content, diagnostics);
     requireRobot(robot, diagnostics);
-    Losses losses = new Losses(fileName);
+    ImportLosses losses = new ImportLosses(fileName);
     UrdfRobot read = new UrdfReader(diagnostics, losses).read(robot);
     diagnostics.throwIfErrors();
     UrdfTree tree = UrdfTree.of(read, diagnostics);
@@ -55,7 +55,7 @@ public record UrdfImport(Document document, List<Diagnostic> losses, MechmlModel
     if (!robot.name().equals(ROBOT)) {
       diagnostics.error(
           MessageCode.NOT_URDF,
-          robot.place(),
+          robot.position(),
           Phrase.of(
               "the outermost element is <%s>; that of a URDF file is <robot>",
               Quoted.plain(robot.name())));
@@ -67,7 +67,7 @@ public record UrdfImport(Document document, List<Diagnostic> losses, MechmlModel
             xacro ->
                 diagnostics.error(
                     MessageCode.NOT_URDF,
-                    xacro.place(),
+                    xacro.position(),
                     Phrase.of(
                         "<%s> is a macro; let xacro write the URDF file first",
                         Quoted.plain(xacro.name()))));

@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.Nearest;
+import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
@@ -28,9 +28,9 @@ final class UrdfJointReader {
 
   private final UrdfNumbers numbers;
   private final Diagnostics diagnostics;
-  private final Losses losses;
+  private final ImportLosses losses;
 
-  UrdfJointReader(UrdfNumbers numbers, Diagnostics diagnostics, Losses losses) {
+  UrdfJointReader(UrdfNumbers numbers, Diagnostics diagnostics, ImportLosses losses) {
     this.numbers = numbers;
     this.diagnostics = diagnostics;
     this.losses = losses;
@@ -85,13 +85,13 @@ final class UrdfJointReader {
     if (known.isEmpty()) {
       diagnostics.error(
           MessageCode.VALUE_NOT_IN_LIST,
-          element.place(),
+          element.position(),
           Phrase.of(
               "%s: type is %s; a robot's joint is %s%s",
               element.label(),
               Quoted.of(name.get()),
               String.join(", ", TYPES),
-              Nearest.suggestion(name.get(), TYPES)));
+              NearestName.suggestion(name.get(), TYPES)));
     }
     return known;
   }
@@ -117,7 +117,7 @@ final class UrdfJointReader {
     if (!(axis.norm() > 0)) {
       diagnostics.error(
           MessageCode.ZERO_VECTOR,
-          found.get().place(),
+          found.get().position(),
           Phrase.of("%s: it is zero and has no direction", found.get().label()));
       return DEFAULT_AXIS;
     }
@@ -129,7 +129,7 @@ final class UrdfJointReader {
     if (value < 0) {
       diagnostics.error(
           MessageCode.URDF_JOINT,
-          dynamics.place(),
+          dynamics.position(),
           Phrase.of("%s: %s is %s; it must not be negative", dynamics.label(), attribute, value));
     }
     return value;
@@ -153,7 +153,7 @@ final class UrdfJointReader {
     if (range.lower() > range.upper()) {
       diagnostics.error(
           MessageCode.URDF_JOINT,
-          limit.place(),
+          limit.position(),
           Phrase.of(
               "%s: lower is %s and upper %s; lower must not be above upper",
               limit.label(), range.lower(), range.upper()));

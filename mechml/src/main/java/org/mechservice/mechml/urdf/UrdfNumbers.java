@@ -36,7 +36,7 @@ final class UrdfNumbers {
   void missing(Element element, String what) {
     diagnostics.error(
         MessageCode.URDF_MISSING,
-        element.place(),
+        element.position(),
         Phrase.of("%s lacks its %s", element.label(), what));
   }
 
@@ -75,7 +75,7 @@ final class UrdfNumbers {
     if (numbers.size() != count || numbers.stream().anyMatch(x -> !Double.isFinite(x))) {
       diagnostics.error(
           MessageCode.URDF_NUMBER,
-          element.place(),
+          element.position(),
           Phrase.of(
               "%s: %s is %s; it must be %s",
               element.label(),

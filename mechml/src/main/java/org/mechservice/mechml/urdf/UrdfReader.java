@@ -22,7 +22,7 @@ final class UrdfReader {
   private static final Set<String> OF_LINK = Set.of("inertial", "visual", "collision");
 
   private final Diagnostics diagnostics;
-  private final Losses losses;
+  private final ImportLosses losses;
   private final UrdfNumbers numbers;
   private final UrdfJointReader joints;
 
@@ -30,7 +30,7 @@ final class UrdfReader {
    * @param diagnostics takes what is wrong
    * @param losses takes what MechML has no word for
    */
-  UrdfReader(Diagnostics diagnostics, Losses losses) {
+  UrdfReader(Diagnostics diagnostics, ImportLosses losses) {
     this.diagnostics = diagnostics;
     this.losses = losses;
     numbers = new UrdfNumbers(diagnostics);
@@ -71,7 +71,7 @@ final class UrdfReader {
     } else if (!taken.add(name.get())) {
       diagnostics.error(
           MessageCode.DUPLICATE_NAME,
-          element.place(),
+          element.position(),
           Phrase.of("there is another %s %s", element.name(), Quoted.of(name.get())));
       return false;
     }

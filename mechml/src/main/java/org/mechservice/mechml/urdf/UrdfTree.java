@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.Nearest;
+import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
@@ -53,7 +53,7 @@ record UrdfTree(String root, Map<String, Double> start) {
     }
 
     private void error(MessageCode code, Element element, String text) {
-      diagnostics.error(code, element.place(), element.label() + ": " + text);
+      diagnostics.error(code, element.position(), element.label() + ": " + text);
     }
 
     void requireLinks() {
@@ -99,7 +99,7 @@ record UrdfTree(String root, Map<String, Double> start) {
             joint.element(),
             Phrase.of(
                 "its %s, link %s, does not exist%s",
-                end, Quoted.of(name), Nearest.suggestion(name, links.keySet())));
+                end, Quoted.of(name), NearestName.suggestion(name, links.keySet())));
       }
     }
 
@@ -144,7 +144,7 @@ record UrdfTree(String root, Map<String, Double> start) {
                 "joint %s %s%s",
                 Quoted.of(mimic.joint()),
                 other == null ? "does not exist" : "has no coordinate to follow",
-                Nearest.suggestion(mimic.joint(), joints.keySet())));
+                NearestName.suggestion(mimic.joint(), joints.keySet())));
         return 0;
       } else if (!asked.add(joint.name())) {
         error(MessageCode.URDF_JOINT, mimic.element(), "the joint follows itself in the end");

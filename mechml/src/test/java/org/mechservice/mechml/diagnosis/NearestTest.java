@@ -17,18 +17,18 @@ class NearestTest {
     "Grund, Ground"
   })
   void slipsOfTheKeyboardAreRecognised(String word, String meant) {
-    assertThat(Nearest.of(word, List.of("Ground", "wheel", "bar"))).contains(meant);
+    assertThat(NearestName.of(word, List.of("Ground", "wheel", "bar"))).contains(meant);
   }
 
   @ParameterizedTest
   @CsvSource({"chassis", "be", "w"})
   void wordsThatAreFarFromAllSuggestNothing(String word) {
-    assertThat(Nearest.of(word, List.of("Ground", "wheel", "bar"))).isEmpty();
+    assertThat(NearestName.of(word, List.of("Ground", "wheel", "bar"))).isEmpty();
   }
 
   @ParameterizedTest
   @CsvSource({"bar9, bar1"})
   void theFirstOfEquallyNearOnesIsSuggested(String word, String meant) {
-    assertThat(Nearest.of(word, List.of("bar1", "bar2", "bar3"))).contains(meant);
+    assertThat(NearestName.of(word, List.of("bar1", "bar2", "bar3"))).contains(meant);
   }
 }

@@ -11,9 +11,9 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.mechservice.mechml.MechmlException;
-import org.mechservice.mechml.MechmlReader;
 import org.mechservice.mechml.Resources;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.resolve.MechmlReader;
 
 /** What is written is what was read. */
 class DocumentWriterTest {

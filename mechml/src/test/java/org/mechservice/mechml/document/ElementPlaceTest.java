@@ -7,9 +7,9 @@ import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.Resources;
 import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.MechmlException;
 
 /** Every element knows where its tag begins. */
 class ElementPlaceTest {
@@ -20,7 +20,7 @@ class ElementPlaceTest {
   /** Asserts that the text at each element's place is its tag. */
   private static void assertPlaces(Element element, String text) {
     String[] lines = text.split("\r\n|\n", -1);
-    String rest = lines[element.place().line() - 1].substring(element.place().column() - 1);
+    String rest = lines[element.position().line() - 1].substring(element.position().column() - 1);
     assertThat(rest).startsWith("<" + element.name());
     element.attribute("name").ifPresent(name -> assertThat(rest).contains(name));
     element.children().forEach(child -> assertPlaces(child, text));
@@ -76,7 +76,7 @@ class ElementPlaceTest {
             .children("joint")
             .get(1)
             .requiredChild("body2");
-    assertThat(body2.place().path())
+    assertThat(body2.position().path())
         .isEqualTo("MechML/MBSmodel[SlidingPendulum]/Joints/joint[hinge]/body2[bar]");
   }
 }

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class ExpressionTest {
   private static double value(String text) throws ExpressionException {
-    return Evaluation.of(ExpressionParser.parse(text), Scope.CONSTANTS);
+    return ConstantEvaluation.of(ExpressionParser.parse(text), Scope.CONSTANTS);
   }
 
   @ParameterizedTest
@@ -124,15 +124,19 @@ class ExpressionTest {
         "1+           | 2 | expected a number, a name or \"(\", found the end",
         "(1           | 2 | expected an operator or \")\", found the end",
         "1)           | 1 | expected an operator or the end, found \")\"",
-        "0,5          | 1 | expected an operator or the end, found \",\"; decimals have a point, lists are separated by \";\"",
+        "0,5          | 1 | expected an operator or the end, found \",\"; decimals have a point,"
+            + " lists are separated by \";\"",
         "1e           | 1 | expected an operator or the end, found \"e\"",
         "0x10         | 1 | expected an operator or the end, found \"x10\"",
         "1.2.3        | 3 | expected an operator or the end, found \".3\"",
         "a.           | 2 | expected a name, found the end",
         "1 # 2        | 2 | \"#\" has no meaning here",
-        "max(1;2)     | 5 | \";\" has no meaning here; no list may stand here, and arguments are separated by \",\"",
-        "1>2          | 1 | \">\" has no meaning here; a choice is written with step, smoothStep, min or max",
-        "30\u00b0     | 2 | \"\u00b0\" has no meaning here; degrees are asked for by angleUnits or unit",
+        "max(1;2)     | 5 | \";\" has no meaning here; no list may stand here, and arguments are"
+            + " separated by \",\"",
+        "1>2          | 1 | \">\" has no meaning here; a choice is written with step, smoothStep,"
+            + " min or max",
+        "30\u00b0     | 2 | \"\u00b0\" has no meaning here; degrees are asked for by angleUnits or"
+            + " unit",
         "sgn(4)       | 0 | there is no function \"sgn\"; here it is \"signum\"",
         "arctan(4)    | 0 | there is no function \"arctan\"; here it is \"atan\"",
         "sin()        | 4 | expected a number, a name or \"(\", found \")\"",
@@ -158,7 +162,8 @@ class ExpressionTest {
   @Test
   void scopesGiveNamesTheirValue() throws ExpressionException {
     ParsedExpression expression = ExpressionParser.parse("2*m + knee.q");
-    assertThat(Evaluation.of(expression, name -> name.text().equals("m") ? 10 : 1)).isEqualTo(21);
+    assertThat(ConstantEvaluation.of(expression, name -> name.text().equals("m") ? 10 : 1))
+        .isEqualTo(21);
   }
 
   @Test

@@ -11,8 +11,8 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.stream.Stream;
-import org.mechservice.mechml.MechmlReader;
 import org.mechservice.mechml.ReadOptions;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.mechml.urdf.UrdfImport;
 
 /** Files of one seed, by kind, and what became of them. */

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Random;
-import org.mechservice.mechml.expression.Evaluation;
+import org.mechservice.mechml.expression.ConstantEvaluation;
 import org.mechservice.mechml.expression.ExpressionException;
 import org.mechservice.mechml.expression.ExpressionParser;
 import org.mechservice.mechml.expression.Scope;
@@ -104,7 +104,7 @@ final class ExpressionCampaign {
   }
 
   private static double value(String text) throws ExpressionException {
-    return Evaluation.of(ExpressionParser.parse(text), Scope.CONSTANTS);
+    return ConstantEvaluation.of(ExpressionParser.parse(text), Scope.CONSTANTS);
   }
 
   int finite() {

@@ -9,9 +9,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
-import org.mechservice.mechml.Diagnostic;
-import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.catalogue.Severity;
 
 /**

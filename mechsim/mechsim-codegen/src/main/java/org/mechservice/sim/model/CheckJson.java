@@ -5,7 +5,7 @@ import com.google.gson.GsonBuilder;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.util.List;
-import org.mechservice.mechml.Diagnostic;
+import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.sim.scene.Finding;
 import org.mechservice.sim.scene.ForceKind;
 import org.mechservice.sim.scene.RoadmapEntry;

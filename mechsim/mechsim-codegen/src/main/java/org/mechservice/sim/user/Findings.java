@@ -3,8 +3,8 @@ package org.mechservice.sim.user;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.mechservice.mechml.Diagnostic;
-import org.mechservice.mechml.MechmlException;
+import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.Severity;
 

@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Collections;
 import java.util.List;
 import java.util.SortedMap;
-import org.mechservice.mechml.MechmlException;
+import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.text.Sha256;

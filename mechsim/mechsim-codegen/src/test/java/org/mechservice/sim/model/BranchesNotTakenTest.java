@@ -8,7 +8,7 @@ import java.util.Set;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.MechmlReader;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.LinearisedModel;
 import org.mechservice.solver.api.Model;
@@ -30,9 +30,11 @@ class BranchesNotTakenTest {
         "<vector name=\"x\" vx=\"1\" vy=\"0\" vz=\"0\"/><vector name=\"z\" vx=\"0\" vy=\"0\""
             + " vz=\"1\"/>";
     String text =
-        "<MechML><MBSsimulation><dynamic><timeSet tini=\"0\" tend=\"1\" tstep=\"1\"/>"
-            + "<integrator name=\"ode113\" relTol=\"1e-8\" absTol=\"1e-8\"/></dynamic></MBSsimulation><MBSmodel name=\"block\" massUnits=\"kg\" lengthUnits=\"m\"><Bodies>"
-            + "<body name=\"Ground\"><point name=\"o\" x=\"0\" y=\"0\" z=\"0\"/>"
+        "<MechML><MBSsimulation><dynamic><timeSet tini=\"0\" tend=\"1\" tstep=\"1\"/><integrator"
+            + " name=\"ode113\" relTol=\"1e-8\""
+            + " absTol=\"1e-8\"/></dynamic></MBSsimulation><MBSmodel name=\"block\""
+            + " massUnits=\"kg\" lengthUnits=\"m\"><Bodies><body name=\"Ground\"><point name=\"o\""
+            + " x=\"0\" y=\"0\" z=\"0\"/>"
             + axes
             + "</body><body name=\"block\"><point name=\"c\" x=\"0\" y=\"0\" z=\"0\"/>"
             + axes

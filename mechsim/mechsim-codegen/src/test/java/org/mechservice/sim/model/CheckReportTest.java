@@ -11,9 +11,9 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.mechservice.mechml.Diagnostic;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.MechmlReader;
+import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.Severity;
 

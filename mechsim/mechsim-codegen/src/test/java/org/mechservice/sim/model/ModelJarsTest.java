@@ -29,7 +29,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.MechmlReader;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.compile.SolverClasses;
 import org.mechservice.sim.jar.ReachableClasses;
 import org.mechservice.sim.jar.ReproducibleJar;

@@ -10,7 +10,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.MechmlReader;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.mechanism.Mechanism;

@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.MechmlReader;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.scene.ModelBuildException;
 
 /** Loops that no start closes: the refusal names the constraint and what holds it open. */

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.MechmlReader;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.mechanism.Mechanism;
 

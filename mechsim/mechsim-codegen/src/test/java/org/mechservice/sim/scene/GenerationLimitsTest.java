@@ -6,8 +6,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
-import org.mechservice.mechml.MechmlException;
-import org.mechservice.mechml.MechmlReader;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.solver.mechanism.Mechanism;
 
 class GenerationLimitsTest {

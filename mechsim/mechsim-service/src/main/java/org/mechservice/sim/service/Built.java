@@ -9,7 +9,7 @@ import org.mechservice.idl.OPT_FORMULATION;
 import org.mechservice.idl.OPT_INTEGRATOR;
 import org.mechservice.idl.OPT_SET;
 import org.mechservice.idl.ServerFailure;
-import org.mechservice.mechml.Diagnostic;
+import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.Severity;

@@ -3,8 +3,8 @@ package org.mechservice.sim.service;
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import org.mechservice.mechml.MechmlException;
-import org.mechservice.mechml.MechmlReader;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.model.CheckReport;
 
 /**

@@ -5,11 +5,11 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
-import org.mechservice.mechml.Diagnostic;
-import org.mechservice.mechml.MechmlException;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.MechmlReader;
 import org.mechservice.mechml.ReadOptions;
+import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.user.UserClasses;
 import org.mechservice.sim.user.UserFile;
 

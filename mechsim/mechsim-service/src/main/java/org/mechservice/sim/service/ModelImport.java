@@ -10,8 +10,8 @@ import org.mechservice.idl.InvalidModel;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NotAvailable;
-import org.mechservice.mechml.Diagnostic;
-import org.mechservice.mechml.MechmlException;
+import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.document.DocumentWriter;
 import org.mechservice.mechml.urdf.UrdfImport;
 

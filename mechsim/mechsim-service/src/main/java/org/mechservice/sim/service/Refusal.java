@@ -8,7 +8,7 @@ import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.SimState;
-import org.mechservice.mechml.Diagnostic;
+import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** The exceptions of the contract, each with its entry of the error catalogue. */

@@ -4,8 +4,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.mechservice.mechml.Diagnostic;
 import org.mechservice.mechml.ReadOptions;
+import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.sim.scene.RunForecast;
 import org.mechservice.solver.api.RunSettings;
 

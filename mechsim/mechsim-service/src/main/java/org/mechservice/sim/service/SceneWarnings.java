@@ -2,8 +2,8 @@ package org.mechservice.sim.service;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.mechml.Diagnostic;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.sim.scene.Finding;
 import org.mechservice.sim.scene.RunForecast;
 import org.mechservice.sim.scene.SceneAnalysis;

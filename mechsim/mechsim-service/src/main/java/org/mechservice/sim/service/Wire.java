@@ -16,11 +16,11 @@ import org.mechservice.solver.catalogue.MessageCode;
 final class Wire {
   private Wire() {}
 
-  static Diagnostic[] diagnostics(List<org.mechservice.mechml.Diagnostic> said) {
+  static Diagnostic[] diagnostics(List<org.mechservice.mechml.diagnosis.Diagnostic> said) {
     return said.stream().map(Wire::diagnostic).toArray(Diagnostic[]::new);
   }
 
-  private static Diagnostic diagnostic(org.mechservice.mechml.Diagnostic said) {
+  private static Diagnostic diagnostic(org.mechservice.mechml.diagnosis.Diagnostic said) {
     Severity level =
         switch (said.severity()) {
           case INFO -> Severity.SEV_INFO;

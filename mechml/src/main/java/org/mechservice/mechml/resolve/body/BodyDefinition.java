@@ -1,0 +1,27 @@
+package org.mechservice.mechml.resolve.body;
+
+import java.util.Optional;
+import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.resolve.value.NameTable;
+import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * A body with what joints hold on to.
+ *
+ * @param element where it was given
+ * @param points from the body's origin, in body axes, m
+ * @param directions unit vectors in body axes
+ * @param body mass and inertia; empty if they could not be read
+ */
+public record BodyDefinition(
+    Element element,
+    NameTable<Vector3> points,
+    NameTable<Vector3> directions,
+    Optional<Body> body) {
+
+  /** Returns the body's name. */
+  public String name() {
+    return element.required("name");
+  }
+}

@@ -1,0 +1,101 @@
+package org.mechservice.mechml.resolve.force;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.Phrase;
+import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.resolve.formula.FormulaReader;
+import org.mechservice.mechml.resolve.formula.MechanismNames;
+import org.mechservice.mechml.resolve.value.NameTable;
+import org.mechservice.mechml.resolve.value.ValueReader;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.UserForceElement;
+
+/** Reads {@code Forces}, gravity excepted; the element's name chooses who reads it. */
+public final class ForcesReader {
+  private static final Pattern CLASS_FILE =
+      Pattern.compile("([A-Za-z0-9_$.]{1,300})\\.(class|java)");
+  private static final Pattern IDENTIFIER = Pattern.compile("[A-Za-z_$][A-Za-z0-9_$]*+");
+
+  private final SpringReader springs;
+  private final JointForceReader jointForces;
+  private final BushingReader bushings;
+  private final ForceTorqueReader forceTorques;
+  private final ContactReader contacts;
+  private final MechanismNames names;
+  private final Diagnostics diagnostics;
+
+  public ForcesReader(
+      ValueReader values, FormulaReader formulas, MechanismNames names, Diagnostics diagnostics) {
+    this.springs = new SpringReader(formulas, names, diagnostics);
+    this.jointForces = new JointForceReader(formulas, names, diagnostics);
+    this.bushings = new BushingReader(values, formulas, names, diagnostics);
+    this.forceTorques = new ForceTorqueReader(formulas, names, diagnostics);
+    this.contacts = new ContactReader(values, formulas, names, diagnostics);
+    this.names = names;
+    this.diagnostics = diagnostics;
+  }
+
+  /** Returns the forces in file order; those in error are missing. */
+  public List<ForceElement> read(Element model) {
+    List<Element> elements = model.child("Forces").map(Element::children).orElse(List.of());
+    NameTable<Element> taken = new NameTable<>("force", "does not exist", diagnostics);
+    List<ForceElement> forces = new ArrayList<>();
+    for (Element element : elements) {
+      if (!element.name().equals("gravity")) {
+        taken.add(element, Optional.of(element));
+        force(element).ifPresent(forces::add);
+      }
+    }
+    return forces;
+  }
+
+  private Optional<? extends ForceElement> force(Element element) {
+    return switch (element.name()) {
+      case "springDamper" -> springs.read(element);
+      case "torsionSpringDamper" -> jointForces.torsionSpringDamper(element);
+      case "jointForce" -> jointForces.jointForce(element);
+      case "friction" -> jointForces.friction(element);
+      case "bushing" -> bushings.read(element);
+      case "forceTorque" -> forceTorques.read(element);
+      case "contact" -> contacts.read(element);
+      default -> userForce(element);
+    };
+  }
+
+  private Optional<UserForceElement> userForce(Element element) {
+    String fileName = element.required("fileName").strip();
+    Optional<String> className = className(fileName);
+    if (className.isPresent()) {
+      return Optional.of(
+          new UserForceElement(
+              element.required("name"), className.get(), names.points(), names.origin(element)));
+    }
+    diagnostics.error(
+        MessageCode.FORCE_CLASS_NAME,
+        element.position(),
+        Phrase.of(
+            "%s: fileName is %s; it must be the full name of a class and .class or .java, as"
+                + " car.Road.class",
+            element.label(), Quoted.of(fileName)));
+    return Optional.empty();
+  }
+
+  private static Optional<String> className(String fileName) {
+    Matcher file = CLASS_FILE.matcher(fileName);
+    if (!file.matches()) {
+      return Optional.empty();
+    }
+    String name = String.valueOf(file.group(1));
+    return Arrays.stream(name.split("\\.", -1)).allMatch(part -> IDENTIFIER.matcher(part).matches())
+        ? Optional.of(name)
+        : Optional.empty();
+  }
+}

@@ -1,0 +1,82 @@
+package org.mechservice.mechml.resolve.force;
+
+import java.util.Optional;
+import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.resolve.formula.FormulaReader;
+import org.mechservice.mechml.resolve.formula.MechanismNames;
+import org.mechservice.mechml.unit.Quantity;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.force.Side;
+import org.mechservice.solver.mechanism.force.SpringDamper;
+
+/** Reads {@code springDamper}. */
+final class SpringReader {
+  private final FormulaReader formulas;
+  private final MechanismNames names;
+  private final Diagnostics diagnostics;
+
+  SpringReader(FormulaReader formulas, MechanismNames names, Diagnostics diagnostics) {
+    this.formulas = formulas;
+    this.names = names;
+    this.diagnostics = diagnostics;
+  }
+
+  /** Returns the spring; empty if something was wrong and has been reported. */
+  Optional<SpringDamper> read(Element element) {
+    Optional<BodyPoint> point1 = names.point(element.requiredChild("body1"));
+    Optional<BodyPoint> point2 = names.point(element.requiredChild("body2"));
+    Optional<Expression> k = formulas.notNegative(element, "k", Quantity.STIFFNESS);
+    Optional<Expression> c = formulas.notNegative(element, "c", Quantity.DAMPING);
+    Optional<Expression> length0 = formulas.notNegative(element, "length0", Quantity.LENGTH);
+    Optional<Expression> force0 = formulas.coefficient(element, "force0", Quantity.FORCE, 0);
+    Optional<Expression> smoothing = formulas.notNegative(element, "smoothing", Quantity.LENGTH);
+    Side side = side(element);
+    boolean numbers = k.isPresent() && c.isPresent() && length0.isPresent();
+    if (!isPossible(element, side)
+        || point1.isEmpty()
+        || point2.isEmpty()
+        || !numbers
+        || force0.isEmpty()
+        || smoothing.isEmpty()) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new SpringDamper(
+            element.required("name"),
+            point1.get(),
+            point2.get(),
+            k.get(),
+            c.get(),
+            length0.get(),
+            force0.get(),
+            side,
+            smoothing.get(),
+            names.origin(element)));
+  }
+
+  private static Side side(Element element) {
+    return switch (element.attribute("side").orElse("both")) {
+      case "tension" -> Side.ABOVE;
+      case "compression" -> Side.BELOW;
+      default -> Side.BOTH;
+    };
+  }
+
+  private boolean isPossible(Element element, Side side) {
+    String given = side == Side.BOTH ? "smoothing" : "force0";
+    if (element.attribute(given).isEmpty()) {
+      return true;
+    }
+    diagnostics.error(
+        MessageCode.FORCE_ATTRIBUTES,
+        element.position(),
+        element.label()
+            + (side == Side.BOTH
+                ? ": smoothing has no meaning for a spring that acts on both sides; add side"
+                : ": force0 has no meaning for a spring that acts on one side"));
+    return false;
+  }
+}

@@ -1,0 +1,216 @@
+package org.mechservice.mechml.resolve.formula;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.mechml.diagnosis.NearestName;
+import org.mechservice.mechml.diagnosis.Phrase;
+import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.mechml.expression.ExpressionException;
+import org.mechservice.mechml.expression.ParsedExpression;
+import org.mechservice.mechml.expression.Scope;
+import org.mechservice.mechml.resolve.body.BodyDefinition;
+import org.mechservice.mechml.resolve.value.ParameterTable;
+import org.mechservice.mechml.resolve.value.ResolvedParameter;
+import org.mechservice.mechml.unit.Unit;
+import org.mechservice.mechml.unit.UnitSystem;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * What the names in a formula stand for: {@code t}, {@code s}, parameters, {@code joint.q}, {@code
+ * joint.v[2]}, {@code body.point.vx}. Formulas see lengths in the file's unit, angles in rad.
+ */
+final class FormulaNames {
+  private static final List<String> POINT_COMPONENTS = List.of("x", "y", "z", "vx", "vy", "vz");
+
+  private final MechanismNames names;
+  private final ParameterTable parameters;
+  private final UnitSystem units;
+
+  FormulaNames(MechanismNames names, ParameterTable parameters, UnitSystem units) {
+    this.names = names;
+    this.parameters = parameters;
+    this.units = units;
+  }
+
+  /**
+   * Returns what a name stands for, in the units formulas see.
+   *
+   * @throws ExpressionException if it stands for nothing, or for what its role does not allow
+   */
+  Expression leaf(ParsedExpression.Reference name, FormulaRole role) throws ExpressionException {
+    Optional<ResolvedParameter> parameter = parameters.find(name);
+    if (parameter.isPresent()) {
+      return parameter(parameter.get());
+    }
+    if (name.text().equals("t")) {
+      require(role.allowsTime(), name, role);
+      return new Expression.Time();
+    }
+    if (name.text().equals("s") && role == FormulaRole.HEIGHT) {
+      return scaled(new Expression.Argument(), units.length());
+    }
+    if (name.names().size() == 2 && !name.text().equals("Math.PI")) {
+      return coordinate(name, role);
+    }
+    if (name.names().size() == 3) {
+      return point(name, role);
+    }
+    List<String> known = new ArrayList<>(parameters.names());
+    known.addAll(names.jointNames());
+    known.add("t");
+    return new Expression.Constant(Scope.constant(name, known));
+  }
+
+  private Expression parameter(ResolvedParameter parameter) {
+    if (!parameter.tunable()) {
+      return new Expression.Constant(parameter.valueInExpressions());
+    }
+    Unit unit = units.inExpressions(parameter.unit().dimension());
+    return scaled(new Expression.ParameterValue(parameters.indexOf(parameter)), unit);
+  }
+
+  private Expression coordinate(ParsedExpression.Reference name, FormulaRole role)
+      throws ExpressionException {
+    ResolvedJoint joint = joint(name);
+    String kind = name.names().get(1);
+    if (!kind.equals("q") && !kind.equals("v")) {
+      throw new ExpressionException(
+          MessageCode.EXPRESSION_NAME,
+          name.offset(),
+          Phrase.of("%s: a joint has q and v", Quoted.of(name.text())));
+    }
+    boolean position = kind.equals("q");
+    require(position ? role.allowsPositions() : role == FormulaRole.STATE, name, role);
+    int component = component(name, joint, position);
+    if (position) {
+      return position(joint, component);
+    }
+    return scaled(
+        new Expression.CoordinateVelocity(joint.coordinate(component)),
+        joint.turns(component) ? Unit.ONE : units.length());
+  }
+
+  /** Returns a joint's position, in the units formulas see. */
+  Expression position(ResolvedJoint joint, int component) {
+    boolean length = joint.type().positionUnit(component).equals("m");
+    return scaled(
+        new Expression.CoordinatePosition(joint.coordinate(component)),
+        length ? units.length() : Unit.ONE);
+  }
+
+  private ResolvedJoint joint(ParsedExpression.Reference name) throws ExpressionException {
+    String joint = name.names().get(0);
+    Optional<ResolvedJoint> found = names.joint(joint);
+    if (found.isPresent()) {
+      return found.get();
+    }
+    String hint =
+        names.bodyNames().contains(joint)
+            ? "; it is a body: its points are written "
+                + Quoted.plain(joint)
+                + ".point.x, .y, .z, .vx, .vy, .vz"
+            : NearestName.suggestion(joint, names.jointNames());
+    throw unknown(name, "there is no joint " + Quoted.of(joint) + hint);
+  }
+
+  private static int component(
+      ParsedExpression.Reference name, ResolvedJoint joint, boolean position)
+      throws ExpressionException {
+    int count = position ? joint.type().positionCount() : joint.type().velocityCount();
+    if (name.index().isEmpty() && count == 1) {
+      return 0;
+    }
+    if (name.index().isPresent() && name.index().getAsInt() < count) {
+      return name.index().getAsInt();
+    }
+    String joined = String.join(".", name.names());
+    String has =
+        switch (count) {
+          case 0 -> "none: it is a weld";
+          case 1 -> joined + " only";
+          default -> joined + "[0] to " + joined + "[" + (count - 1) + "]";
+        };
+    throw new ExpressionException(
+        MessageCode.UNKNOWN_COORDINATE,
+        name.offset(),
+        Phrase.of("%s: a joint of type %s has %s", Quoted.of(name.text()), joint.type(), has));
+  }
+
+  private Expression point(ParsedExpression.Reference name, FormulaRole role)
+      throws ExpressionException {
+    String body = name.names().get(0);
+    String point = name.names().get(1);
+    int component = POINT_COMPONENTS.indexOf(name.names().get(2));
+    BodyDefinition parts =
+        names
+            .body(body)
+            .orElseThrow(
+                () ->
+                    unknown(
+                        name,
+                        "there is no body "
+                            + Quoted.of(body)
+                            + NearestName.suggestion(body, names.bodyNames())));
+    if (!parts.points().names().contains(point)) {
+      throw unknown(
+          name,
+          Phrase.of(
+              "body %s has no point %s%s",
+              Quoted.of(body),
+              Quoted.of(point),
+              NearestName.suggestion(point, parts.points().names())));
+    }
+    if (component < 0 || name.index().isPresent()) {
+      throw unknown(
+          name, Quoted.of(name.text()) + ": a point has " + String.join(", ", POINT_COMPONENTS));
+    }
+    require(role == FormulaRole.STATE, name, role);
+    parts.points().use(point);
+    Vector3 position = parts.points().value(point).orElse(Vector3.ZERO);
+    BodyPoint place = new BodyPoint(names.indexOf(parts), position);
+    return scaled(
+        component < 3
+            ? new Expression.PointPosition(place, component)
+            : new Expression.PointVelocity(place, component - 3),
+        units.length());
+  }
+
+  private static ExpressionException unknown(ParsedExpression.Reference name, String message) {
+    return new ExpressionException(MessageCode.EXPRESSION_NAME, name.offset(), message);
+  }
+
+  private static void require(boolean allowed, ParsedExpression.Reference name, FormulaRole role)
+      throws ExpressionException {
+    if (!allowed) {
+      throw new ExpressionException(
+          MessageCode.EXPRESSION_NAME,
+          name.offset(),
+          Quoted.of(name.text()) + " may not stand here: " + role.rule());
+    }
+  }
+
+  /** Returns a value given in SI in a unit. */
+  private static Expression scaled(Expression si, Unit unit) {
+    return quotient(product(si, unit.denominator()), unit.numerator());
+  }
+
+  /** Returns a value given in a unit in SI. */
+  static Expression toSi(Expression value, Unit unit) {
+    if (value instanceof Expression.Constant constant) {
+      return new Expression.Constant(unit.toSi(constant.value()) + 0.0);
+    }
+    return quotient(product(value, unit.numerator()), unit.denominator());
+  }
+
+  private static Expression product(Expression value, double factor) {
+    return factor == 1 ? value : new Expression.Product(value, new Expression.Constant(factor));
+  }
+
+  private static Expression quotient(Expression value, double divisor) {
+    return divisor == 1 ? value : new Expression.Quotient(value, new Expression.Constant(divisor));
+  }
+}

@@ -1,0 +1,34 @@
+package org.mechservice.mechml.resolve.formula;
+
+/** What an expression is for, which says what it may depend on. */
+public enum FormulaRole {
+  /** A stiffness or the like: settled before the run. */
+  COEFFICIENT("this keeps its value during a run; numbers and parameters may stand here"),
+  /** Prescribed motion. */
+  MOTION("a prescribed motion depends on t and parameters only"),
+  /** Height of a surface. */
+  HEIGHT("a height depends on s, the way along the surface, and parameters only"),
+  /** Relation between coordinates. */
+  RELATION("a relation between coordinates depends on positions of joints and t only"),
+  /** Force, output, event. */
+  STATE("");
+
+  private final String rule;
+
+  FormulaRole(String rule) {
+    this.rule = rule;
+  }
+
+  /** Returns what may stand in it, for messages. */
+  String rule() {
+    return rule;
+  }
+
+  boolean allowsTime() {
+    return this == MOTION || this == RELATION || this == STATE;
+  }
+
+  boolean allowsPositions() {
+    return this == RELATION || this == STATE;
+  }
+}

@@ -1,0 +1,16 @@
+package org.mechservice.mechml.resolve.formula;
+
+import org.mechservice.solver.expression.Coordinate;
+
+/**
+ * A coordinate of a joint.
+ *
+ * @param joint the joint
+ * @param component which of its positions, or of its velocities, from 0
+ * @param turns whether its velocity is an angular one
+ */
+public record ResolvedCoordinate(ResolvedJoint joint, int component, boolean turns) {
+  public Coordinate coordinate() {
+    return joint.coordinate(component);
+  }
+}

@@ -1,0 +1,102 @@
+package org.mechservice.mechml.resolve.simulation;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import org.mechservice.mechml.SimulationSettings;
+import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.NearestName;
+import org.mechservice.mechml.diagnosis.Phrase;
+import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.mechml.diagnosis.SourcePosition;
+import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.resolve.value.NameRule;
+import org.mechservice.mechml.resolve.value.ValueReader;
+import org.mechservice.solver.catalogue.MessageCode;
+
+/** Reads all {@code MBSsimulation} blocks and chooses the one wanted. */
+public final class SimulationsReader {
+  private static final Pattern NUMBER = Pattern.compile("[1-9][0-9]{0,5}");
+
+  private final SimulationReader reader;
+  private final Diagnostics diagnostics;
+
+  /**
+   * Prepares reading.
+   *
+   * @param events reads events; empty if the model could not be read, then events are passed over
+   */
+  public SimulationsReader(
+      ValueReader values, Optional<EventsReader> events, Diagnostics diagnostics) {
+    this.reader = new SimulationReader(values, events, diagnostics);
+    this.diagnostics = diagnostics;
+  }
+
+  /** Returns the settings of every block, in file order; those in error are missing. */
+  public List<SimulationSettings> read(List<Element> blocks) {
+    checkNames(blocks);
+    List<SimulationSettings> settings = new ArrayList<>();
+    blocks.forEach(block -> reader.read(block).ifPresent(settings::add));
+    return settings;
+  }
+
+  private void checkNames(List<Element> blocks) {
+    Map<String, Element> named = new HashMap<>();
+    for (Element block : blocks) {
+      if (block.attribute("name").isEmpty()) {
+        continue;
+      }
+      NameRule.check(block, diagnostics);
+      Element first = named.putIfAbsent(block.required("name"), block);
+      if (first != null) {
+        diagnostics.error(
+            MessageCode.DUPLICATE_NAME,
+            block.position(),
+            Phrase.of(
+                "%s: line %d has a simulation of this name already",
+                block.label(), first.position().line()));
+      }
+    }
+  }
+
+  /** Returns the block wanted, from 0: by name, else by number from 1; the first if none is. */
+  public int choose(List<Element> blocks, Optional<String> wanted) {
+    if (wanted.isEmpty()) {
+      return 0;
+    }
+    List<String> names = blocks.stream().map(b -> b.attribute("name").orElse("")).toList();
+    int index = names.indexOf(wanted.get());
+    if (index < 0 && NUMBER.matcher(wanted.get()).matches()) {
+      index = Integer.parseInt(wanted.get()) - 1;
+    }
+    if (index >= 0 && index < blocks.size()) {
+      return index;
+    }
+    diagnostics.error(
+        MessageCode.UNKNOWN_SIMULATION,
+        SourcePosition.FILE,
+        Phrase.of(
+            "the file has no simulation %s; it has %s%s",
+            Quoted.of(wanted.get()),
+            listed(names),
+            NearestName.suggestion(wanted.get(), named(names))));
+    return 0;
+  }
+
+  private static List<String> named(List<String> names) {
+    return names.stream().filter(name -> !name.isEmpty()).toList();
+  }
+
+  private static String listed(List<String> names) {
+    return String.join(
+        ", ",
+        IntStream.range(0, Math.min(names.size(), 10))
+            .mapToObj(
+                i -> (i + 1) + (names.get(i).isEmpty() ? "" : " (" + Quoted.of(names.get(i)) + ")"))
+            .toList());
+  }
+}

@@ -1,0 +1,75 @@
+package org.mechservice.mechml.resolve.simulation;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.Phrase;
+import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.resolve.value.ValueReader;
+import org.mechservice.mechml.unit.Quantity;
+import org.mechservice.solver.catalogue.MessageCode;
+
+/** Reads {@code timeSet}. */
+final class TimeSetReader {
+  /** More output rows are taken for a slip of tstep: at 8 bytes a number, they fill a disk. */
+  private static final double MOST_ROWS = 1e9;
+
+  /** Spacing of times over the output step beyond which rows and steps miss their places. */
+  private static final double FINEST = 1e-2;
+
+  private final ValueReader values;
+  private final Diagnostics diagnostics;
+
+  TimeSetReader(ValueReader values, Diagnostics diagnostics) {
+    this.values = values;
+    this.diagnostics = diagnostics;
+  }
+
+  /** Returns the time set; empty if something was wrong and has been reported. */
+  Optional<TimeSet> read(Element element) {
+    OptionalDouble start = values.quantity(element, "tini", Quantity.TIME);
+    OptionalDouble end = values.quantity(element, "tend", Quantity.TIME);
+    OptionalDouble step = values.quantity(element, "tstep", Quantity.TIME);
+    if (start.isEmpty() || end.isEmpty() || step.isEmpty()) {
+      return Optional.empty();
+    }
+    TimeSet time = new TimeSet(start.getAsDouble(), end.getAsDouble(), step.getAsDouble());
+    Optional<String> defect = defect(time);
+    defect.ifPresent(
+        d ->
+            diagnostics.error(
+                MessageCode.TIME_SET, element.position(), element.label() + ": " + d));
+    return defect.isPresent() ? Optional.empty() : Optional.of(time);
+  }
+
+  private static Optional<String> defect(TimeSet time) {
+    if (time.end() < time.start()) {
+      return Optional.of(Phrase.of("tend, %s s, lies before tini, %s s", time.end(), time.start()));
+    }
+    if (time.step() <= 0) {
+      return Optional.of(Phrase.of("tstep is %s s; it must be positive", time.step()));
+    }
+    if ((time.end() - time.start()) / time.step() > MOST_ROWS) {
+      return Optional.of(
+          Phrase.of("tstep, %s s, would put out more than %.0e rows", time.step(), MOST_ROWS));
+    }
+    double spacing = Math.ulp(Math.max(Math.abs(time.start()), Math.abs(time.end())));
+    if (spacing > FINEST * time.step()) {
+      return Optional.of(
+          Phrase.of(
+              "double-precision numbers near these times lie %s s apart, too coarse for tstep, %s"
+                  + " s; let the run begin near 0 and shift the time in expressions instead",
+              spacing, time.step()));
+    }
+    return Optional.empty();
+  }
+
+  /**
+   * When a run starts, ends and puts out rows.
+   *
+   * @param start s
+   * @param end s; not before the start
+   * @param step distance of the rows, s; positive
+   */
+  record TimeSet(double start, double end, double step) {}
+}

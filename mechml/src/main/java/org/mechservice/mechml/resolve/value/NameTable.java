@@ -1,0 +1,109 @@
+package org.mechservice.mechml.resolve.value;
+
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.NearestName;
+import org.mechservice.mechml.diagnosis.Phrase;
+import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.mechml.document.Element;
+import org.mechservice.solver.catalogue.MessageCode;
+
+/**
+ * The things of one kind by name. A thing that could not be read keeps its name, so that references
+ * to it raise no second complaint.
+ *
+ * @param <T> what the names stand for
+ */
+public final class NameTable<T> {
+  /**
+   * What a name stands for.
+   *
+   * @param element where it was given
+   * @param value the thing; empty if it could not be read
+   */
+  private record Entry<T>(Element element, Optional<T> value) {}
+
+  private final String kind;
+  private final String absence;
+  private final Diagnostics diagnostics;
+  private final Map<String, Entry<T>> entries = new LinkedHashMap<>();
+  private final Set<String> used = new HashSet<>();
+
+  /**
+   * Begins empty.
+   *
+   * @param kind what the things are called, such as {@code body}
+   * @param absence how messages end that miss one, such as {@code does not exist}
+   * @param diagnostics takes what is wrong
+   */
+  public NameTable(String kind, String absence, Diagnostics diagnostics) {
+    this.kind = kind;
+    this.absence = absence;
+    this.diagnostics = diagnostics;
+  }
+
+  /** Adds what an element's name stands for; reports a name that is unusable or taken. */
+  public void add(Element element, Optional<T> value) {
+    String name = element.required("name");
+    NameRule.check(element, diagnostics);
+    Entry<T> first = entries.putIfAbsent(name, new Entry<>(element, value));
+    if (first != null) {
+      diagnostics.error(
+          MessageCode.DUPLICATE_NAME,
+          element.position(),
+          Phrase.of(
+              "%s: line %d has %s %s of this name already",
+              element.label(),
+              first.element().position().line(),
+              "aeiou".indexOf(kind.charAt(0)) < 0 ? "a" : "an",
+              kind));
+    }
+  }
+
+  /**
+   * Returns what a name stands for; reports a name that nothing has.
+   *
+   * @param user the element that names it, for the message
+   */
+  public Optional<T> find(Element user, String name) {
+    Entry<T> entry = entries.get(name);
+    if (entry != null) {
+      used.add(name);
+      return entry.value();
+    }
+    if (!diagnostics.isFull()) {
+      diagnostics.error(
+          MessageCode.UNKNOWN_NAME,
+          user.position(),
+          Phrase.of(
+              "%s names %s %s, which %s%s",
+              user.role(), kind, Quoted.of(name), absence, NearestName.suggestion(name, names())));
+    }
+    return Optional.empty();
+  }
+
+  /** Returns what a name stands for, without a complaint if nothing has it. */
+  public Optional<T> value(String name) {
+    return Optional.ofNullable(entries.get(name)).flatMap(Entry::value);
+  }
+
+  /** Takes note that something refers to a name. */
+  public void use(String name) {
+    used.add(name);
+  }
+
+  /** Returns the names that nothing has referred to, in file order. */
+  public List<String> unused() {
+    return entries.keySet().stream().filter(name -> !used.contains(name)).toList();
+  }
+
+  /** Returns the names in file order. */
+  public Set<String> names() {
+    return entries.keySet();
+  }
+}

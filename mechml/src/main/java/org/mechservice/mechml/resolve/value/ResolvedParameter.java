@@ -1,0 +1,32 @@
+package org.mechservice.mechml.resolve.value;
+
+import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.unit.Dimension;
+import org.mechservice.mechml.unit.Unit;
+
+/**
+ * A parameter of the model.
+ *
+ * @param element where it was given
+ * @param value in its own unit
+ * @param unit its own; {@link Unit#ONE} if it has none
+ * @param valueInExpressions in the file's units, angles in rad
+ * @param tunable whether it stays an input of the model
+ */
+public record ResolvedParameter(
+    Element element, double value, Unit unit, double valueInExpressions, boolean tunable) {
+
+  public String name() {
+    return element.required("name");
+  }
+
+  /** Returns its unit as the file writes it, {@code 1} if it has none. */
+  public String unitSymbol() {
+    return element.attribute("unit").map(String::strip).orElse("1");
+  }
+
+  /** Returns whether expressions see it in rad. */
+  boolean isAngle() {
+    return unit.dimension().equals(Dimension.ANGLE);
+  }
+}
