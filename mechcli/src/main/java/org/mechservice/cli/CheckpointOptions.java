@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.mechservice.client.CheckpointStore;
+import org.mechservice.client.run.CheckpointStore;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Option;
 

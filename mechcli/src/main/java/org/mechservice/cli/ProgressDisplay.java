@@ -9,7 +9,7 @@ import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
 import org.jspecify.annotations.Nullable;
-import org.mechservice.client.RunProgress;
+import org.mechservice.client.run.RunProgress;
 
 /** A bar on the terminal for runs that take longer than a second. */
 final class ProgressDisplay {

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.mechservice.client.RunResult;
+import org.mechservice.client.run.RunResult;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.JsonText;

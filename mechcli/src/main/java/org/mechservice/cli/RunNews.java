@@ -6,11 +6,11 @@ import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.mechservice.client.LocalRun;
-import org.mechservice.client.ModelMessage;
-import org.mechservice.client.PreparedRun;
-import org.mechservice.client.RunListener;
-import org.mechservice.client.RunProgress;
+import org.mechservice.client.failure.ModelMessage;
+import org.mechservice.client.run.LocalRun;
+import org.mechservice.client.run.PreparedRun;
+import org.mechservice.client.run.RunListener;
+import org.mechservice.client.run.RunProgress;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** What is known of a run while it goes on: told by the server, or asked of the local run. */

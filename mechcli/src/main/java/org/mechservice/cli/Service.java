@@ -1,9 +1,9 @@
 package org.mechservice.cli;
 
 import java.util.Optional;
-import org.mechservice.client.JarCache;
 import org.mechservice.client.MechConnection;
-import org.mechservice.client.ServiceException;
+import org.mechservice.client.failure.ServiceException;
+import org.mechservice.client.jar.JarCache;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
 import org.mechservice.sim.host.HostOptions;
@@ -26,7 +26,7 @@ final class Service implements AutoCloseable {
    * Connects to a service.
    *
    * @param asked which; none: an embedded server on a free loopback port
-   * @throws org.mechservice.client.ServerLostException if nobody answers there
+   * @throws org.mechservice.client.failure.ServerLostException if nobody answers there
    */
   static Service open(ServerOption asked) {
     return open(asked, 1);
@@ -37,7 +37,7 @@ final class Service implements AutoCloseable {
    *
    * @param asked which; none: an embedded server on a free loopback port
    * @param capacity simulations that an embedded server runs at once
-   * @throws org.mechservice.client.ServerLostException if nobody answers there
+   * @throws org.mechservice.client.failure.ServerLostException if nobody answers there
    */
   static Service open(ServerOption asked, int capacity) {
     if (!asked.address().isEmpty()) {

@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.mechservice.client.CheckpointStore;
+import org.mechservice.client.run.CheckpointStore;
 import picocli.CommandLine;
 
 class CheckpointOptionsTest {

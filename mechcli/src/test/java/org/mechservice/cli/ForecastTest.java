@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.mechservice.client.MechSession;
-import org.mechservice.client.ModelMessage;
 import org.mechservice.client.SimulationOptions;
+import org.mechservice.client.failure.ModelMessage;
 
 /** What is said before a run is said of the run asked for, wherever it will be. */
 class ForecastTest {

@@ -9,12 +9,12 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.mechservice.client.JarCache;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.MechSession;
-import org.mechservice.client.RemoteRun;
-import org.mechservice.client.ServerLostException;
 import org.mechservice.client.SimulationOptions;
+import org.mechservice.client.failure.ServerLostException;
+import org.mechservice.client.jar.JarCache;
+import org.mechservice.client.run.RemoteRun;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.Variable;
 

@@ -7,13 +7,13 @@ import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.mechservice.client.JarCache;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.MechSession;
-import org.mechservice.client.PreparedRun;
-import org.mechservice.client.RemoteRun;
-import org.mechservice.client.RunState;
 import org.mechservice.client.SimulationOptions;
+import org.mechservice.client.failure.RunState;
+import org.mechservice.client.jar.JarCache;
+import org.mechservice.client.run.PreparedRun;
+import org.mechservice.client.run.RemoteRun;
 
 /**
  * The service from far away: a relay on another loopback address, at which the server says it is,
@@ -58,7 +58,8 @@ class DelayTest {
                 + " this machine's has no netem.",
             0);
     page.line(
-        "| round trip | set-up remote | round trips | set-up local | round trips | run | streaming |");
+        "| round trip | set-up remote | round trips | set-up local | round trips | run | streaming"
+            + " |");
     page.line("|---|---|---|---|---|---|---|");
     for (int roundTrip : new int[] {0, 20, 80}) {
       Cost remote = cost(roundTrip / 2.0, false, SimulationOptions.asInFile());

@@ -1,10 +1,10 @@
 package org.mechservice.load;
 
-import org.mechservice.client.JarCache;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.MechSession;
-import org.mechservice.client.RemoteRun;
 import org.mechservice.client.SimulationOptions;
+import org.mechservice.client.jar.JarCache;
+import org.mechservice.client.run.RemoteRun;
 
 /** A client in a process of its own: starts a run without end, says which, and takes its rows. */
 final class EndlessClient {

@@ -18,10 +18,10 @@ import java.util.Random;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.mechservice.client.JarCache;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.SimulationOptions;
+import org.mechservice.client.jar.JarCache;
 import org.mechservice.load.ServiceJvm.Inside;
 
 /** Whatever bytes arrive at its port, the server goes on serving and its memory stays bounded. */

@@ -14,9 +14,9 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.mechservice.client.JarCache;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.MechSession;
+import org.mechservice.client.jar.JarCache;
 
 /**
  * Many clients at once, each with connections of its own, half of them running the model at the
@@ -46,9 +46,10 @@ class ManyClientsTest {
             "Two hundred clients at once",
             "200 clients in one process, each with an ORB and connections of its own, connect, wait"
                 + " for each other, and then all at once open a session, load the pendulum (one of"
-                + " four tolerances) and simulate it: every second one at the service (a server with"
-                + " `-Xmx256m` and a host, 2 places each), the others at home with the JARs they"
-                + " fetch. Every row is equal, to the last bit, to that of a single run done before.",
+                + " four tolerances) and simulate it: every second one at the service (a server"
+                + " with `-Xmx256m` and a host, 2 places each), the others at home with the JARs"
+                + " they fetch. Every row is equal, to the last bit, to that of a single run done"
+                + " before.",
             0);
     page.line("| | remote | local |").line("|---|---|---|");
     page.line(

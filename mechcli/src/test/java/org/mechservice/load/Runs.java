@@ -5,8 +5,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.client.MechSession;
-import org.mechservice.client.PreparedRun;
 import org.mechservice.client.SimulationOptions;
+import org.mechservice.client.run.PreparedRun;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.Variable;
 

@@ -1,6 +1,7 @@
 package org.mechservice.client;
 
 import java.util.List;
+import org.mechservice.client.failure.ModelMessage;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**

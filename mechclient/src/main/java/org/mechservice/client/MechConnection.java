@@ -7,6 +7,21 @@ import java.security.cert.Certificate;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import org.mechservice.client.failure.InvalidModelException;
+import org.mechservice.client.failure.InvalidOptionException;
+import org.mechservice.client.failure.LimitExceededException;
+import org.mechservice.client.failure.ModelMessage;
+import org.mechservice.client.failure.NotAvailableException;
+import org.mechservice.client.failure.NotFoundException;
+import org.mechservice.client.failure.RemoteCalls;
+import org.mechservice.client.failure.ServerLostException;
+import org.mechservice.client.failure.ServiceException;
+import org.mechservice.client.jar.JarCache;
+import org.mechservice.client.jar.JarOrigin;
+import org.mechservice.client.run.LeaseRenewal;
+import org.mechservice.client.run.ListenerCallbacks;
+import org.mechservice.client.run.ReattachedRun;
+import org.mechservice.client.run.RemoteRun;
 import org.mechservice.idl.DiagnosticSeqHolder;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.IMechSimRemote;
@@ -36,7 +51,7 @@ import org.mechservice.orb.TlsIdentity;
  */
 public final class MechConnection implements AutoCloseable {
   private final ServiceOrb orb;
-  private final ServerChoice servers;
+  private final ServerSelection servers;
   private final JarCache cache;
   private final LeaseRenewal leases = new LeaseRenewal();
   private final double connectSeconds;
@@ -45,7 +60,7 @@ public final class MechConnection implements AutoCloseable {
     this.orb = orb;
     this.cache = cache;
     Stopwatch watch = new Stopwatch();
-    servers = new ServerChoice(orb, address);
+    servers = new ServerSelection(orb, address);
     connectSeconds = watch.lap();
   }
 
@@ -136,8 +151,8 @@ public final class MechConnection implements AutoCloseable {
   }
 
   /** Asks the server that is used, or the next one if that is gone. */
-  private <T> T asked(Function<ServerChoice.Chosen, T> question) {
-    ServerChoice.Chosen server = servers.chosen();
+  private <T> T asked(Function<ServerSelection.Chosen, T> question) {
+    ServerSelection.Chosen server = servers.chosen();
     try {
       return question.apply(server);
     } catch (ServerLostException e) {
@@ -145,7 +160,7 @@ public final class MechConnection implements AutoCloseable {
     }
   }
 
-  private MechSession opened(ServerChoice.Chosen server, MechSim session, double seconds) {
+  private MechSession opened(ServerSelection.Chosen server, MechSim session, double seconds) {
     return new MechSession(this, callsTo(session, server), server.description(), session, seconds);
   }
 
@@ -157,11 +172,11 @@ public final class MechConnection implements AutoCloseable {
    */
   MechSession openSessionAnywhere() {
     Stopwatch watch = new Stopwatch();
-    ServerChoice.Chosen first = servers.chosen();
+    ServerSelection.Chosen first = servers.chosen();
     try {
       return opened(first, createSession(first, ""), watch.lap());
     } catch (LimitExceededException | ServerLostException refused) {
-      for (ServerChoice.Chosen next : servers.others(first)) {
+      for (ServerSelection.Chosen next : servers.others(first)) {
         try {
           return opened(next, createSession(next, ""), watch.lap());
         } catch (LimitExceededException | ServerLostException e) {
@@ -186,13 +201,13 @@ public final class MechConnection implements AutoCloseable {
   }
 
   /** A run and the server that has found it, which may live while the host of the run does not. */
-  private record Found(ServerChoice.Chosen by, IMechSimRemote run) {}
+  private record Found(ServerSelection.Chosen by, IMechSimRemote run) {}
 
-  private Found findAnywhere(ServerChoice.Chosen first, String simId) {
+  private Found findAnywhere(ServerSelection.Chosen first, String simId) {
     try {
       return find(first, simId);
     } catch (NotFoundException notThere) {
-      for (ServerChoice.Chosen next : servers.others(first)) {
+      for (ServerSelection.Chosen next : servers.others(first)) {
         try {
           return find(next, simId);
         } catch (NotFoundException | ServerLostException e) {
@@ -203,7 +218,7 @@ public final class MechConnection implements AutoCloseable {
     }
   }
 
-  private static Found find(ServerChoice.Chosen server, String simId) {
+  private static Found find(ServerSelection.Chosen server, String simId) {
     return new Found(server, server.calls().get(() -> server.server().findSimulation(simId)));
   }
 
@@ -217,7 +232,7 @@ public final class MechConnection implements AutoCloseable {
    */
   public ImportedModel importModel(Path file) throws IOException {
     String name = String.valueOf(file.getFileName());
-    ModelFile foreign = new ModelFile(name, ModelBytes.of(file));
+    ModelFile foreign = new ModelFile(name, NamedFile.of(file));
     DiagnosticSeqHolder losses = new DiagnosticSeqHolder();
     try {
       ModelFile model =
@@ -238,13 +253,13 @@ public final class MechConnection implements AutoCloseable {
         .toList();
   }
 
-  private static MechSim createSession(ServerChoice.Chosen server, String hostName) {
+  private static MechSim createSession(ServerSelection.Chosen server, String hostName) {
     String user = System.getProperty("user.name");
     return server.calls().get(() -> server.server().createSession(user, hostName, null));
   }
 
   /** A session may live on a host of its own; messages then name that address. */
-  private RemoteCalls callsTo(org.omg.CORBA.Object object, ServerChoice.Chosen server) {
+  private RemoteCalls callsTo(org.omg.CORBA.Object object, ServerSelection.Chosen server) {
     Endpoint place = orb.endpointOf(object);
     return place.equals(orb.endpointOf(server.server()))
         ? server.calls()

@@ -12,8 +12,26 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
+import org.mechservice.client.failure.InvalidModelException;
+import org.mechservice.client.failure.InvalidOptionException;
+import org.mechservice.client.failure.InvalidStateException;
+import org.mechservice.client.failure.JarRefusedException;
+import org.mechservice.client.failure.LimitExceededException;
+import org.mechservice.client.failure.ModelMessage;
+import org.mechservice.client.failure.RemoteCalls;
+import org.mechservice.client.failure.ServiceException;
+import org.mechservice.client.jar.BuiltJar;
+import org.mechservice.client.jar.FetchedModel;
+import org.mechservice.client.jar.JarFetch;
+import org.mechservice.client.jar.LocalModel;
+import org.mechservice.client.run.HostedRun;
+import org.mechservice.client.run.LeaseRenewal;
+import org.mechservice.client.run.ListenerCallbacks;
+import org.mechservice.client.run.LocalRun;
+import org.mechservice.client.run.RemoteRun;
+import org.mechservice.client.run.RowCursor;
+import org.mechservice.client.run.RunListener;
 import org.mechservice.idl.IMechClient;
-import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
@@ -39,7 +57,6 @@ public final class MechSession implements AutoCloseable {
   private UnaryOperator<ModelMessage> locating = UnaryOperator.identity();
   private List<ModelMessage> warningsOfFile = List.of();
   private List<ModelMessage> warnings = List.of();
-  private ServerTimes atLoad = ServerTimes.NONE;
 
   /** What the session has cost the server when a run was set up last. */
   private ServerTimes soFar = ServerTimes.NONE;
@@ -92,7 +109,7 @@ public final class MechSession implements AutoCloseable {
    * @throws InvalidModelException if the model cannot be used; says what and where
    */
   public List<ModelMessage> loadModel(Path file, Optional<Path> userCode) throws IOException {
-    byte[] content = ModelBytes.of(file);
+    byte[] content = NamedFile.of(file);
     String name = String.valueOf(file.getFileName());
     UserFiles classes = new UserFiles(file, userCode);
     while (true) {
@@ -140,7 +157,7 @@ public final class MechSession implements AutoCloseable {
 
   private void heed(NameValue[] facts) {
     warnings =
-        RunWarnings.in(facts)
+        SetUpWarnings.in(facts)
             .map(said -> said.stream().map(locating).toList())
             .orElse(warningsOfFile);
   }
@@ -151,8 +168,7 @@ public final class MechSession implements AutoCloseable {
     loadSeconds = watch.lap();
     modelLoaded = model;
     classesLoaded = classes;
-    atLoad = setsUpInOneCall() ? ServerTimes.NONE : serverTimes();
-    soFar = atLoad;
+    soFar = ServerTimes.NONE;
     locating = UnaryOperator.identity();
     warningsOfFile = ModelMessage.listOf(said);
     warnings = warningsOfFile;
@@ -219,10 +235,6 @@ public final class MechSession implements AutoCloseable {
     return createRun(options, connection.export(callbacks), callbacks::say);
   }
 
-  private boolean setsUpInOneCall() {
-    return service.setsUpInOneCall();
-  }
-
   private RemoteRun createRun(
       SimulationOptions options, @Nullable IMechClient callback, Consumer<ModelMessage> listener) {
     ModelFile model = modelLoaded;
@@ -234,7 +246,7 @@ public final class MechSession implements AutoCloseable {
   }
 
   /** Sets a run up in a session of its own, on whichever host of whichever server has room. */
-  private RunPlace elsewhere(
+  private HostedRun elsewhere(
       ModelFile model,
       ModelFile[] classes,
       SimulationOptions options,
@@ -247,18 +259,14 @@ public final class MechSession implements AutoCloseable {
           other.service.findsMovedRuns()
               ? options.with(OPT_CONTINUES.value, String.join(",", earlierIds))
               : options;
-      return other.place(named, callback).endingWith(other);
+      return other.place(named, callback).endingWith(other.hold);
     } catch (ServiceException e) {
       other.close();
       throw e;
     }
   }
 
-  private RunPlace place(SimulationOptions options, @Nullable IMechClient callback) {
-    return setsUpInOneCall() ? setUp(options, callback) : setUpStepwise(options, callback);
-  }
-
-  private RunPlace setUp(SimulationOptions options, @Nullable IMechClient callback) {
+  private HostedRun place(SimulationOptions options, @Nullable IMechClient callback) {
     Stopwatch watch = new Stopwatch();
     RunSetUp answer = calls.get(() -> session.prepareSimulation(options.toNameValues(), callback));
     double seconds = watch.lap();
@@ -270,9 +278,8 @@ public final class MechSession implements AutoCloseable {
     facts.put("where", "remote, host " + host);
     facts.putAll(knownFacts(answer.facts));
     facts.putAll(
-        SetUpTimes.remote(
-            loadSeconds, seconds, atLoad, times, openSeconds + loadSeconds + seconds));
-    return new RunPlace(
+        SetUpReport.remote(loadSeconds, seconds, times, openSeconds + loadSeconds + seconds));
+    return new HostedRun(
         calls,
         host,
         session,
@@ -311,32 +318,6 @@ public final class MechSession implements AutoCloseable {
     return facts;
   }
 
-  /** The way of servers before API 1.1. */
-  private RunPlace setUpStepwise(SimulationOptions options, @Nullable IMechClient callback) {
-    ServerTimes before = serverTimes();
-    Stopwatch watch = new Stopwatch();
-    IMechSimRemote simulation =
-        calls.get(() -> session.createSimulation(options.toNameValues(), callback));
-    double createSeconds = watch.lap();
-    LeaseRenewal.Hold simulationHold = connection.leases().hold(simulation);
-    try {
-      RowCursor rows = RowCursor.open(calls, connection.leases(), simulation);
-      double total = openSeconds + loadSeconds + createSeconds + watch.lap();
-      Map<String, Object> facts = new LinkedHashMap<>();
-      String host = hostName();
-      facts.put("where", "remote, host " + host);
-      facts.putAll(modelFacts());
-      facts.putAll(
-          SetUpTimes.remote(
-              loadSeconds, createSeconds, atLoad, serverTimes().since(before), total));
-      return new RunPlace(
-          calls, host, session, simulation, simulationHold, rows, facts, Optional.empty());
-    } catch (ServiceException e) {
-      simulationHold.close();
-      throw e;
-    }
-  }
-
   /**
    * Prepares a run on this machine: fetches the compiled model, and the solver unless it is in the
    * cache, and loads both.
@@ -345,25 +326,21 @@ public final class MechSession implements AutoCloseable {
    * @throws JarRefusedException if a JAR is not the one announced or does not fit this client
    */
   public LocalRun prepareLocalRun(SimulationOptions options) {
-    ServerTimes before = setsUpInOneCall() ? soFar : serverTimes();
     Stopwatch watch = new Stopwatch();
     NameValueSeqHolder said = new NameValueSeqHolder(new NameValue[0]);
     JarFetch jars = jars();
-    BuiltJar modelJar = jars.model(options, said);
+    BuiltJar modelJar = jars.model(options.toNameValues(), said);
     heed(said.value);
     byte[] runtimeJar = jars.runtime(modelJar);
     double fetchSeconds = watch.lap();
     FetchedModel fetched = FetchedModel.load(modelJar, runtimeJar);
     double total = openSeconds + loadSeconds + fetchSeconds + watch.lap();
     Map<String, Object> facts = new LinkedHashMap<>();
-    boolean stepwise = said.value.length == 0;
-    facts.put(
-        "where",
-        "local, compiled by host " + (stepwise ? hostName() : factOf(said.value, "hostName")));
+    facts.put("where", "local, compiled by host " + factOf(said.value, "hostName"));
     fetched.formulationReason().ifPresent(reason -> facts.put("formulationReason", reason));
-    (stepwise ? modelFacts() : knownFacts(said.value)).forEach(facts::putIfAbsent);
-    ServerTimes ofRun = stepwise ? serverTimes().since(before) : timesOfRun(said.value);
-    facts.putAll(SetUpTimes.local(loadSeconds, fetchSeconds, atLoad, ofRun, total));
+    knownFacts(said.value).forEach(facts::putIfAbsent);
+    ServerTimes ofRun = timesOfRun(said.value);
+    facts.putAll(SetUpReport.local(loadSeconds, fetchSeconds, ofRun, total));
     facts.put("modelJarBytes", (long) modelJar.bytes().length);
     facts.put("modelClassBytes", modelJar.modelClassBytes());
     facts.put("runtimeJarBytes", (long) runtimeJar.length);
@@ -379,7 +356,8 @@ public final class MechSession implements AutoCloseable {
    */
   public LocalModel fetchModel(SimulationOptions options) {
     JarFetch jars = jars();
-    BuiltJar modelJar = jars.model(options, new NameValueSeqHolder(new NameValue[0]));
+    BuiltJar modelJar =
+        jars.model(options.toNameValues(), new NameValueSeqHolder(new NameValue[0]));
     byte[] runtimeJar = jars.runtime(modelJar);
     return new LocalModel(modelJar, FetchedModel.load(modelJar, runtimeJar));
   }
@@ -393,33 +371,18 @@ public final class MechSession implements AutoCloseable {
    * @throws JarRefusedException if what arrives is not what was announced
    */
   public BuiltJar build(SimulationOptions options, boolean standalone) {
-    return jars()
-        .model(
-            standalone ? options.standalone() : options, new NameValueSeqHolder(new NameValue[0]));
+    SimulationOptions asked = standalone ? options.standalone() : options;
+    return jars().model(asked.toNameValues(), new NameValueSeqHolder(new NameValue[0]));
   }
 
   private JarFetch jars() {
-    return new JarFetch(
-        calls, session, setsUpInOneCall(), connection.cache(), connection.originOf(session));
+    return new JarFetch(calls, session, connection.cache(), connection.originOf(session));
   }
 
   /** Returns the size of the server's runtime JAR, bytes. */
   public long runtimeJarBytes() {
     RuntimeInfo runtime = calls.get(session::getRuntimeInfo);
     return runtime.sizeBytes;
-  }
-
-  private Map<String, Object> modelFacts() {
-    ModelSummary model = model();
-    Map<String, Object> facts = new LinkedHashMap<>();
-    facts.put("modelSha256", model.sha256());
-    facts.put("formulationReason", model.formulationReason());
-    facts.put("serverVersion", service.version());
-    return facts;
-  }
-
-  private ServerTimes serverTimes() {
-    return ServerTimes.of(calls.get(session::timings));
   }
 
   /** Destroys the session and what it owns at the server. */

@@ -5,8 +5,9 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.mechservice.client.failure.ModelMessage;
+import org.mechservice.client.failure.RemoteCalls;
 import org.mechservice.idl.ModelInfo;
-import org.mechservice.idl.NameValue;
 import org.mechservice.solver.api.Variable;
 
 /**
@@ -38,18 +39,10 @@ public record ModelSummary(
     return new ModelSummary(
         info.modelName,
         info.sha256,
-        textsOf(info.settings),
+        RemoteCalls.textsOf(info.settings),
         info.formulation,
         info.formulationReason,
         Arrays.stream(info.states).map(state -> new Variable(state.name, state.unit)).toList(),
         ModelMessage.listOf(info.warnings));
-  }
-
-  static Map<String, String> textsOf(NameValue[] pairs) {
-    Map<String, String> texts = new LinkedHashMap<>();
-    for (NameValue pair : pairs) {
-      texts.put(pair.key, pair.text);
-    }
-    return texts;
   }
 }

@@ -2,6 +2,7 @@ package org.mechservice.client;
 
 import java.util.HashMap;
 import java.util.Map;
+import org.mechservice.client.failure.ServerFailureException;
 import org.mechservice.idl.NameValue;
 import org.mechservice.solver.catalogue.MessageCode;
 

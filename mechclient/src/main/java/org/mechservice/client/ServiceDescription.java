@@ -31,12 +31,6 @@ public record ServiceDescription(
         .orElse(1);
   }
 
-  /** Returns whether the server sets runs up in one call, which it does since API 1.1. */
-  boolean setsUpInOneCall() {
-    String[] parts = apiVersion.split("\\.", -1);
-    return parts.length > 1 && parts[1].matches("[1-9]\\d{0,8}");
-  }
-
   /** Returns whether runs can be found under the ids of those that they go on from. */
   boolean findsMovedRuns() {
     return capabilities.contains("option=" + OPT_CONTINUES.value);

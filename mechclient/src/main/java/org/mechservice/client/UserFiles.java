@@ -11,6 +11,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
+import org.mechservice.client.failure.InvalidModelException;
+import org.mechservice.client.failure.ModelMessage;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.solver.catalogue.MessageCode;
 

@@ -6,6 +6,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.client.failure.InvalidOptionException;
+import org.mechservice.client.failure.NotFoundException;
+import org.mechservice.client.failure.ServerLostException;
+import org.mechservice.client.jar.JarCache;
 
 /** A client of several servers. */
 class FailOverTest {

@@ -67,7 +67,7 @@ final class ScriptedServer implements AutoCloseable {
   volatile String failureCode = "N-001";
 
   /** What the script may be told to do differently. */
-  volatile String apiVersion = "1.0";
+  volatile String apiVersion = "1.1";
 
   volatile SimState endsAs = SimState.SIM_DONE;
   volatile TestJars jars = TestJars.make();

@@ -12,6 +12,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.client.failure.InvalidModelException;
+import org.mechservice.client.jar.JarCache;
 
 /**
  * Which files of users the client sends.

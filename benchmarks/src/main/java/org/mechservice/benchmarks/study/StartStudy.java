@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import org.mechservice.client.MechSession;
-import org.mechservice.client.ServiceException;
+import org.mechservice.client.failure.ServiceException;
 import org.mechservice.report.measure.LoopForces;
 import org.mechservice.report.measure.StateDistance;
 import org.mechservice.report.method.Candidate;

@@ -13,10 +13,10 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.MechSession;
-import org.mechservice.client.ModelMessage;
-import org.mechservice.client.RemoteRun;
-import org.mechservice.client.ServiceException;
 import org.mechservice.client.SimulationOptions;
+import org.mechservice.client.failure.ModelMessage;
+import org.mechservice.client.failure.ServiceException;
+import org.mechservice.client.run.RemoteRun;
 import org.mechservice.solver.api.Variable;
 
 /**

@@ -2,7 +2,7 @@ package org.mechservice.client.sweep;
 
 import java.io.IOException;
 import java.util.List;
-import org.mechservice.client.ModelMessage;
+import org.mechservice.client.failure.ModelMessage;
 import org.mechservice.solver.api.Variable;
 
 /** Hears of a sweep as it goes on; no two calls at once. */

@@ -1,6 +1,6 @@
 package org.mechservice.client.sweep;
 
-import org.mechservice.client.ServiceException;
+import org.mechservice.client.failure.ServiceException;
 
 /** The model has no parameter of a name in the grid, so no point can be run. */
 public final class UnknownParameterException extends RuntimeException {

@@ -7,7 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.TimeUnit;
-import org.mechservice.client.BuiltJar;
+import org.mechservice.client.jar.BuiltJar;
 
 /**
  * Times first runs in Java machines of their own, start of the machine included. All JARs are run

@@ -2,13 +2,13 @@ package org.mechservice.report.method;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.client.InvalidOptionException;
-import org.mechservice.client.LocalModel;
 import org.mechservice.client.MechSession;
-import org.mechservice.client.NotAvailableException;
-import org.mechservice.client.ServerLostException;
-import org.mechservice.client.ServiceException;
 import org.mechservice.client.SimulationOptions;
+import org.mechservice.client.failure.InvalidOptionException;
+import org.mechservice.client.failure.NotAvailableException;
+import org.mechservice.client.failure.ServerLostException;
+import org.mechservice.client.failure.ServiceException;
+import org.mechservice.client.jar.LocalModel;
 import org.mechservice.solver.api.DependentStates;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ProjectedStates;

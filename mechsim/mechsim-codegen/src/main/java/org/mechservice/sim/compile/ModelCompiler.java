@@ -9,7 +9,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import javax.tools.Diagnostic;
 import javax.tools.JavaFileObject;
-import org.mechservice.sim.emit.MethodSizes;
+import org.mechservice.sim.emit.bytes.MethodSizes;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.catalogue.MessageCode;
 

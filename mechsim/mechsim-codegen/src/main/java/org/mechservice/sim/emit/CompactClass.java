@@ -3,6 +3,9 @@ package org.mechservice.sim.emit;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.mechservice.sim.emit.bytes.ClassMethods;
+import org.mechservice.sim.emit.source.JavaText;
+import org.mechservice.sim.emit.source.SourceLines;
 import org.mechservice.solver.analysis.ExtendedSource;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
@@ -36,10 +39,10 @@ import org.objectweb.asm.Type;
 public record CompactClass(
     CompactModel model,
     String columns,
-    Optional<WrittenClass> generated,
-    Optional<WrittenClass> values,
+    Optional<GeneratedClass> generated,
+    Optional<GeneratedClass> values,
     Optional<AnalysisTask> task)
-    implements WrittenClass {
+    implements GeneratedClass {
   private static final String TEXT = "java/lang/String";
   private static final String TEXTS = "[Ljava/lang/String;";
   private static final String NOTHING_TO_VOID = "()V";
@@ -138,7 +141,7 @@ public record CompactClass(
     return source.close().toString();
   }
 
-  private static String made(WrittenClass written) {
+  private static String made(GeneratedClass written) {
     String given = written.takesNumbers() ? "data.parameterValues()" : "";
     return "new " + written.simpleName() + "(" + given + ")";
   }
@@ -218,7 +221,7 @@ public record CompactClass(
     ClassMethods.end(code, Opcodes.RETURN);
   }
 
-  private void bare(ClassWriter file, WrittenClass equations) {
+  private void bare(ClassWriter file, GeneratedClass equations) {
     MethodVisitor code = ClassMethods.begin(file, Opcodes.ACC_PROTECTED, "bare", BARE);
     String data = Type.getInternalName(CompactModel.class);
     String model = Type.getDescriptor(Model.class);
@@ -247,7 +250,7 @@ public record CompactClass(
     ClassMethods.end(code, Opcodes.ARETURN);
   }
 
-  private static void values(ClassWriter file, WrittenClass written) {
+  private static void values(ClassWriter file, GeneratedClass written) {
     MethodVisitor code = ClassMethods.begin(file, Opcodes.ACC_PROTECTED, "values", VALUES);
     made(code, written);
     code.visitMethodInsn(
@@ -260,7 +263,7 @@ public record CompactClass(
   }
 
   /** Pushes what was generated with the forces that users have written, above what is there. */
-  private void forced(MethodVisitor code, String data, WrittenClass equations) {
+  private void forced(MethodVisitor code, String data, GeneratedClass equations) {
     String mechanism = Type.getDescriptor(Mechanism.class);
     String inputs = Type.getInternalName(UserLoads.class);
     String coded = Type.getDescriptor(hasLoops() ? LoopTerms.class : ExplicitModel.class);
@@ -287,7 +290,7 @@ public record CompactClass(
   }
 
   /** Pushes an instance of a generated class, above what is there. */
-  private static void made(MethodVisitor code, WrittenClass written) {
+  private static void made(MethodVisitor code, GeneratedClass written) {
     String type = internal(written.simpleName());
     code.visitTypeInsn(Opcodes.NEW, type);
     code.visitInsn(Opcodes.DUP);

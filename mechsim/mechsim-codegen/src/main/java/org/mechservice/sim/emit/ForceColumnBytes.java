@@ -1,5 +1,7 @@
 package org.mechservice.sim.emit;
 
+import org.mechservice.sim.emit.bytes.ClassMethods;
+import org.mechservice.sim.emit.bytes.NumberInstructions;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Variable;
 import org.objectweb.asm.ClassVisitor;
@@ -135,7 +137,7 @@ final class ForceColumnBytes {
     code.visitInsn(Opcodes.ICONST_0);
     code.visitVarInsn(Opcodes.ALOAD, 5);
     code.visitVarInsn(Opcodes.ILOAD, 6);
-    new NumberCode(code).push(count);
+    new NumberInstructions(code).push(count);
     code.visitMethodInsn(
         Opcodes.INVOKESTATIC,
         "java/lang/System",

@@ -1,6 +1,7 @@
 package org.mechservice.sim.emit;
 
 import java.util.function.Consumer;
+import org.mechservice.sim.emit.bytes.ClassMethods;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.ode.Integrator;

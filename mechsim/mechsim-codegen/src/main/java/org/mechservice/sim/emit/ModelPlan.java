@@ -7,11 +7,16 @@ import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.Function;
-import org.mechservice.sim.equations.ResidualDerivatives;
+import org.mechservice.sim.emit.method.ConstantTable;
+import org.mechservice.sim.emit.method.MethodSignature;
+import org.mechservice.sim.emit.plan.CodeForm;
+import org.mechservice.sim.emit.plan.CodeLayout;
+import org.mechservice.sim.emit.plan.ProgramPlan;
+import org.mechservice.sim.equations.derivatives.ResidualDerivatives;
 import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Operation;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarOperation;
 import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.DirectedForces;
 import org.mechservice.solver.api.Energies;
@@ -31,17 +36,18 @@ import org.mechservice.solver.mechanism.force.ForceElement;
  * The class of a model, planned: one plan, from which source and class file are printed. Both
  * compute the same operations in the same order, so their results have the same bits.
  */
-public final class ModelPlan implements WrittenClass {
+public final class ModelPlan implements GeneratedClass {
   /** States whose start values stand together when methods are laid out. */
   private static final int SECTION_OF_START = 100;
 
-  private static final Head INITIAL_STATE = new Head("initialState", List.of(), "y", false, true);
-  private static final Head DERIVATIVE = ofState("derivative", "yDot", true, true);
-  private static final Head ENERGY = ofState("energy", "energy", false, true);
-  private static final Head POSES = ofState("poses", "poses", false, true);
-  private static final Head POWER = ofState("sumPower", "power", false, false);
-  private static final Head FORMULAS = ofState("formulaValues", "values", false, true);
-  private static final Head FORCES = ofState("forces", "forces", false, false);
+  private static final MethodSignature INITIAL_STATE =
+      new MethodSignature("initialState", List.of(), "y", false, true);
+  private static final MethodSignature DERIVATIVE = ofState("derivative", "yDot", true, true);
+  private static final MethodSignature ENERGY = ofState("energy", "energy", false, true);
+  private static final MethodSignature POSES = ofState("poses", "poses", false, true);
+  private static final MethodSignature POWER = ofState("sumPower", "power", false, false);
+  private static final MethodSignature FORMULAS = ofState("formulaValues", "values", false, true);
+  private static final MethodSignature FORCES = ofState("forces", "forces", false, false);
 
   /**
    * A program with the method that runs it.
@@ -49,7 +55,7 @@ public final class ModelPlan implements WrittenClass {
    * @param head the method
    * @param plan how the program becomes code
    */
-  record Part(Head head, ProgramPlan plan) {}
+  record Part(MethodSignature head, ProgramPlan plan) {}
 
   private final ModelClass content;
   private final CodeForm form;
@@ -80,24 +86,27 @@ public final class ModelPlan implements WrittenClass {
     this.formulas = content.formulas().map(parts -> part(FORMULAS, parts.program()));
   }
 
-  private Part part(Head head, Program program) {
-    return new Part(head, Layout.plan(program, head, form, constants));
+  private Part part(MethodSignature head, Program program) {
+    return new Part(head, CodeLayout.plan(program, head, form, constants));
   }
 
-  private static Head ofState(String name, String output, boolean returnsResult, boolean isPublic) {
-    List<Head.Argument> arguments =
-        List.of(new Head.Argument("t", false, Program.TIME), new Head.Argument("y", true, 0));
-    return new Head(name, arguments, output, returnsResult, isPublic);
-  }
-
-  private static Head ofStateAndRate(ModelClass content, String name) {
-    int states = content.description().stateCount();
-    List<Head.Argument> arguments =
+  private static MethodSignature ofState(
+      String name, String output, boolean returnsResult, boolean isPublic) {
+    List<MethodSignature.Argument> arguments =
         List.of(
-            new Head.Argument("t", false, Program.TIME),
-            new Head.Argument("y", true, 0),
-            new Head.Argument("yDot", true, states));
-    return new Head(name, arguments, name, true, true);
+            new MethodSignature.Argument("t", false, Program.TIME),
+            new MethodSignature.Argument("y", true, 0));
+    return new MethodSignature(name, arguments, output, returnsResult, isPublic);
+  }
+
+  private static MethodSignature ofStateAndRate(ModelClass content, String name) {
+    int states = content.description().stateCount();
+    List<MethodSignature.Argument> arguments =
+        List.of(
+            new MethodSignature.Argument("t", false, Program.TIME),
+            new MethodSignature.Argument("y", true, 0),
+            new MethodSignature.Argument("yDot", true, states));
+    return new MethodSignature(name, arguments, name, true, true);
   }
 
   /** Plans a model's class. */
@@ -128,12 +137,12 @@ public final class ModelPlan implements WrittenClass {
 
   @Override
   public String source() {
-    return new ModelSource(this).text();
+    return new ModelSourceWriter(this).text();
   }
 
   @Override
   public byte[] classFile() {
-    return new ModelBytes(this).bytes();
+    return new ModelBytesWriter(this).bytes();
   }
 
   @Override
@@ -315,7 +324,7 @@ public final class ModelPlan implements WrittenClass {
       for (int id = 0; id < uses.length; id++) {
         Scalar node = part.plan().program().expressions().node(id);
         if (uses[id] > 0
-            && node.operation() == Operation.FUNCTION
+            && node.operation() == ScalarOperation.FUNCTION
             && !node.function().owner().startsWith("java/lang/")) {
           owners.add(node.function().owner());
         }

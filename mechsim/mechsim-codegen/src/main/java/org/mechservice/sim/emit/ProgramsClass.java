@@ -3,6 +3,16 @@ package org.mechservice.sim.emit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.mechservice.sim.emit.bytes.ClassMethods;
+import org.mechservice.sim.emit.bytes.NumberInstructions;
+import org.mechservice.sim.emit.bytes.ProgramBytes;
+import org.mechservice.sim.emit.method.ConstantTable;
+import org.mechservice.sim.emit.method.MethodSignature;
+import org.mechservice.sim.emit.method.ParameterSlots;
+import org.mechservice.sim.emit.plan.CodeForm;
+import org.mechservice.sim.emit.plan.CodeLayout;
+import org.mechservice.sim.emit.source.ProgramPrinter;
+import org.mechservice.sim.emit.source.SourceLines;
 import org.mechservice.sim.symbolic.Program;
 import org.objectweb.asm.ClassWriter;
 import org.objectweb.asm.MethodVisitor;
@@ -14,7 +24,7 @@ import org.objectweb.asm.Type;
  * class file are printed. Both compute the same operations in the same order, so their results have
  * the same bits.
  */
-final class ProgramsClass implements WrittenClass {
+final class ProgramsClass implements GeneratedClass {
   private final String simpleName;
   private final List<String> documentation;
   private final List<Class<?>> interfaces;
@@ -42,8 +52,8 @@ final class ProgramsClass implements WrittenClass {
   }
 
   /** Adds a method of one of the interfaces. */
-  void add(Head head, Program program) {
-    parts.add(new ModelPlan.Part(head, Layout.plan(program, head, form, constants)));
+  void add(MethodSignature head, Program program) {
+    parts.add(new ModelPlan.Part(head, CodeLayout.plan(program, head, form, constants)));
   }
 
   @Override
@@ -89,7 +99,7 @@ final class ProgramsClass implements WrittenClass {
         interfaces.stream().map(ProgramsClass::nameInSource).collect(Collectors.joining(", "));
     source.open("public final class " + simpleName + " implements " + implemented);
     if (!constants.isEmpty()) {
-      constants.write(source);
+      ProgramPrinter.constants(source, constants);
     }
     if (slots() > 0) {
       source.line("private final double[] w = new double[" + slots() + "];");
@@ -122,7 +132,7 @@ final class ProgramsClass implements WrittenClass {
     String[] types = interfaces.stream().map(Type::getInternalName).toArray(String[]::new);
     file.visit(Opcodes.V17, access, name, null, "java/lang/Object", types);
     if (!constants.isEmpty()) {
-      constants.write(file, name);
+      ProgramBytes.constants(file, name, constants);
     }
     constructor(file, name);
     for (ModelPlan.Part part : parts) {
@@ -130,7 +140,7 @@ final class ProgramsClass implements WrittenClass {
           .method((code, parameters) -> {}, (code, parameters) -> {});
     }
     file.visitEnd();
-    return ModelBytes.checked(file, simpleName);
+    return ModelBytesWriter.checked(file, simpleName);
   }
 
   private void constructor(ClassWriter file, String name) {
@@ -139,14 +149,14 @@ final class ProgramsClass implements WrittenClass {
     code.visitVarInsn(Opcodes.ALOAD, 0);
     code.visitMethodInsn(Opcodes.INVOKESPECIAL, "java/lang/Object", "<init>", "()V", false);
     if (slots() > 0) {
-      field(file, Parameters.WORKSPACE);
+      field(file, ParameterSlots.WORKSPACE);
       code.visitVarInsn(Opcodes.ALOAD, 0);
-      new NumberCode(code).push(slots());
+      new NumberInstructions(code).push(slots());
       code.visitIntInsn(Opcodes.NEWARRAY, Opcodes.T_DOUBLE);
-      code.visitFieldInsn(Opcodes.PUTFIELD, name, Parameters.WORKSPACE, "[D");
+      code.visitFieldInsn(Opcodes.PUTFIELD, name, ParameterSlots.WORKSPACE, "[D");
     }
     if (takesNumbers()) {
-      String parameters = Head.MODEL_PARAMETERS.name();
+      String parameters = MethodSignature.MODEL_PARAMETERS.name();
       field(file, parameters);
       code.visitVarInsn(Opcodes.ALOAD, 0);
       code.visitVarInsn(Opcodes.ALOAD, 1);

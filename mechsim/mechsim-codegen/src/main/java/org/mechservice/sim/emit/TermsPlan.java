@@ -2,19 +2,23 @@ package org.mechservice.sim.emit;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.mechservice.sim.emit.method.MethodSignature;
+import org.mechservice.sim.emit.plan.CodeForm;
+import org.mechservice.sim.emit.source.JavaText;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.closure.LoopTerms;
 
 /** Plans the class of the terms of a model with loops. */
 public final class TermsPlan {
-  private static final Head.Argument TIME = new Head.Argument("t", false, Program.TIME);
-  private static final Head.Argument STATE = new Head.Argument("y", true, 0);
+  private static final MethodSignature.Argument TIME =
+      new MethodSignature.Argument("t", false, Program.TIME);
+  private static final MethodSignature.Argument STATE = new MethodSignature.Argument("y", true, 0);
   private static final String TERMS = "terms";
 
   private TermsPlan() {}
 
   /** Plans a class. */
-  public static WrittenClass of(TermsClass content, CodeForm form) {
+  public static GeneratedClass of(TermsClass content, CodeForm form) {
     ProgramsClass programs =
         new ProgramsClass(
             JavaText.className(content.modelName()),
@@ -32,10 +36,12 @@ public final class TermsPlan {
   }
 
   private static void add(TermsClass.OfResidual given, TermsClass content, ProgramsClass programs) {
-    Head.Argument accelerations = new Head.Argument("a", true, content.stateCount());
+    MethodSignature.Argument accelerations =
+        new MethodSignature.Argument("a", true, content.stateCount());
     programs.add(ofState("offset", TERMS, false), given.offset());
     programs.add(
-        new Head("residual", List.of(TIME, STATE, accelerations), "residual", true, true),
+        new MethodSignature(
+            "residual", List.of(TIME, STATE, accelerations), "residual", true, true),
         given.residual());
     given
         .derivatives()
@@ -44,14 +50,16 @@ public final class TermsPlan {
                 programs.add(ofDerivatives(accelerations, content.velocityCount()), derivatives));
   }
 
-  private static Head ofState(String name, String output, boolean returnsResult) {
-    return new Head(name, List.of(TIME, STATE), output, returnsResult, true);
+  private static MethodSignature ofState(String name, String output, boolean returnsResult) {
+    return new MethodSignature(name, List.of(TIME, STATE), output, returnsResult, true);
   }
 
   /** Multipliers come behind the accelerations. */
-  private static Head ofDerivatives(Head.Argument given, int velocities) {
-    Head.Argument lambda = new Head.Argument("lambda", true, given.first() + velocities);
-    return new Head("derivatives", List.of(TIME, STATE, given, lambda), "derivatives", true, true);
+  private static MethodSignature ofDerivatives(MethodSignature.Argument given, int velocities) {
+    MethodSignature.Argument lambda =
+        new MethodSignature.Argument("lambda", true, given.first() + velocities);
+    return new MethodSignature(
+        "derivatives", List.of(TIME, STATE, given, lambda), "derivatives", true, true);
   }
 
   private static List<Class<?>> interfaces(TermsClass content) {
@@ -85,7 +93,7 @@ public final class TermsPlan {
       lines.add("<p>" + JavaText.comment(note));
     }
     lines.add("");
-    lines.add("<p>" + ModelSource.LEGEND);
+    lines.add("<p>" + ModelSourceWriter.LEGEND);
     return lines;
   }
 }

@@ -1,13 +1,18 @@
 package org.mechservice.sim.emit;
 
 import java.util.List;
+import org.mechservice.sim.emit.method.MethodSignature;
+import org.mechservice.sim.emit.plan.CodeForm;
+import org.mechservice.sim.emit.source.JavaText;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.dynamics.WrittenValues;
 
 /** Plans the class of what the events of a model watch and assign, and of its outputs. */
 public final class ValuesPlan {
-  private static final List<Head.Argument> STATE =
-      List.of(new Head.Argument("t", false, Program.TIME), new Head.Argument("y", true, 0));
+  private static final List<MethodSignature.Argument> STATE =
+      List.of(
+          new MethodSignature.Argument("t", false, Program.TIME),
+          new MethodSignature.Argument("y", true, 0));
 
   private ValuesPlan() {}
 
@@ -19,7 +24,7 @@ public final class ValuesPlan {
    * @param assignments program of the method of that name
    * @param outputs program of the method of that name
    */
-  public static WrittenClass of(
+  public static GeneratedClass of(
       String modelName, Program triggers, Program assignments, Program outputs, CodeForm form) {
     ProgramsClass programs =
         new ProgramsClass(
@@ -34,8 +39,8 @@ public final class ValuesPlan {
     return programs;
   }
 
-  private static Head head(String name) {
-    return new Head(name, STATE, "values", false, true);
+  private static MethodSignature head(String name) {
+    return new MethodSignature(name, STATE, "values", false, true);
   }
 
   private static List<String> documentation(String modelName) {
@@ -45,6 +50,6 @@ public final class ValuesPlan {
                 + modelName
                 + "\" watch and assign, and its outputs; generated."),
         "",
-        "<p>" + ModelSource.LEGEND);
+        "<p>" + ModelSourceWriter.LEGEND);
   }
 }

@@ -2,6 +2,18 @@ package org.mechservice.sim.equations;
 
 import java.util.function.Function;
 import java.util.function.ToIntFunction;
+import org.mechservice.sim.equations.force.AppliedForces;
+import org.mechservice.sim.equations.kinematics.Coordinates;
+import org.mechservice.sim.equations.kinematics.PositionRates;
+import org.mechservice.sim.equations.links.DegreeOfFreedom;
+import org.mechservice.sim.equations.links.Link;
+import org.mechservice.sim.equations.links.Links;
+import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.sim.equations.recursion.AccelerationSweep;
+import org.mechservice.sim.equations.recursion.ForceSweep;
+import org.mechservice.sim.equations.recursion.InertiaSweep;
+import org.mechservice.sim.equations.recursion.JointForces;
+import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
@@ -113,7 +125,7 @@ public final class ArticulatedBodyEquations {
 
     /** Returns the force that the motion of a driven link takes beyond those applied, N·m or N. */
     Scalar drivingForce(int i) {
-      Freedom freedom = Freedom.of(mechanism.links().get(i)).get(0);
+      DegreeOfFreedom freedom = DegreeOfFreedom.of(mechanism.links().get(i)).get(0);
       Wrench column = inertias.inertia(i).along(freedom);
       Scalar taken =
           column

@@ -3,6 +3,21 @@ package org.mechservice.sim.equations;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.mechservice.sim.equations.force.AppliedForces;
+import org.mechservice.sim.equations.kinematics.Coordinates;
+import org.mechservice.sim.equations.kinematics.JointOutputs;
+import org.mechservice.sim.equations.kinematics.PositionRates;
+import org.mechservice.sim.equations.links.DegreeOfFreedom;
+import org.mechservice.sim.equations.links.Link;
+import org.mechservice.sim.equations.links.Links;
+import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.sim.equations.recursion.ArticulatedInertia;
+import org.mechservice.sim.equations.recursion.ForceSweep;
+import org.mechservice.sim.equations.recursion.JointSweep;
+import org.mechservice.sim.equations.recursion.Loads;
+import org.mechservice.sim.equations.recursion.ParentTransform;
+import org.mechservice.sim.equations.recursion.Pivots;
+import org.mechservice.sim.equations.recursion.TreeFactors;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
@@ -19,10 +34,10 @@ public final class CompositeInertiaEquations {
   private final Links mechanism;
   private final List<Link> links;
   private final Coordinates coordinates;
-  private final ToParent toParent;
+  private final ParentTransform toParent;
 
   /** Velocities in link axes: the link and its freedom; those nearer the root come first. */
-  private record Velocity(int link, Freedom freedom) {}
+  private record Velocity(int link, DegreeOfFreedom freedom) {}
 
   private final List<Velocity> velocities = new ArrayList<>();
 
@@ -30,11 +45,11 @@ public final class CompositeInertiaEquations {
     this.mechanism = mechanism;
     this.links = mechanism.links();
     this.coordinates = new Coordinates(program, mechanism);
-    this.toParent = new ToParent(expressions, coordinates);
+    this.toParent = new ParentTransform(expressions, coordinates);
     for (int i = 0; i < links.size(); i++) {
       if (!links.get(i).isDriven()) {
         // the last is eliminated first
-        List<Freedom> freedoms = Freedom.of(links.get(i));
+        List<DegreeOfFreedom> freedoms = DegreeOfFreedom.of(links.get(i));
         for (int f = freedoms.size() - 1; f >= 0; f--) {
           velocities.add(new Velocity(i, freedoms.get(f)));
         }
@@ -153,6 +168,6 @@ public final class CompositeInertiaEquations {
       int i = velocities.get(k).link();
       ofLink[i] = velocities.get(k).freedom().replaced(ofLink[i], accelerations[k]);
     }
-    new JointValues(mechanism, coordinates).putOut(ofLink, program);
+    new JointOutputs(mechanism, coordinates).putOut(ofLink, program);
   }
 }

@@ -2,6 +2,13 @@ package org.mechservice.sim.equations;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.mechservice.sim.equations.force.AppliedForces;
+import org.mechservice.sim.equations.force.MassiveRodTerms;
+import org.mechservice.sim.equations.kinematics.Coordinates;
+import org.mechservice.sim.equations.links.AxesChange;
+import org.mechservice.sim.equations.links.Link;
+import org.mechservice.sim.equations.links.Links;
+import org.mechservice.sim.equations.recursion.VelocityRows;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;

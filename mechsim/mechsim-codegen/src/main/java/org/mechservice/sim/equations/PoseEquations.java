@@ -2,6 +2,12 @@ package org.mechservice.sim.equations;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.mechservice.sim.equations.kinematics.Coordinates;
+import org.mechservice.sim.equations.kinematics.EulerParameterTerms;
+import org.mechservice.sim.equations.links.Axes;
+import org.mechservice.sim.equations.links.BodyPlacement;
+import org.mechservice.sim.equations.links.Link;
+import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
@@ -30,7 +36,7 @@ public final class PoseEquations {
   private record Pose(
       ScalarVector position,
       ScalarMatrix rotation,
-      EulerParameters attitude,
+      EulerParameterTerms attitude,
       ScalarVector velocity,
       ScalarVector omega) {}
 
@@ -83,7 +89,7 @@ public final class PoseEquations {
     return new Pose(
         ScalarVector.of(expressions, mechanism.mechanism().root().position()),
         matrix(orientation),
-        EulerParameters.of(expressions, orientation),
+        EulerParameterTerms.of(expressions, orientation),
         none,
         none);
   }
@@ -100,7 +106,7 @@ public final class PoseEquations {
     return new Pose(
         parent.position().plus(way),
         parent.rotation().times(matrix(axes)),
-        parent.attitude().times(EulerParameters.of(expressions, link.zeroRotation())),
+        parent.attitude().times(EulerParameterTerms.of(expressions, link.zeroRotation())),
         parent.velocity().plus(parent.omega().cross(way)),
         parent.omega());
   }
@@ -115,8 +121,8 @@ public final class PoseEquations {
     ScalarVector turnedY = y.times(cosine).plus(x.times(sine.negated()));
     List<ScalarVector> columns = List.of(turnedX, turnedY, z);
     Scalar half = coordinates.position(link).times(0.5);
-    EulerParameters turn =
-        EulerParameters.about(
+    EulerParameterTerms turn =
+        EulerParameterTerms.about(
             link.axis(),
             program.named("cos_half_" + link.jointLabel(), expressions.cosine(half)),
             program.named("sin_half_" + link.jointLabel(), expressions.sine(half)));
@@ -140,7 +146,7 @@ public final class PoseEquations {
   }
 
   private Pose ball(Link link, Pose joint) {
-    EulerParameters e = coordinates.eulerParameters(link).normalised();
+    EulerParameterTerms e = coordinates.eulerParameters(link).normalised();
     ScalarMatrix rotation = joint.rotation().times(coordinates.ballRotation(link));
     ScalarVector v = coordinates.ballVelocity(link);
     ScalarVector relative =
@@ -166,11 +172,11 @@ public final class PoseEquations {
   }
 
   /** From the computing frame to the body's own. */
-  private void putOut(int body, BodyPlace place, Pose pose) {
+  private void putOut(int body, BodyPlacement place, Pose pose) {
     ScalarVector arm = pose.rotation().times(ScalarVector.of(expressions, place.origin()));
     ScalarVector velocity = pose.velocity().plus(pose.omega().cross(arm));
-    EulerParameters attitude =
-        pose.attitude().times(EulerParameters.of(expressions, place.toLink()));
+    EulerParameterTerms attitude =
+        pose.attitude().times(EulerParameterTerms.of(expressions, place.toLink()));
     List<Scalar> numbers = new ArrayList<>(pose.position().plus(arm).components());
     for (int i = 0; i < 4; i++) {
       numbers.add(attitude.at(i));

@@ -1,12 +1,26 @@
 /**
- * The mechanics written once over {@link org.mechservice.sim.symbolic.Scalar}: joint accelerations
- * by articulated bodies, energies, poses of the bodies.
+ * Equations of motion of one mechanism, written once over {@link
+ * org.mechservice.sim.symbolic.Scalar} and recorded as a {@link
+ * org.mechservice.sim.symbolic.Program}.
  *
- * <p>All recursions run in computing frames: the frame of a {@link
- * org.mechservice.sim.equations.Link} has its origin at the joint's point on the body and its z
- * axis along the joint, so that a joint turns or shifts along one coordinate axis and the terms of
- * the other two stay apart (Featherstone 2008, ch. 7, says what is computed; the frames say how
- * cheaply).
+ * <p>Each class here records one program of a generated model. {@link
+ * org.mechservice.sim.equations.ArticulatedBodyEquations} is formulation DTR, {@link
+ * org.mechservice.sim.equations.CompositeInertiaEquations} DSR and {@link
+ * org.mechservice.sim.equations.RecursiveResidualEquations} RR; the Jacobian of RR-JF is in {@code
+ * derivatives}, and the terms of a mechanism with loops are in {@code loop}. {@link
+ * org.mechservice.sim.equations.EnergyEquations}, {@link
+ * org.mechservice.sim.equations.PowerEquations} and {@link
+ * org.mechservice.sim.equations.PoseEquations} give further columns of the results.
+ *
+ * <p>The rooms below build on one another in this order: {@code links} (the mechanism in computing
+ * frames), {@code kinematics} (coordinates, positions and velocities of the links), {@code
+ * recursion} (sweeps of forces and inertias along the tree), {@code coordinates} (coordinates of
+ * tree and cut joints, relative motion of two frames), {@code force}, {@code loop} and {@code
+ * derivatives}. Nothing here knows how a program becomes code; that is {@link
+ * org.mechservice.sim.emit}.
+ *
+ * <p>The mathematics is in NUMERICS §1-§4; its sources are Featherstone 2008 (ch. 5-7) and Singh,
+ * Russell and Wensing 2022.
  */
 @NullMarked
 package org.mechservice.sim.equations;

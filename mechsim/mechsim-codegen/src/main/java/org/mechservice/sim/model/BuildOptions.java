@@ -2,7 +2,7 @@ package org.mechservice.sim.model;
 
 import java.util.Optional;
 import java.util.Set;
-import org.mechservice.sim.emit.CodeForm;
+import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunSettings;
 

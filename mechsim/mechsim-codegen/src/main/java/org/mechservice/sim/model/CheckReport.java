@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.sim.equations.Links;
+import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.scene.Finding;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;

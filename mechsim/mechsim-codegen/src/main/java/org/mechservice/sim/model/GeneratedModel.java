@@ -8,8 +8,8 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.mechservice.sim.emit.CompactClass;
+import org.mechservice.sim.emit.GeneratedClass;
 import org.mechservice.sim.emit.ModelClass;
-import org.mechservice.sim.emit.WrittenClass;
 import org.mechservice.solver.api.ColumnGroup;
 
 /**
@@ -17,9 +17,9 @@ import org.mechservice.solver.api.ColumnGroup;
  * source or as a class file. Immutable.
  */
 public final class GeneratedModel {
-  private final WrittenClass written;
+  private final GeneratedClass written;
   private final Optional<CompactClass> columns;
-  private final Optional<WrittenClass> values;
+  private final Optional<GeneratedClass> values;
   private final GeneratedFacts facts;
 
   /**
@@ -34,9 +34,9 @@ public final class GeneratedModel {
    * @param fromData what the data beside the code compute
    */
   GeneratedModel(
-      WrittenClass written,
+      GeneratedClass written,
       Optional<CompactClass> columns,
-      Optional<WrittenClass> values,
+      Optional<GeneratedClass> values,
       String modelName,
       String formulation,
       String formulationReason,
@@ -75,7 +75,7 @@ public final class GeneratedModel {
 
   /** Returns how many values its plans hold, each of which takes some hundred bytes. */
   public long plannedValues() {
-    return parts().mapToLong(WrittenClass::plannedValues).sum();
+    return parts().mapToLong(GeneratedClass::plannedValues).sum();
   }
 
   /** Returns the fully qualified name of the class to be instantiated. */
@@ -88,7 +88,7 @@ public final class GeneratedModel {
     return facts.sourceName();
   }
 
-  private static String name(WrittenClass written) {
+  private static String name(GeneratedClass written) {
     return ModelClass.PACKAGE + "." + written.simpleName();
   }
 
@@ -105,7 +105,7 @@ public final class GeneratedModel {
     return parts().map(part -> new SourceFile(name(part), part.source())).toList();
   }
 
-  private Stream<WrittenClass> parts() {
+  private Stream<GeneratedClass> parts() {
     return Stream.of(Stream.of(written), columns.stream(), values.stream()).flatMap(part -> part);
   }
 

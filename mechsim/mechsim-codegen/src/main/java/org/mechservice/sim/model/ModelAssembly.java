@@ -8,13 +8,13 @@ import java.util.stream.IntStream;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.emit.AnalysisTask;
 import org.mechservice.sim.emit.CompactClass;
+import org.mechservice.sim.emit.GeneratedClass;
 import org.mechservice.sim.emit.ModelClass;
 import org.mechservice.sim.emit.ModelPlan;
 import org.mechservice.sim.emit.TermsClass;
 import org.mechservice.sim.emit.TermsPlan;
-import org.mechservice.sim.emit.WrittenClass;
-import org.mechservice.sim.equations.Links;
-import org.mechservice.sim.equations.ResidualDerivatives;
+import org.mechservice.sim.equations.derivatives.ResidualDerivatives;
+import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.scene.ModelBuildException;
@@ -111,9 +111,9 @@ final class ModelAssembly {
   }
 
   private GeneratedModel assembled(
-      WrittenClass written,
+      GeneratedClass written,
       Optional<CompactClass> beside,
-      Optional<WrittenClass> values,
+      Optional<GeneratedClass> values,
       FormulationChoice reason,
       int operations,
       List<Omission> leftOut,
@@ -137,8 +137,8 @@ final class ModelAssembly {
    */
   private CompactClass data(
       Set<ColumnGroup> further,
-      Optional<WrittenClass> generated,
-      Optional<WrittenClass> values,
+      Optional<GeneratedClass> generated,
+      Optional<GeneratedClass> values,
       Optional<AnalysisTask> task) {
     return new CompactClass(
         DataColumns.data(model, options, choice, further),
@@ -215,7 +215,7 @@ final class ModelAssembly {
 
   /** Returns the model with these terms, whatever they cost. */
   GeneratedModel looped(Links links, TermsClass terms) {
-    WrittenClass written = TermsPlan.of(terms, options.form());
+    GeneratedClass written = TermsPlan.of(terms, options.form());
     int operations = terms.equations().operationCount();
     int ofDerivatives = terms.derivatives().map(Program::operationCount).orElse(0);
     List<String> tooLarge = tooLarge(written, operations + ofDerivatives);
@@ -238,7 +238,7 @@ final class ModelAssembly {
   }
 
   /** Tries to write a large class: how many bodies fit depends on their joints and forces. */
-  private static List<String> tooLarge(WrittenClass written, int operations) {
+  private static List<String> tooLarge(GeneratedClass written, int operations) {
     if (operations < SURELY_WRITTEN) {
       return List.of();
     }

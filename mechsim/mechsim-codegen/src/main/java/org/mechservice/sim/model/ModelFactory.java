@@ -27,7 +27,7 @@ public final class ModelFactory {
    */
   public static GeneratedModel generate(MechmlModel model, BuildOptions options) {
     Mechanism mechanism = model.watchedMechanism();
-    ModelNames.requireUsable(mechanism);
+    GeneratedNames.requireUsable(mechanism);
     Optional<AnalysisTask> task = AnalysisTask.of(model.settings().task());
     if (task.isPresent()) {
       String name = model.settings().task().element();

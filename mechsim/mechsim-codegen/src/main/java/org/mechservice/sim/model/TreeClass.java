@@ -7,11 +7,11 @@ import org.mechservice.sim.emit.ModelClass;
 import org.mechservice.sim.equations.ArticulatedBodyEquations;
 import org.mechservice.sim.equations.CompositeInertiaEquations;
 import org.mechservice.sim.equations.EnergyEquations;
-import org.mechservice.sim.equations.Links;
 import org.mechservice.sim.equations.PoseEquations;
 import org.mechservice.sim.equations.PowerEquations;
-import org.mechservice.sim.equations.ResidualDerivatives;
-import org.mechservice.sim.equations.ResidualEquations;
+import org.mechservice.sim.equations.RecursiveResidualEquations;
+import org.mechservice.sim.equations.derivatives.ResidualDerivatives;
+import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
@@ -48,7 +48,7 @@ final class TreeClass {
     Mechanism mechanism = links.mechanism();
     Optional<Program> residual =
         choice.formulation().startsWith("RR")
-            ? Optional.of(ResidualEquations.derive(links))
+            ? Optional.of(RecursiveResidualEquations.derive(links))
             : Optional.empty();
     return new ModelClass(
         mechanism,
@@ -77,7 +77,7 @@ final class TreeClass {
   }
 
   private static Optional<ModelClass.ForceValues> forceValues(Links links, BuildOptions options) {
-    List<Variable> columns = ForceColumns.of(links.mechanism());
+    List<Variable> columns = ForceColumnNames.of(links.mechanism());
     return columns.isEmpty()
             || ModelClass.hasUserForces(links.mechanism())
             || !options.columns().contains(ColumnGroup.FORCES)

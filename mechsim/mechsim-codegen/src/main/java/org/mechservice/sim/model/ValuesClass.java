@@ -3,10 +3,10 @@ package org.mechservice.sim.model;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.emit.GeneratedClass;
 import org.mechservice.sim.emit.ValuesPlan;
-import org.mechservice.sim.emit.WrittenClass;
-import org.mechservice.sim.equations.Links;
 import org.mechservice.sim.equations.PowerEquations;
+import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.closure.CountedAngles;
@@ -35,7 +35,7 @@ final class ValuesClass {
    * @param plan their class, if there is one
    * @param fromData why they are left to the data, if they are
    */
-  record Derived(Optional<WrittenClass> plan, Optional<String> fromData) {
+  record Derived(Optional<GeneratedClass> plan, Optional<String> fromData) {
     private static Derived leftToData(String why) {
       return new Derived(Optional.empty(), Optional.of(why));
     }

@@ -47,7 +47,7 @@ final class FormulaForecast {
     FormulaForecast forecast = new FormulaForecast(mechanism, settings);
     for (ForceElement force : mechanism.forces()) {
       String part = "force \"" + force.name() + "\"";
-      BriefPush.formulas(force).forEach(f -> forecast.look(f, part, force.origin()));
+      ShortPulseCheck.formulas(force).forEach(f -> forecast.look(f, part, force.origin()));
     }
     for (PrescribedMotion motion : mechanism.motions()) {
       var joint = mechanism.joints().get(motion.joint());
@@ -66,7 +66,7 @@ final class FormulaForecast {
         default -> {}
       }
     }
-    BriefPush.operands(formula).forEach(operand -> look(operand, part, origin));
+    ShortPulseCheck.operands(formula).forEach(operand -> look(operand, part, origin));
   }
 
   private void fast(Call call, Expression argument, String part, Origin origin) {
@@ -148,7 +148,7 @@ final class FormulaForecast {
   private static boolean dependsOnVelocity(Expression formula) {
     return formula instanceof CoordinateVelocity
         || formula instanceof PointVelocity
-        || BriefPush.operands(formula).stream().anyMatch(FormulaForecast::dependsOnVelocity);
+        || ShortPulseCheck.operands(formula).stream().anyMatch(FormulaForecast::dependsOnVelocity);
   }
 
   private void add(MessageCode code, String part, Origin origin, String text) {

@@ -30,7 +30,7 @@ public final class RunForecast {
         .or(() -> StiffnessForecast.of(mechanism, settings))
         .ifPresent(findings::add);
     DigitsForecast.of(mechanism, formulation, settings).ifPresent(findings::add);
-    BriefPush.of(mechanism, settings).ifPresent(findings::add);
+    ShortPulseCheck.of(mechanism, settings).ifPresent(findings::add);
     findings.addAll(FormulaForecast.of(mechanism, settings));
     return findings;
   }

@@ -48,7 +48,7 @@ public record SceneAnalysis(
     }
     List<String> massless =
         mechanism.bodies().stream().filter(Body::isMassless).map(Body::name).toList();
-    return new SceneAnalysis(mechanism, roadmap, massless, Findings.of(mechanism));
+    return new SceneAnalysis(mechanism, roadmap, massless, MasslessJointCheck.of(mechanism));
   }
 
   private static RoadmapEntry entry(Mechanism mechanism, int index) {

@@ -46,12 +46,12 @@ public final class Expressions {
       throw new ArithmeticException("constant " + value + " is not finite");
     }
     double number = value == 0 ? 0 : value;
-    return leaf(Operation.CONSTANT, Double.doubleToRawLongBits(number), number, 0);
+    return leaf(ScalarOperation.CONSTANT, Double.doubleToRawLongBits(number), number, 0);
   }
 
   /** Returns the number given as input {@code index}. */
   public Scalar input(int index) {
-    return leaf(Operation.INPUT, index, 0, index);
+    return leaf(ScalarOperation.INPUT, index, 0, index);
   }
 
   /** Returns the sine of an angle. */
@@ -99,14 +99,14 @@ public final class Expressions {
   }
 
   /** Returns the node of an operation that needs no simplification. */
-  Scalar unary(Operation operation, Scalar operand) {
+  Scalar unary(ScalarOperation operation, Scalar operand) {
     int place = place(operation, operand.id(), -1);
     Scalar node = known[place];
     return node != null ? node : add(place, operation, List.of(operand), operand.id(), -1, 0, 0);
   }
 
   /** Returns the node of an operation that needs no simplification, operands in this order. */
-  Scalar binary(Operation operation, Scalar first, Scalar second) {
+  Scalar binary(ScalarOperation operation, Scalar first, Scalar second) {
     int place = place(operation, first.id(), second.id());
     Scalar node = known[place];
     return node != null
@@ -127,19 +127,19 @@ public final class Expressions {
     return node;
   }
 
-  private Scalar leaf(Operation operation, long identity, double value, int index) {
+  private Scalar leaf(ScalarOperation operation, long identity, double value, int index) {
     int place = place(operation, identity, -1);
     Scalar node = known[place];
     return node != null ? node : add(place, operation, List.of(), identity, -1, value, index);
   }
 
   /** Returns whether an expression has arisen already. */
-  boolean knows(Operation operation, Scalar first, Scalar second) {
+  boolean knows(ScalarOperation operation, Scalar first, Scalar second) {
     return known[place(operation, first.id(), second.id())] != null;
   }
 
   /** Returns where a node is in the table, or where it would go. */
-  private int place(Operation operation, long first, long second) {
+  private int place(ScalarOperation operation, long first, long second) {
     int mask = known.length - 1;
     int place = hash(operation, first, second) & mask;
     for (Scalar node = known[place]; node != null; node = known[place]) {
@@ -153,7 +153,7 @@ public final class Expressions {
     return place;
   }
 
-  private static int hash(Operation operation, long first, long second) {
+  private static int hash(ScalarOperation operation, long first, long second) {
     long mixed = (first * 0xC2B2AE3D27D4EB4FL + second) * 0x9E3779B97F4A7C15L;
     mixed = (mixed ^ mixed >>> 29) * 0x9E3779B97F4A7C15L;
     return (int) (mixed >>> 32) + operation.hash();
@@ -161,7 +161,7 @@ public final class Expressions {
 
   private Scalar add(
       int place,
-      Operation operation,
+      ScalarOperation operation,
       List<Scalar> operands,
       long identity,
       long secondIdentity,
@@ -180,7 +180,7 @@ public final class Expressions {
   private void grow() {
     known = new Scalar[2 * known.length];
     for (Scalar node : nodes) {
-      if (node.operation() == Operation.FUNCTION) {
+      if (node.operation() == ScalarOperation.FUNCTION) {
         continue;
       }
       known[place(node.operation(), node.identity, node.secondIdentity)] = node;

@@ -114,7 +114,7 @@ public final class Program {
    * of sign the value behind it is named.
    */
   public Scalar named(String name, Scalar value) {
-    if (value.operation() == Operation.NEGATE) {
+    if (value.operation() == ScalarOperation.NEGATE) {
       named("minus_" + name, value.first());
     } else if (!value.isConstant()) {
       names.putIfAbsent(value, name);
@@ -230,7 +230,7 @@ public final class Program {
    * @return the result of the first guard that fails; −1 if none does
    */
   public int evaluate(double time, double[] inputs, double[] outputs) {
-    double[] values = new Evaluation(time, inputs).valuesOf(this);
+    double[] values = new ProgramEvaluation(time, inputs).valuesOf(this);
     for (Section section : sections) {
       for (Output output : section.outputs()) {
         outputs[output.index()] = values[output.value().id()];

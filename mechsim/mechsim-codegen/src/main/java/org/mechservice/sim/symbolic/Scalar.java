@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
 public final class Scalar {
   private final Expressions expressions;
   private final int id;
-  private final Operation operation;
+  private final ScalarOperation operation;
   private final List<Scalar> operands;
 
   /** Numbers of the operands, −1 without; of a leaf, what it is. They tell nodes apart. */
@@ -28,7 +28,7 @@ public final class Scalar {
   Scalar(
       Expressions expressions,
       int id,
-      Operation operation,
+      ScalarOperation operation,
       List<Scalar> operands,
       long identity,
       long secondIdentity,
@@ -50,7 +50,7 @@ public final class Scalar {
   Scalar(Expressions expressions, int id, MathFunction function, List<Scalar> operands) {
     this.expressions = expressions;
     this.id = id;
-    this.operation = Operation.FUNCTION;
+    this.operation = ScalarOperation.FUNCTION;
     this.operands = List.copyOf(operands);
     this.identity = -1;
     this.secondIdentity = -1;
@@ -80,7 +80,7 @@ public final class Scalar {
   }
 
   /** Returns what the node does. */
-  public Operation operation() {
+  public ScalarOperation operation() {
     return operation;
   }
 
@@ -99,24 +99,24 @@ public final class Scalar {
     return operands.get(1);
   }
 
-  /** Returns the number of a {@link Operation#CONSTANT}. */
+  /** Returns the number of a {@link ScalarOperation#CONSTANT}. */
   public double value() {
     return value;
   }
 
-  /** Returns which function a {@link Operation#FUNCTION} is. */
+  /** Returns which function a {@link ScalarOperation#FUNCTION} is. */
   public MathFunction function() {
     return Objects.requireNonNull(function, "not a function");
   }
 
-  /** Returns which input an {@link Operation#INPUT} is. */
+  /** Returns which input an {@link ScalarOperation#INPUT} is. */
   public int index() {
     return index;
   }
 
   /** Returns whether it is a number already known. */
   public boolean isConstant() {
-    return operation == Operation.CONSTANT;
+    return operation == ScalarOperation.CONSTANT;
   }
 
   /** Returns whether it is zero whatever the inputs are. */
@@ -124,7 +124,7 @@ public final class Scalar {
     return isConstant() && value == 0;
   }
 
-  boolean is(Operation what) {
+  boolean is(ScalarOperation what) {
     return operation == what;
   }
 

@@ -1,13 +1,13 @@
 package org.mechservice.sim.symbolic;
 
-import static org.mechservice.sim.symbolic.Operation.ADD;
-import static org.mechservice.sim.symbolic.Operation.COSINE;
-import static org.mechservice.sim.symbolic.Operation.DIVIDE;
-import static org.mechservice.sim.symbolic.Operation.MULTIPLY;
-import static org.mechservice.sim.symbolic.Operation.NEGATE;
-import static org.mechservice.sim.symbolic.Operation.SINE;
-import static org.mechservice.sim.symbolic.Operation.SQUARE_ROOT;
-import static org.mechservice.sim.symbolic.Operation.SUBTRACT;
+import static org.mechservice.sim.symbolic.ScalarOperation.ADD;
+import static org.mechservice.sim.symbolic.ScalarOperation.COSINE;
+import static org.mechservice.sim.symbolic.ScalarOperation.DIVIDE;
+import static org.mechservice.sim.symbolic.ScalarOperation.MULTIPLY;
+import static org.mechservice.sim.symbolic.ScalarOperation.NEGATE;
+import static org.mechservice.sim.symbolic.ScalarOperation.SINE;
+import static org.mechservice.sim.symbolic.ScalarOperation.SQUARE_ROOT;
+import static org.mechservice.sim.symbolic.ScalarOperation.SUBTRACT;
 
 import java.util.List;
 
@@ -185,7 +185,7 @@ final class Simplification {
   }
 
   /** Returns a result of two constants as one, or the operation itself where it is not finite. */
-  private static Scalar folded(double value, Operation operation, Scalar a, Scalar b) {
+  private static Scalar folded(double value, ScalarOperation operation, Scalar a, Scalar b) {
     return Double.isFinite(value)
         ? a.expressions().constant(value)
         : a.expressions().binary(operation, a, b);
@@ -277,7 +277,7 @@ final class Simplification {
   }
 
   /** Constants stand first, otherwise the older operand: x·y and y·x are one node. */
-  private static Scalar commutative(Operation operation, Scalar a, Scalar b) {
+  private static Scalar commutative(ScalarOperation operation, Scalar a, Scalar b) {
     boolean swap = b.isConstant() ? !a.isConstant() : !a.isConstant() && b.id() < a.id();
     return swap ? a.expressions().binary(operation, b, a) : a.expressions().binary(operation, a, b);
   }

@@ -25,9 +25,9 @@ final class ForceClassCheck {
           Type.getInternalName(UserForce.class), Type.getInternalName(UserForce.Derivatives.class));
 
   private final SortedMap<String, byte[]> given;
-  private final Findings findings;
+  private final UserCodeFindings findings;
 
-  ForceClassCheck(SortedMap<String, byte[]> given, Findings findings) {
+  ForceClassCheck(SortedMap<String, byte[]> given, UserCodeFindings findings) {
     this.given = given;
     this.findings = findings;
   }

@@ -20,7 +20,7 @@ final class NeededClasses {
   private static final String PRODUCT = "org/mechservice/";
 
   private final SortedMap<String, byte[]> given;
-  private final Findings findings;
+  private final UserCodeFindings findings;
   private final SortedMap<String, byte[]> needed = new TreeMap<>();
   private final Deque<String> open = new ArrayDeque<>();
 
@@ -28,7 +28,7 @@ final class NeededClasses {
    * @param given class files by binary name; not modified
    * @param findings told what is missing, and what may not be used
    */
-  NeededClasses(SortedMap<String, byte[]> given, Findings findings) {
+  NeededClasses(SortedMap<String, byte[]> given, UserCodeFindings findings) {
     this.given = given;
     this.findings = findings;
   }

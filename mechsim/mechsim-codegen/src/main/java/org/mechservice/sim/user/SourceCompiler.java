@@ -39,9 +39,9 @@ final class SourceCompiler {
   private static final Pattern CLASS_NAME = Pattern.compile("[A-Z][A-Za-z0-9_$]*[a-z][\\w$]*");
 
   private final Map<String, String> sources;
-  private final Findings findings;
+  private final UserCodeFindings findings;
 
-  private SourceCompiler(Map<String, String> sources, Findings findings) {
+  private SourceCompiler(Map<String, String> sources, UserCodeFindings findings) {
     this.sources = sources;
     this.findings = findings;
   }
@@ -54,7 +54,7 @@ final class SourceCompiler {
    * @param findings told what the compiler says, and which classes it misses
    */
   static SortedMap<String, byte[]> compile(
-      Map<String, String> sources, SortedMap<String, byte[]> others, Findings findings) {
+      Map<String, String> sources, SortedMap<String, byte[]> others, UserCodeFindings findings) {
     return new SourceCompiler(sources, findings).compile(others);
   }
 

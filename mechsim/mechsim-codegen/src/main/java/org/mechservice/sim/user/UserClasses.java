@@ -43,8 +43,8 @@ public final class UserClasses {
     if (forces.isEmpty()) {
       return NONE;
     }
-    Findings findings = new Findings();
-    SortedMap<String, byte[]> given = GivenClasses.of(files, compile, findings);
+    UserCodeFindings findings = new UserCodeFindings();
+    SortedMap<String, byte[]> given = UserClassFiles.of(files, compile, findings);
     findings.throwIfAny();
     SortedMap<String, byte[]> needed = new NeededClasses(given, findings).of(forces);
     findings.throwIfAny();
@@ -57,8 +57,8 @@ public final class UserClasses {
    * @throws MechmlException S-156 if one uses what it may not; says in which method and line
    */
   public void requireHarmless() throws MechmlException {
-    Findings findings = new Findings();
-    HarmlessCode.check(classFiles, findings);
+    UserCodeFindings findings = new UserCodeFindings();
+    BytecodeVerifier.check(classFiles, findings);
     findings.throwIfAny();
   }
 

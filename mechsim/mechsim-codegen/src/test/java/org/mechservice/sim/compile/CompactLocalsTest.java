@@ -6,13 +6,13 @@ import java.lang.reflect.Method;
 import java.util.Collections;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
-import org.mechservice.sim.emit.MethodSizes;
+import org.mechservice.sim.emit.bytes.MethodSizes;
 
 class CompactLocalsTest {
   private static double run(String body) throws ReflectiveOperationException {
     String source =
-        "package org.mechservice.model; public class A { public static double a(double p, double[] x)"
-            + " {"
+        "package org.mechservice.model; public class A { public static double a(double p, double[]"
+            + " x) {"
             + body
             + "} }";
     ModelClassLoader loader =

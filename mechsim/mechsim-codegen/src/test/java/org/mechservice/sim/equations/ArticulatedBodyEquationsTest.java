@@ -6,6 +6,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.sim.equations.links.Link;
+import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.model.Scenes;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.mechanism.Mechanism;

@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.sim.emit.CodeForm;
+import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.mechanism.Mechanism;

@@ -19,8 +19,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.compile.ModelClassLoader;
 import org.mechservice.sim.compile.ModelCompiler;
-import org.mechservice.sim.emit.WrittenClass;
-import org.mechservice.sim.equations.Links;
+import org.mechservice.sim.emit.GeneratedClass;
+import org.mechservice.sim.equations.links.Links;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.Model;
@@ -108,7 +108,7 @@ class GeneratedValuesTest {
   @Test
   void theClassFileHasTheBitsOfTheCompiledSource() {
     MechmlModel file = RandomEvents.on(RandomTrees.ofAllJoints(1, 5), 1);
-    WrittenClass plan =
+    GeneratedClass plan =
         ValuesClass.derive(file, Links.of(file.mechanism()), options(false)).plan().orElseThrow();
     String name = "org.mechservice.model." + plan.simpleName();
     Map<String, byte[]> written = Map.of(name, plan.classFile());

@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.emit.TermsClass;
-import org.mechservice.sim.equations.Links;
+import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Energies;

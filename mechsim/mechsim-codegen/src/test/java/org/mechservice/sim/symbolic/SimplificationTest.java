@@ -76,13 +76,13 @@ class SimplificationTest {
   @Test
   void whatHasNoFiniteValueIsLeftToTheRunToFind() {
     Scalar huge = expressions.constant(1e308);
-    assertThat(x.over(zero).operation()).isEqualTo(Operation.DIVIDE);
-    assertThat(one.over(zero).operation()).isEqualTo(Operation.DIVIDE);
-    assertThat(huge.plus(huge).operation()).isEqualTo(Operation.ADD);
-    assertThat(huge.negated().minus(huge).operation()).isEqualTo(Operation.SUBTRACT);
-    assertThat(huge.times(huge).operation()).isEqualTo(Operation.MULTIPLY);
-    assertThat(huge.times(x.times(1e308)).operation()).isEqualTo(Operation.MULTIPLY);
-    assertThat(one.negated().squareRoot().operation()).isEqualTo(Operation.SQUARE_ROOT);
+    assertThat(x.over(zero).operation()).isEqualTo(ScalarOperation.DIVIDE);
+    assertThat(one.over(zero).operation()).isEqualTo(ScalarOperation.DIVIDE);
+    assertThat(huge.plus(huge).operation()).isEqualTo(ScalarOperation.ADD);
+    assertThat(huge.negated().minus(huge).operation()).isEqualTo(ScalarOperation.SUBTRACT);
+    assertThat(huge.times(huge).operation()).isEqualTo(ScalarOperation.MULTIPLY);
+    assertThat(huge.times(x.times(1e308)).operation()).isEqualTo(ScalarOperation.MULTIPLY);
+    assertThat(one.negated().squareRoot().operation()).isEqualTo(ScalarOperation.SQUARE_ROOT);
     assertThatThrownBy(() -> expressions.constant(Double.NaN))
         .isInstanceOf(ArithmeticException.class);
   }

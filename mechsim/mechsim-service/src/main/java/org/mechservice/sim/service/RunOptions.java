@@ -28,10 +28,10 @@ import org.mechservice.idl.OPT_T_END;
 import org.mechservice.idl.OPT_T_STEP;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
-import org.mechservice.sim.emit.CodeForm;
+import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.BuiltColumns;
-import org.mechservice.sim.scene.IntegratorChoice;
+import org.mechservice.sim.scene.IntegratorSelection;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -139,7 +139,7 @@ record RunOptions(
     if (!automatic) {
       return this;
     }
-    IntegratorChoice choice = IntegratorChoice.of(formulation, mechanism, settings);
+    IntegratorSelection choice = IntegratorSelection.of(formulation, mechanism, settings);
     return new RunOptions(
         formulation,
         closure,

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.NameValue;
 import org.mechservice.mechml.SimulationSettings;
-import org.mechservice.sim.emit.CodeForm;
+import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunSettings;
 

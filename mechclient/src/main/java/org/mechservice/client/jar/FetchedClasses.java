@@ -1,0 +1,102 @@
+package org.mechservice.client.jar;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.MalformedURLException;
+import java.net.URL;
+import java.net.URLConnection;
+import java.net.URLStreamHandler;
+import java.util.Collections;
+import java.util.Enumeration;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.mechservice.solver.api.Model;
+
+/**
+ * Loads classes from fetched JARs. From the client itself they see package {@code
+ * org.mechservice.solver.api} and nothing else: the solver is the server's, bit for bit.
+ */
+final class FetchedClasses extends ClassLoader {
+  private static final String SHARED_PACKAGE = Model.class.getPackageName();
+
+  private final List<FetchedJar> jars;
+
+  FetchedClasses(List<FetchedJar> jars) {
+    super("fetched", new SharedApi());
+    this.jars = List.copyOf(jars);
+  }
+
+  @Override
+  protected Class<?> findClass(String name) throws ClassNotFoundException {
+    byte[] bytes =
+        entry(name.replace('.', '/') + ".class")
+            .orElseThrow(() -> new ClassNotFoundException(name));
+    return defineClass(name, bytes, 0, bytes.length);
+  }
+
+  @Override
+  protected @Nullable URL findResource(String name) {
+    return entry(name).map(bytes -> location(name, bytes)).orElse(null);
+  }
+
+  @Override
+  protected Enumeration<URL> findResources(String name) {
+    return Collections.enumeration(
+        jars.stream()
+            .flatMap(jar -> jar.entry(name).stream())
+            .map(bytes -> location(name, bytes))
+            .toList());
+  }
+
+  private Optional<byte[]> entry(String name) {
+    return jars.stream().flatMap(jar -> jar.entry(name).stream()).findFirst();
+  }
+
+  private static URL location(String name, byte[] bytes) {
+    try {
+      return new URL("fetched", "", -1, "/" + name, new InMemory(bytes));
+    } catch (MalformedURLException e) {
+      throw new IllegalStateException("a URL with its own handler is never malformed", e);
+    }
+  }
+
+  /** The platform, and the package shared with the client. */
+  private static final class SharedApi extends ClassLoader {
+    SharedApi() {
+      super("shared-api", ClassLoader.getPlatformClassLoader());
+    }
+
+    @Override
+    protected Class<?> findClass(String name) throws ClassNotFoundException {
+      int dot = name.lastIndexOf('.');
+      if (dot < 0 || !name.substring(0, dot).equals(SHARED_PACKAGE)) {
+        throw new ClassNotFoundException(name);
+      }
+      return Class.forName(name, false, Model.class.getClassLoader());
+    }
+  }
+
+  /** Opens a resource that is held in memory. */
+  private static final class InMemory extends URLStreamHandler {
+    private final byte[] bytes;
+
+    InMemory(byte[] bytes) {
+      this.bytes = bytes;
+    }
+
+    @Override
+    protected URLConnection openConnection(URL location) throws IOException {
+      return new URLConnection(location) {
+        @Override
+        public void connect() {}
+
+        @Override
+        public InputStream getInputStream() {
+          return new ByteArrayInputStream(bytes);
+        }
+      };
+    }
+  }
+}

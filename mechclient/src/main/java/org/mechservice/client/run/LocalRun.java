@@ -1,0 +1,166 @@
+package org.mechservice.client.run;
+
+import java.io.IOException;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.mechservice.client.failure.InvalidOptionException;
+import org.mechservice.client.failure.InvalidStateException;
+import org.mechservice.client.failure.JarRefusedException;
+import org.mechservice.client.failure.RunState;
+import org.mechservice.client.failure.ServiceException;
+import org.mechservice.solver.api.Checkpoints;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.api.TunableParameter;
+import org.mechservice.solver.catalogue.MessageCode;
+
+/**
+ * A run on this machine, of the model class and with the solver fetched from the server. It needs
+ * the server no more. It runs once.
+ */
+public final class LocalRun implements PreparedRun {
+  private final ModelSource source;
+  private final Map<String, String> parameters = new LinkedHashMap<>();
+  private final Solver solver;
+  private final String modelSha256;
+  private final RunRequest request;
+  private final Map<String, Object> facts;
+  private final RunControl control = new RunControl();
+  private Model model;
+  private volatile RunState state = RunState.CREATED;
+
+  /**
+   * @param modelSha256 of the JAR the model came in
+   */
+  public LocalRun(
+      ModelSource source,
+      Model model,
+      Solver solver,
+      String modelSha256,
+      RunRequest request,
+      Map<String, Object> facts) {
+    this.source = source;
+    this.model = model;
+    this.modelSha256 = modelSha256;
+    this.solver = solver;
+    this.request = request;
+    this.facts = facts;
+  }
+
+  /** Returns names, units and settings of the model. */
+  public ModelDescription model() {
+    return model.description();
+  }
+
+  @Override
+  public List<TunableParameter> parameters() {
+    return source.parameters().stream()
+        .map(
+            p ->
+                parameters.containsKey(p.name())
+                    ? new TunableParameter(
+                        p.name(), p.unit(), Double.parseDouble(parameters.get(p.name())))
+                    : p)
+        .toList();
+  }
+
+  @Override
+  public void setParameters(Map<String, String> values) {
+    if (state != RunState.CREATED) {
+      throw new InvalidStateException(
+          MessageCode.WRONG_STATE.code(),
+          "parameters are set before the start; prepare another run",
+          state);
+    }
+    Map<String, String> all = new LinkedHashMap<>(parameters);
+    values.forEach((name, value) -> all.put(name, value.strip()));
+    try {
+      model = source.model(all);
+    } catch (IllegalArgumentException e) {
+      String text = String.valueOf(e.getMessage());
+      throw new InvalidOptionException(
+          ServiceException.codeOf(text, MessageCode.SOLVER_REFUSED.code()), text, "set");
+    }
+    parameters.putAll(all);
+  }
+
+  @Override
+  public RunResult toEnd(ResultSink sink, CheckpointStore store) throws IOException {
+    state = RunState.RUNNING;
+    try {
+      RunReport done = solver.run(model, request, sink, control, checkpoints(store));
+      Map<String, Object> report = new LinkedHashMap<>(done.asMap());
+      facts.forEach(report::putIfAbsent);
+      return new RunResult(done.outcome(), report);
+    } catch (IllegalArgumentException e) {
+      String text = String.valueOf(e.getMessage());
+      throw new InvalidOptionException(
+          ServiceException.codeOf(text, MessageCode.SOLVER_REFUSED.code()), text, "");
+    } catch (LinkageError e) {
+      throw new JarRefusedException(
+          MessageCode.JAR_REFUSED.code(),
+          "the model JAR does not fit the runtime JAR it came with: " + e);
+    } finally {
+      state = RunState.DONE;
+    }
+  }
+
+  private Checkpoints checkpoints(CheckpointStore store) {
+    return new Checkpoints() {
+      @Override
+      public String modelHash() {
+        return parameters.isEmpty() ? modelSha256 : modelSha256 + " with " + parameters;
+      }
+
+      @Override
+      public double secondsBetween() {
+        return store.secondsBetween();
+      }
+
+      @Override
+      public Optional<byte[]> saved() {
+        return store.saved();
+      }
+
+      @Override
+      public void keep(byte[] checkpoint) throws IOException {
+        store.keep(checkpoint);
+      }
+    };
+  }
+
+  @Override
+  public void cancel() {
+    control.stop();
+  }
+
+  @Override
+  public RunProgress progress() {
+    RunSettings settings = request.settings();
+    return new RunProgress(
+        state,
+        0,
+        control.time(),
+        settings.tStart(),
+        settings.tEnd(),
+        control.steps(),
+        control.stepSize(),
+        control.order(),
+        0,
+        0);
+  }
+
+  @Override
+  public void close() {
+    cancel();
+  }
+}

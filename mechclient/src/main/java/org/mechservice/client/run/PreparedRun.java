@@ -1,0 +1,74 @@
+package org.mechservice.client.run;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+import org.mechservice.client.failure.InvalidOptionException;
+import org.mechservice.client.failure.InvalidStateException;
+import org.mechservice.client.failure.NotAvailableException;
+import org.mechservice.client.failure.ServiceException;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.TunableParameter;
+
+/** A run that is ready to start, at the server or on this machine. */
+public sealed interface PreparedRun extends AutoCloseable permits RemoteRun, LocalRun {
+  /**
+   * Returns the parameters that may be set before the start, with the values they have.
+   *
+   * @throws ServiceException if the server is lost
+   */
+  List<TunableParameter> parameters();
+
+  /**
+   * Sets parameters before the start; those set earlier stay.
+   *
+   * @param values numbers by the parameters' names, in their units
+   * @throws InvalidOptionException if a parameter was settled when the model was built (S-125), or
+   *     a value is no number (S-126)
+   * @throws InvalidStateException if the run was started
+   */
+  void setParameters(Map<String, String> values);
+
+  /**
+   * Runs to the end and puts out the rows as they arise.
+   *
+   * @param sink takes the rows
+   * @return how the run ended and its report
+   * @throws IOException if the sink cannot keep a row; the run is then cancelled
+   * @throws ServiceException if the server is lost or refuses the run; the sink has the rows up to
+   *     then
+   */
+  default RunResult toEnd(ResultSink sink) throws IOException {
+    return toEnd(sink, CheckpointStore.NONE);
+  }
+
+  /**
+   * Runs to the end as {@link #toEnd(ResultSink)} does, leaving checkpoints on its way and when it
+   * is stopped, or going on from one: then only the rows after it are put out.
+   *
+   * @param store keeps the checkpoints
+   * @throws InvalidOptionException also if the checkpoint is damaged, or of another model, solver
+   *     version or request
+   * @throws NotAvailableException if checkpoints are wanted and the model cannot be saved
+   * @throws IOException also if a checkpoint cannot be kept
+   */
+  RunResult toEnd(ResultSink sink, CheckpointStore store) throws IOException;
+
+  /**
+   * Asks the run to stop, from any thread; {@link #toEnd} then returns with the rows so far.
+   *
+   * @throws ServiceException if the server is lost
+   */
+  void cancel();
+
+  /**
+   * Returns how far the run is.
+   *
+   * @throws ServiceException if the server is lost
+   */
+  RunProgress progress();
+
+  /** Gives up what the run holds. */
+  @Override
+  void close();
+}

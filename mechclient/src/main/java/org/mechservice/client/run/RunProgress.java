@@ -1,0 +1,69 @@
+package org.mechservice.client.run;
+
+import org.mechservice.client.failure.RunState;
+import org.mechservice.idl.Progress;
+
+/**
+ * How far a run is.
+ *
+ * @param state where it is in its life
+ * @param queuePosition place in the host's queue, from 1; 0 if it is not queued
+ * @param time simulated time reached, s
+ * @param startTime start of the run, s
+ * @param endTime end of the run, s
+ * @param steps accepted steps
+ * @param stepSize last accepted step, s
+ * @param order order of the last accepted step
+ * @param realTimeFactor simulated time over wall time since the start
+ * @param rows result rows computed
+ */
+public record RunProgress(
+    RunState state,
+    int queuePosition,
+    double time,
+    double startTime,
+    double endTime,
+    long steps,
+    double stepSize,
+    int order,
+    double realTimeFactor,
+    long rows) {
+
+  static RunProgress of(Progress info) {
+    return new RunProgress(
+        RunState.of(info.state),
+        info.queuePosition,
+        info.simTime,
+        info.startTime,
+        info.endTime,
+        info.stepsDone,
+        info.stepSize,
+        info.stepOrder,
+        info.realTimeFactor,
+        info.rowsReady);
+  }
+
+  /** Returns the same of a run that has put out rows elsewhere before. */
+  RunProgress after(long rowsBefore) {
+    return new RunProgress(
+        state,
+        queuePosition,
+        time,
+        startTime,
+        endTime,
+        steps,
+        stepSize,
+        order,
+        realTimeFactor,
+        rowsBefore + rows);
+  }
+
+  /** Returns the part of the interval that is done, between 0 and 1. */
+  public double fraction() {
+    double interval = endTime - startTime;
+    if (!(interval > 0) || Double.isNaN(time)) {
+      return 0;
+    }
+    return Math.max(0, Math.min(1, (time - startTime) / interval));
+  }
+}

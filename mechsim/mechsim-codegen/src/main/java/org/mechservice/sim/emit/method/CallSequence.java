@@ -1,0 +1,117 @@
+package org.mechservice.sim.emit.method;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+
+/**
+ * Calls of methods in a row, once or again and again.
+ *
+ * @param calls what is called, in order
+ * @param count how often
+ */
+public record CallSequence(List<Call> calls, int count) {
+  /** Calls that would not become shorter as a loop are written one by one. */
+  private static final int SHORTEST_LOOP = 3;
+
+  /** Longest row of different calls that is looked for in a loop. */
+  private static final int LONGEST_ROW = 4;
+
+  /**
+   * A call.
+   *
+   * @param method which of the plan's methods
+   * @param numbers whole numbers that it is given the first time
+   * @param strides how far each grows from one time to the next
+   */
+  public record Call(int method, List<Integer> numbers, List<Integer> strides) {
+    /** A call that is not repeated. */
+    public Call(int method, List<Integer> numbers) {
+      this(method, numbers, Collections.nCopies(numbers.size(), 0));
+    }
+
+    /** Returns a whole number as an expression of the loop's counter {@code i}. */
+    public String text(int parameter) {
+      int first = numbers.get(parameter);
+      int stride = strides.get(parameter);
+      if (stride == 0) {
+        return Integer.toString(first);
+      }
+      String grown = Math.abs(stride) == 1 ? "i" : Math.abs(stride) + " * i";
+      return first + (stride < 0 ? " - " : " + ") + grown;
+    }
+  }
+
+  /** Returns whether it becomes a loop. */
+  public boolean isLoop() {
+    return count > 1;
+  }
+
+  /** A method that is called once and given nothing. */
+  public static CallSequence of(int method) {
+    return new CallSequence(List.of(new Call(method, List.of())), 1);
+  }
+
+  /** Returns calls as steps: loops wherever whole numbers grow by the same amounts. */
+  public static List<CallSequence> of(List<Call> calls) {
+    List<CallSequence> steps = new ArrayList<>();
+    for (int i = 0; i < calls.size(); ) {
+      int row = 1;
+      int times = 1;
+      for (int length = 1; length <= LONGEST_ROW; length++) {
+        int found = times(calls, i, length);
+        if (found >= SHORTEST_LOOP && found * length > times * row) {
+          row = length;
+          times = found;
+        }
+      }
+      steps.add(
+          new CallSequence(times == 1 ? calls.subList(i, i + 1) : grown(calls, i, row), times));
+      i += row * times;
+    }
+    return steps;
+  }
+
+  /** Returns how often a row of calls follows itself, growing by the same amounts. */
+  private static int times(List<Call> calls, int start, int row) {
+    if (start + 2 * row > calls.size()) {
+      return 1;
+    }
+    List<Call> grown = grown(calls, start, row);
+    int times = 1;
+    while (start + (times + 1) * row <= calls.size() && goesOn(calls, grown, start, times)) {
+      times++;
+    }
+    return times;
+  }
+
+  private static List<Call> grown(List<Call> calls, int start, int row) {
+    List<Call> grown = new ArrayList<>();
+    for (int i = start; i < start + row; i++) {
+      Call call = calls.get(i);
+      List<Integer> next = calls.get(i + row).numbers();
+      List<Integer> strides = new ArrayList<>();
+      for (int k = 0; k < Math.min(next.size(), call.numbers().size()); k++) {
+        strides.add(next.get(k) - call.numbers().get(k));
+      }
+      grown.add(new Call(call.method(), call.numbers(), strides));
+    }
+    return grown;
+  }
+
+  private static boolean goesOn(List<Call> calls, List<Call> grown, int start, int times) {
+    for (int i = 0; i < grown.size(); i++) {
+      Call first = grown.get(i);
+      Call call = calls.get(start + times * grown.size() + i);
+      if (call.method() != first.method()) {
+        return false;
+      }
+      for (int k = 0; k < first.numbers().size(); k++) {
+        if (call.numbers().get(k) != first.numbers().get(k) + times * first.strides().get(k)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+}

@@ -1,0 +1,23 @@
+package org.mechservice.sim.emit.method;
+
+import org.mechservice.sim.symbolic.Scalar;
+
+/**
+ * Where a value is found inside a method; a value without a place is written out where it is used.
+ */
+public sealed interface ValueLocation {
+  /** The local variable that holds a value. */
+  record Local(Scalar value) implements ValueLocation {}
+
+  /** An element of the model's workspace. */
+  record Slot(int index) implements ValueLocation {}
+
+  /** An input of the program. */
+  record Input(int index) implements ValueLocation {}
+
+  /** An element of an array that the method is given. */
+  record Element(String array, IndexExpression index) implements ValueLocation {}
+
+  /** A number that is the same in every call. */
+  record Constant(double value) implements ValueLocation {}
+}

@@ -1,0 +1,24 @@
+/**
+ * Planned methods as values, and what they cost in bytes.
+ *
+ * <p>{@link org.mechservice.sim.emit.method.MethodPlan} is the main type: the {@link
+ * org.mechservice.sim.emit.method.Statement}s of one method, and the {@link
+ * org.mechservice.sim.emit.method.ValueLocation} of each value in it. {@link
+ * org.mechservice.sim.emit.method.MethodSignature} names the method that runs a program, {@link
+ * org.mechservice.sim.emit.method.CallSequence} calls its parts, and {@link
+ * org.mechservice.sim.emit.method.AngleGroup} is a run of sines and cosines computed in one loop.
+ * {@link org.mechservice.sim.emit.method.ValueUsage} decides which values of a program get a
+ * variable of their own.
+ *
+ * <p>{@link org.mechservice.sim.emit.method.StackCode} walks a planned method as a stack machine
+ * would run it. {@link org.mechservice.sim.emit.method.CodeSize} counts bytes with it, since the
+ * virtual machine compiles no method above 8 000 bytes; the printer of byte code uses the same
+ * walk, so the count is exact.
+ *
+ * <p>Depends on symbolic programs alone. The planners of {@code emit.plan} make these values, the
+ * printers read them.
+ */
+@NullMarked
+package org.mechservice.sim.emit.method;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,75 @@
+package org.mechservice.sim.emit.plan;
+
+import java.util.function.IntFunction;
+import org.mechservice.sim.emit.method.CodeSize;
+import org.mechservice.sim.emit.method.MethodPlan;
+import org.mechservice.sim.symbolic.Program;
+
+/**
+ * Plans a program as straight-line methods: sections in order, as many to a method as the compiler
+ * of the virtual machine likes to see together (CODEGEN §9: a method above 8 000 bytes is never
+ * compiled, about 6 000 runs fastest).
+ */
+final class StraightLinePlanner {
+  /** Bytes of code aimed at. */
+  static final int METHOD_BYTES = 6000;
+
+  /** Bytes above which sections are distributed anew. */
+  static final int TOO_LONG = 6600;
+
+  /** Bytes below which a method's calls would be all it has. */
+  private static final int LEAST_BYTES = METHOD_BYTES / 8;
+
+  private StraightLinePlanner() {}
+
+  /** Plans a program. */
+  static ProgramPlan plan(Program whole) {
+    return within(
+        limit -> {
+          SectionSplitter.Division division = SectionSplitter.divided(whole, limit);
+          int[] chunks = chunks(division.bytes(), limit);
+          return new MethodPlanner(division.program(), division.usage(), chunks, true).plan();
+        });
+  }
+
+  /**
+   * Plans for shorter and shorter methods until none turns out too long.
+   *
+   * @param planner plans for methods of so many bytes, sections longer than that divided
+   */
+  static ProgramPlan within(IntFunction<ProgramPlan> planner) {
+    int limit = METHOD_BYTES;
+    while (true) {
+      ProgramPlan plan = planner.apply(limit);
+      int longest = longest(plan);
+      if (limit < LEAST_BYTES || longest <= TOO_LONG) {
+        return plan;
+      }
+      limit = Math.min(limit * 9 / 10, (int) ((long) limit * METHOD_BYTES / longest));
+    }
+  }
+
+  private static int longest(ProgramPlan plan) {
+    int longest = 0;
+    for (MethodPlan method : plan.methods()) {
+      longest = Math.max(longest, CodeSize.of(method));
+    }
+    return longest;
+  }
+
+  /** Returns the method of each section: consecutive sections up to a limit of bytes. */
+  private static int[] chunks(int[] bytes, int limit) {
+    int[] chunks = new int[bytes.length];
+    int chunk = 0;
+    int filled = 0;
+    for (int section = 0; section < bytes.length; section++) {
+      if (filled > 0 && filled + bytes[section] > limit) {
+        chunk++;
+        filled = 0;
+      }
+      filled += bytes[section];
+      chunks[section] = chunk;
+    }
+    return chunks;
+  }
+}

@@ -1,0 +1,122 @@
+package org.mechservice.sim.emit.source;
+
+import java.util.Set;
+import javax.lang.model.SourceVersion;
+import org.mechservice.sim.equations.links.Labels;
+
+/**
+ * Text from model files inside Java source. The names come from strangers: whatever they contain,
+ * in a literal it is only text and in a comment it ends nothing.
+ */
+public final class JavaText {
+  /** Simple names the generated source uses, or that are imported everywhere. */
+  private static final Set<String> TAKEN =
+      Set.of(
+          "ArrayList",
+          "Arrays",
+          "BodyPoses",
+          "ColumnGroup",
+          "DirectedForces",
+          "Energies",
+          "ExplicitModel",
+          "List",
+          "LoopTerms",
+          "Model",
+          "ModelDescription",
+          "Double",
+          "Math",
+          "NumberTable",
+          "Object",
+          "Override",
+          "PowerInput",
+          "ResidualModel",
+          "ResultColumns",
+          "RunSettings",
+          "SinCos",
+          "StrictMath",
+          "Piecewise",
+          "Powers",
+          "String",
+          "System",
+          "TreeStepModel",
+          "Variable",
+          "WrittenFormulas",
+          "WrittenValues",
+          "De",
+          "Ode113",
+          "Integrator",
+          "IntegratorFactory",
+          "IntegratorSettings",
+          "Standalone");
+
+  private static final int LONGEST_LITERAL = 70;
+
+  private JavaText() {}
+
+  /** Returns a class name for a model name: ASCII letters, digits and underscores. */
+  public static String className(String modelName) {
+    String name = Labels.sanitized(modelName);
+    if (!Character.isJavaIdentifierStart(name.charAt(0))) {
+      name = "Model" + name;
+    }
+    return TAKEN.contains(name) || SourceVersion.isKeyword(name) || isOnlyUnderscores(name)
+        ? "Model" + name
+        : name;
+  }
+
+  private static boolean isOnlyUnderscores(String name) {
+    for (int i = 0; i < name.length(); i++) {
+      if (name.charAt(i) != '_') {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Returns a string literal, in ASCII; a long one in pieces, which the compiler joins. */
+  public static String literal(String text) {
+    StringBuilder literal = new StringBuilder("\"");
+    int lineStart = 0;
+    for (int i = 0; i < text.length(); i++) {
+      if (literal.length() - lineStart > LONGEST_LITERAL) {
+        literal.append("\" + \"");
+        lineStart = literal.length();
+      }
+      char c = text.charAt(i);
+      switch (c) {
+        case '"' -> literal.append("\\\"");
+        case '\\' -> literal.append("\\\\");
+        case '\n' -> literal.append("\\n");
+        case '\r' -> literal.append("\\r");
+        case '\t' -> literal.append("\\t");
+        default -> append(literal, c);
+      }
+    }
+    return literal.append('"').toString();
+  }
+
+  private static void append(StringBuilder literal, char c) {
+    if (c >= ' ' && c <= '~') {
+      literal.append(c);
+    } else {
+      literal.append("\\u");
+      String hex = Integer.toHexString(c);
+      literal.append("0".repeat(4 - hex.length())).append(hex);
+    }
+  }
+
+  /**
+   * Returns text for a comment: what could end the comment, start a Unicode escape or markup, or is
+   * not plain ASCII becomes {@code ?}; line feeds stay.
+   */
+  public static String comment(String text) {
+    StringBuilder comment = new StringBuilder();
+    for (int i = 0; i < text.length(); i++) {
+      char c = text.charAt(i);
+      boolean ends = c == '/' && i > 0 && text.charAt(i - 1) == '*';
+      boolean plain = c >= ' ' && c <= '~' && "\\<>&@{}".indexOf(c) < 0;
+      comment.append(c == '\n' || (plain && !ends) ? c : '?');
+    }
+    return comment.toString();
+  }
+}

@@ -1,0 +1,91 @@
+package org.mechservice.sim.emit.source;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import org.mechservice.sim.emit.method.MethodSignature;
+import org.mechservice.sim.emit.method.ValueUsage;
+import org.mechservice.sim.emit.plan.ProgramPlan;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarOperation;
+
+/**
+ * Names of local variables: what a value is called in mechanics, or else the subject of its section
+ * with a number.
+ */
+final class LocalNames {
+  /** Names that the methods use for something else. */
+  private static final Set<String> TAKEN =
+      Set.of(
+          "t",
+          "y",
+          "yDot",
+          "energy",
+          "poses",
+          "residual",
+          "derivatives",
+          "w",
+          "p",
+          "i",
+          "singular");
+
+  private final Map<Scalar, String> names = new HashMap<>();
+  private final Map<String, Integer> numberOf = new HashMap<>();
+  private final Set<String> given = new HashSet<>(TAKEN);
+
+  /**
+   * @param head the method that has the inputs as parameters
+   */
+  LocalNames(ProgramPlan plan, MethodSignature head) {
+    Program program = plan.program();
+    ValueUsage usage = plan.usage();
+    for (Scalar node : usage.given()) {
+      give(node, program.nameOf(node).orElseGet(() -> nameOfGiven(node, usage, head)));
+    }
+    for (int section = 0; section < program.sections().size(); section++) {
+      String subject = program.sections().get(section).subject();
+      for (Scalar node : usage.placedIn(section)) {
+        program.nameOf(node).ifPresent(name -> give(node, name));
+      }
+      for (Scalar node : usage.placedIn(section)) {
+        if (program.nameOf(node).isEmpty()) {
+          numbered(node, subject);
+        }
+      }
+    }
+  }
+
+  /** An input is called after its place in its array, a sine or cosine after the angle's number. */
+  private static String nameOfGiven(Scalar node, ValueUsage usage, MethodSignature head) {
+    if (node.operation() == ScalarOperation.INPUT) {
+      MethodSignature.Argument argument = head.argumentOf(node.index());
+      return argument.name() + "_" + (node.index() - argument.first());
+    }
+    String function = node.operation() == ScalarOperation.SINE ? "sin" : "cos";
+    return function + "_angle_" + (usage.angles().indexOf(node.first()) + 1);
+  }
+
+  private void numbered(Scalar node, String subject) {
+    String stem = Character.isLetter(subject.charAt(0)) ? subject : "b" + subject;
+    String name;
+    do {
+      name = stem + "_" + numberOf.merge(stem, 1, Integer::sum);
+    } while (!given.add(name));
+    names.put(node, name);
+  }
+
+  private void give(Scalar node, String name) {
+    String distinct = name;
+    for (int i = 2; !given.add(distinct); i++) {
+      distinct = name + "_" + i;
+    }
+    names.put(node, distinct);
+  }
+
+  /** Returns the name of a value that is placed or given. */
+  String of(Scalar node) {
+    return names.getOrDefault(node, "");
+  }
+}

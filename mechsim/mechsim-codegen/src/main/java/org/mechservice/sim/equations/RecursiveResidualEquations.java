@@ -1,0 +1,55 @@
+package org.mechservice.sim.equations;
+
+import org.mechservice.sim.equations.force.AppliedForces;
+import org.mechservice.sim.equations.kinematics.Coordinates;
+import org.mechservice.sim.equations.kinematics.JointOutputs;
+import org.mechservice.sim.equations.kinematics.PositionRates;
+import org.mechservice.sim.equations.links.Links;
+import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.sim.equations.recursion.ForceSweep;
+import org.mechservice.sim.equations.recursion.JointSweep;
+import org.mechservice.sim.equations.recursion.Loads;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.ScalarVector;
+
+/**
+ * F(t, y, y') = [q' − N(q) v; M(q) v' + b(q, v) − τ] of an open chain, recursive residual (RR,
+ * NUMERICS §2): a sweep out gives the motion and the forces it needs, a sweep in what the joints
+ * must bear of them.
+ */
+public final class RecursiveResidualEquations {
+  private final Program program = new Program();
+  private final Expressions expressions = program.expressions();
+  private final Links mechanism;
+  private final Coordinates coordinates;
+  private final int stateCount;
+
+  private RecursiveResidualEquations(Links mechanism) {
+    this.mechanism = mechanism;
+    this.stateCount = mechanism.positionCount() + mechanism.velocityCount();
+    this.coordinates = new Coordinates(program, mechanism, stateCount);
+  }
+
+  /**
+   * Derives the program from the state [q; v], followed by its derivative [q'; v'], to the
+   * residual, in the units of q' and of joint forces.
+   */
+  public static Program derive(Links mechanism) {
+    return new RecursiveResidualEquations(mechanism).derive();
+  }
+
+  private Program derive() {
+    new PositionRates(program, mechanism, coordinates)
+        .each((at, rate) -> program.output(at, expressions.input(stateCount + at).minus(rate)));
+    Wrench[] needed = new ForceSweep(program, mechanism, coordinates).sweep();
+    Loads loads = new AppliedForces(program, mechanism, coordinates).loads(true);
+    for (int i = 0; i < needed.length; i++) {
+      needed[i] = needed[i].minus(loads.on(i));
+    }
+    ScalarVector[] borne = new JointSweep(program, mechanism, coordinates).sweep(needed, loads);
+    program.section("F = tau needed - tau applied.", "residual");
+    new JointOutputs(mechanism, coordinates).putOut(borne, program);
+    return program;
+  }
+}

@@ -1,0 +1,39 @@
+package org.mechservice.sim.equations.coordinates;
+
+import java.util.Optional;
+import org.mechservice.sim.equations.recursion.ForceSweep;
+import org.mechservice.sim.equations.recursion.Loads;
+import org.mechservice.sim.equations.recursion.VelocityRows;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarVector;
+
+/**
+ * A coordinate of a cut joint, which follows from the pose of the two bodies it joins.
+ *
+ * @param frames the frames of the bodies between which it is measured
+ * @param term the coordinate with its derivatives
+ * @param position its value, an angle with its whole turns, rad or m; of an angular velocity in a
+ *     joint with Euler parameters there is none, and nobody asks for it
+ */
+public record CutCoordinate(RelativeFrameMotion frames, PairTerm term, Scalar position) {
+  /** Returns its rate, rad/s or m/s. */
+  public Scalar velocity() {
+    return term.rate(frames.omega(), frames.rate());
+  }
+
+  /** Returns its second derivative, while the joints accelerate as swept, if they do. */
+  public Scalar acceleration(Optional<ForceSweep> sweep, ScalarVector none) {
+    return term.acceleration(
+        sweep.map(frames::alpha).orElse(none), sweep.map(frames::acceleration).orElse(none));
+  }
+
+  /** Adds a force along it to the loads of the bodies, N·m or N. */
+  public void addForce(Scalar force, Loads loads) {
+    frames.addWrench(term.byShift().times(force), term.byTurn().times(force), loads);
+  }
+
+  /** Adds a multiple of its derivatives by the velocities of the state to a row. */
+  public void addRow(Scalar factor, VelocityRows rows, Scalar[] row) {
+    frames.addRow(term.byShift().times(factor), term.byTurn().times(factor), rows, row);
+  }
+}

@@ -1,0 +1,73 @@
+package org.mechservice.sim.equations.coordinates;
+
+import java.util.HashMap;
+import java.util.Map;
+import org.mechservice.sim.equations.kinematics.BodyPoints;
+import org.mechservice.sim.equations.kinematics.LinkKinematics;
+import org.mechservice.sim.equations.links.Links;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.closure.CountedAngles;
+import org.mechservice.solver.expression.BodyFrame;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.ClosureCoordinate;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.pair.CutJoint;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.spatial.Rotation;
+
+/**
+ * The coordinates of cut joints in one program. Where an angle was at the last accepted step is an
+ * input behind the state, in the order of {@link CountedAngles}: of the angles that differ by whole
+ * turns the nearest is meant.
+ */
+public final class CutCoordinateTerms {
+  private final Expressions expressions;
+  private final Links mechanism;
+  private final BodyPoints points;
+  private final LinkKinematics kinematics;
+  private final Map<ClosureCoordinate, CutCoordinate> known = new HashMap<>();
+
+  public CutCoordinateTerms(
+      Expressions expressions, Links mechanism, BodyPoints points, LinkKinematics kinematics) {
+    this.expressions = expressions;
+    this.mechanism = mechanism;
+    this.points = points;
+    this.kinematics = kinematics;
+  }
+
+  /** Returns the coordinate with a position. */
+  public CutCoordinate ofPosition(ClosureCoordinate position) {
+    ClosureCoordinate velocity = CountedAngles.velocityOf(mechanism.mechanism(), position);
+    CutCoordinate coordinate = ofVelocity(velocity);
+    PairTerm term = coordinate.term();
+    if (!term.countsTurns()) {
+      return coordinate;
+    }
+    Mechanism described = mechanism.mechanism();
+    int states = mechanism.positionCount() + mechanism.velocityCount();
+    int counted = CountedAngles.of(described).indexOf(position);
+    Scalar before = expressions.input(states + counted);
+    Scalar way = PairTerms.nearest(term.value().minus(before), 2 * Math.PI);
+    return new CutCoordinate(coordinate.frames(), term, before.plus(way));
+  }
+
+  /** Returns the coordinate with a velocity; its whole turns are not counted. */
+  CutCoordinate ofVelocity(ClosureCoordinate velocity) {
+    return known.computeIfAbsent(velocity, this::derived);
+  }
+
+  private CutCoordinate derived(ClosureCoordinate velocity) {
+    Mechanism described = mechanism.mechanism();
+    CutJoint joint =
+        new CutJoint(new TreeGeometry(described), CountedAngles.joint(described, velocity));
+    RelativeFrameMotion frames =
+        new RelativeFrameMotion(kinematics, points, frame(joint.point1()), frame(joint.point2()));
+    PairTerm term = joint.coordinate(velocity.component()).as(new PairTerms(expressions, frames));
+    return new CutCoordinate(frames, term, term.value());
+  }
+
+  private static BodyFrame frame(BodyPoint point) {
+    return new BodyFrame(point.body(), point.position(), Rotation.IDENTITY);
+  }
+}

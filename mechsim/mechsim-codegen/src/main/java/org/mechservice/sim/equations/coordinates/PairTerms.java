@@ -1,0 +1,147 @@
+package org.mechservice.sim.equations.coordinates;
+
+import java.util.List;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.MathFunction;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarMatrix;
+import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.kinematics.pair.AxisPair;
+import org.mechservice.solver.kinematics.pair.PairForms;
+import org.mechservice.solver.spatial.Vector3;
+
+/** Functions of the pose of two frames as equations: what joints forbid, and their coordinates. */
+public final class PairTerms implements PairForms<PairTerm> {
+  private final Expressions expressions;
+  private final ScalarVector none;
+  private final ScalarMatrix rotation;
+  private final ScalarVector way;
+  private final ScalarVector omega;
+  private final ScalarVector rate;
+
+  public PairTerms(Expressions expressions, RelativeFrameMotion frames) {
+    this.expressions = expressions;
+    this.none = ScalarVector.zero(expressions);
+    this.rotation = frames.rotation();
+    this.way = frames.displacement();
+    this.omega = frames.omega();
+    this.rate = frames.rate();
+  }
+
+  /** β = x · R y: ∂β = (R y) × x, and ω · (R y xᵀ − β 1) ω for its bend. */
+  private PairTerm product(AxisPair axes) {
+    ScalarVector x = ScalarVector.of(expressions, axes.inA());
+    ScalarVector carried = rotation.times(ScalarVector.of(expressions, axes.inB()));
+    Scalar value = x.dot(carried);
+    Scalar bend = carried.dot(omega).times(x.dot(omega)).minus(value.times(omega.dot(omega)));
+    return new PairTerm(value, carried.cross(x), none, bend, false);
+  }
+
+  /** Returns Σ sign_k β_k. */
+  private PairTerm sum(List<AxisPair> axes, List<Double> sign) {
+    Scalar zero = expressions.zero();
+    PairTerm sum = new PairTerm(zero, none, none, zero, false);
+    for (int k = 0; k < axes.size(); k++) {
+      double factor = sign.get(k);
+      PairTerm term = product(axes.get(k));
+      sum =
+          new PairTerm(
+              sum.value().plus(term.value().times(factor)),
+              sum.byTurn().plus(term.byTurn().map(c -> c.times(factor))),
+              none,
+              sum.bend().plus(term.bend().times(factor)),
+              false);
+    }
+    return sum;
+  }
+
+  @Override
+  public PairTerm displacement(Vector3 axis) {
+    ScalarVector along = ScalarVector.of(expressions, axis);
+    return new PairTerm(way.dot(along), none, along, expressions.zero(), false);
+  }
+
+  @Override
+  public PairTerm axisCosine(AxisPair axes, double atZero) {
+    PairTerm product = product(axes);
+    return new PairTerm(
+        product.value().minus(expressions.constant(atZero)),
+        product.byTurn(),
+        none,
+        product.bend(),
+        false);
+  }
+
+  /** f = 2 N / D, ∂f = (2 ∂N − f ∂D) / D, and [2 N − f D − 2 D' f'] / D of their bends. */
+  @Override
+  public PairTerm tilt(List<AxisPair> above, List<Double> sign, List<AxisPair> below) {
+    PairTerm n = sum(above, sign);
+    PairTerm d = sum(below, below.stream().map(axes -> 1.0).toList());
+    Scalar denominator = d.value().plus(expressions.one());
+    Scalar value = n.value().times(2).over(denominator);
+    ScalarVector byTurn =
+        n.byTurn()
+            .map(c -> c.times(2))
+            .minus(d.byTurn().times(value))
+            .map(c -> c.over(denominator));
+    Scalar product = d.byTurn().dot(omega).times(byTurn.dot(omega)).times(2);
+    Scalar bend = n.bend().times(2).minus(value.times(d.bend())).minus(product).over(denominator);
+    return new PairTerm(value, byTurn, none, bend, false);
+  }
+
+  /** ∂φ = (c ∂s − s ∂c) / (s² + c²), and (c s − s c − 2 φ' (s s' + c c')) / (s² + c²). */
+  @Override
+  public PairTerm turn(AxisPair sine, AxisPair cosine, double sense) {
+    PairTerm s = product(sine);
+    PairTerm c = product(cosine);
+    Scalar square = s.value().squared().plus(c.value().squared());
+    ScalarVector across = s.byTurn().times(c.value()).minus(c.byTurn().times(s.value()));
+    ScalarVector byTurn = across.map(x -> x.over(square).times(sense));
+    Scalar growth =
+        s.value()
+            .times(s.byTurn().dot(omega))
+            .plus(c.value().times(c.byTurn().dot(omega)))
+            .times(2);
+    Scalar own = c.value().times(s.bend()).minus(s.value().times(c.bend())).times(sense);
+    Scalar bend = own.minus(byTurn.dot(omega).times(growth)).over(square);
+    Scalar angle = expressions.function(MathFunction.ATAN2, s.value(), c.value());
+    return new PairTerm(angle.times(sense), byTurn, none, bend, true);
+  }
+
+  @Override
+  public PairTerm screwGap(PairTerm displacement, PairTerm turn, double pitch) {
+    Scalar gap = displacement.value().minus(turn.value().times(pitch));
+    double lead = 2 * Math.PI * pitch;
+    return new PairTerm(
+        lead == 0 ? gap : nearest(gap, lead),
+        turn.byTurn().map(c -> c.times(-pitch)),
+        displacement.byShift(),
+        turn.bend().times(-pitch),
+        false);
+  }
+
+  /** Returns a difference less the whole periods nearest to it. */
+  public static Scalar nearest(Scalar difference, double period) {
+    Expressions e = difference.expressions();
+    Scalar periods = difference.over(e.constant(period)).plus(e.constant(0.5));
+    return difference.minus(e.function(MathFunction.FLOOR, periods).times(period));
+  }
+
+  @Override
+  public PairTerm distance(double d) {
+    Scalar length = way.dot(way).squareRoot();
+    Scalar size = expressions.constant(d);
+    Scalar value = length.minus(size).times(length.plus(size)).over(expressions.constant(2 * d));
+    ScalarVector along = way.map(c -> c.over(size));
+    return new PairTerm(value, none, along, rate.dot(rate).over(size), false);
+  }
+
+  @Override
+  public PairTerm angularVelocity(int axis) {
+    double[] unit = new double[3];
+    unit[axis] = 1;
+    ScalarVector byTurn = ScalarVector.of(expressions, new Vector3(unit[0], unit[1], unit[2]));
+    Scalar zero = expressions.zero();
+    return new PairTerm(zero, byTurn, none, zero, false);
+  }
+}

@@ -1,0 +1,51 @@
+package org.mechservice.sim.equations.coordinates;
+
+import org.mechservice.sim.equations.kinematics.BodyPoints;
+import org.mechservice.sim.equations.kinematics.Formulas;
+import org.mechservice.sim.equations.kinematics.LinkKinematics;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.Expression;
+
+/** Formulas of time, parameters and the state as scalars; parameters are inputs. */
+public final class StateFormulas extends Formulas {
+  private final JointCoordinates joints;
+  private final BodyPoints points;
+  private final LinkKinematics kinematics;
+
+  public StateFormulas(
+      Expressions expressions,
+      JointCoordinates joints,
+      BodyPoints points,
+      LinkKinematics kinematics) {
+    super(expressions);
+    this.joints = joints;
+    this.points = points;
+    this.kinematics = kinematics;
+  }
+
+  @Override
+  protected Scalar leaf(Expression leaf) {
+    if (leaf instanceof Expression.CoordinatePosition position) {
+      return joints.position(position.coordinate());
+    } else if (leaf instanceof Expression.CoordinateVelocity velocity) {
+      return joints.velocity(velocity.coordinate());
+    } else if (leaf instanceof Expression.PointPosition point) {
+      return place(point.point()).at(point.axis());
+    } else if (leaf instanceof Expression.PointVelocity point) {
+      return speed(point.point()).at(point.axis());
+    }
+    throw new IllegalArgumentException(leaf + " has no value in a force");
+  }
+
+  private ScalarVector place(BodyPoint point) {
+    return kinematics.placeInWorld(points.link(point.body()), points.inLink(point));
+  }
+
+  private ScalarVector speed(BodyPoint point) {
+    int link = points.link(point.body());
+    return kinematics.toWorld(link, kinematics.velocityAt(link, points.inLink(point)));
+  }
+}

@@ -1,0 +1,68 @@
+package org.mechservice.sim.equations.derivatives;
+
+import org.mechservice.solver.dynamics.TreePattern;
+
+/** Where elements of M, ∂F/∂v and ∂F/∂q are put out. Rows and columns are {@link TreeOrder}. */
+sealed interface ElementLayout {
+  /** Returns where an element of M goes, the row no less than the column. */
+  int mass(int row, int column);
+
+  /** Returns where an element of ∂F/∂v goes. */
+  int byVelocity(int row, int column);
+
+  /** Returns where an element of ∂F/∂q goes. */
+  int byPosition(int row, int column);
+
+  /**
+   * As {@link org.mechservice.solver.dynamics.TreeStepModel} reads them.
+   *
+   * @param pattern has all elements that may differ from zero
+   */
+  record OfTree(TreePattern pattern) implements ElementLayout {
+    @Override
+    public int mass(int row, int column) {
+      return row == column ? row : pattern.size() + pattern.find(row, column);
+    }
+
+    @Override
+    public int byVelocity(int row, int column) {
+      int n = pattern.size();
+      int e = pattern.elementCount();
+      if (row == column) {
+        return n + e + row;
+      }
+      int element = pattern.find(Math.max(row, column), Math.min(row, column));
+      return 2 * n + e + element + (row > column ? 0 : e);
+    }
+
+    @Override
+    public int byPosition(int row, int column) {
+      return byVelocity(row, column) + pattern.size() + 2 * pattern.elementCount();
+    }
+  }
+
+  /**
+   * Whole matrices, as {@link org.mechservice.solver.closure.LoopTerms.OfDerivatives} has them.
+   *
+   * @param places of the velocities
+   */
+  record Dense(TreeOrder places) implements ElementLayout {
+    @Override
+    public int mass(int row, int column) {
+      int i = places.get(row).velocity();
+      int j = places.get(column).velocity();
+      return places.size() * Math.max(i, j) + Math.min(i, j);
+    }
+
+    @Override
+    public int byVelocity(int row, int column) {
+      int n = places.size();
+      return n * n + n * places.get(row).velocity() + places.get(column).velocity();
+    }
+
+    @Override
+    public int byPosition(int row, int column) {
+      return byVelocity(row, column) + places.size() * places.size();
+    }
+  }
+}

@@ -1,0 +1,70 @@
+package org.mechservice.sim.equations.derivatives;
+
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
+
+/** Puts elements of M, ∂F/∂v and ∂F/∂q out, with what forces and rods add. */
+final class ElementSums {
+  private final Program program;
+  private final TreeOrder places;
+  private final ElementLayout at;
+  private final ForceSlopes slopes;
+  private final Scalar[][] massOfRods;
+
+  /**
+   * @param massOfRods what rods between bodies add to M, by velocities of the state, the larger
+   *     first; not copied
+   */
+  ElementSums(
+      Program program,
+      TreeOrder places,
+      ElementLayout at,
+      ForceSlopes slopes,
+      Scalar[][] massOfRods) {
+    this.program = program;
+    this.places = places;
+    this.at = at;
+    this.slopes = slopes;
+    this.massOfRods = massOfRods;
+  }
+
+  /** Elements that neither body of which is on the way of the other. */
+  void putOutBetweenBranches() {
+    program.section("Derivatives of forces between branches.", "forces");
+    Scalar zero = program.expressions().zero();
+    for (int i = 0; i < places.size(); i++) {
+      for (int j = 0; j < places.size(); j++) {
+        if (!places.isOnWay(j, i) && !places.isOnWay(i, j)) {
+          putOutByVelocity(i, j, zero);
+          putOutByPosition(i, j, zero);
+          if (i > j) {
+            putOutMass(i, j, zero);
+          }
+        }
+      }
+    }
+  }
+
+  /** Puts an element of M out, the row no less than the column. */
+  void putOutMass(int row, int column, Scalar mass) {
+    int i = places.get(row).velocity();
+    int j = places.get(column).velocity();
+    putOut(at.mass(row, column), mass.plus(massOfRods[Math.max(i, j)][Math.min(i, j)]));
+  }
+
+  /** Puts an element of ∂F/∂v out. */
+  void putOutByVelocity(int row, int column, Scalar element) {
+    putOut(at.byVelocity(row, column), element.plus(slopes.byVelocity(row, column)));
+  }
+
+  /** Puts an element of ∂F/∂q out. */
+  void putOutByPosition(int row, int column, Scalar element) {
+    putOut(at.byPosition(row, column), element.plus(slopes.byPosition(row, column)));
+  }
+
+  private void putOut(int index, Scalar element) {
+    if (!element.isZero()) {
+      program.output(index, element);
+    }
+  }
+}

@@ -1,0 +1,166 @@
+package org.mechservice.sim.equations.derivatives;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.mechservice.sim.equations.kinematics.Coordinates;
+import org.mechservice.sim.equations.kinematics.EulerParameterTerms;
+import org.mechservice.sim.equations.links.Link;
+import org.mechservice.sim.equations.links.Links;
+import org.mechservice.sim.equations.links.Twist;
+import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.sim.equations.recursion.Loads;
+import org.mechservice.sim.equations.recursion.ParentTransform;
+import org.mechservice.sim.symbolic.Differentiation;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarVector;
+
+/**
+ * What applied forces add to the derivatives of the residual: −Sᵀ ∂w − ∂τ for each velocity and
+ * each position along the tangent. The formulas of the forces are differentiated one direction at a
+ * time; what changes is swept inwards from the links it acts on.
+ */
+final class ForceSlopes {
+  private final Expressions expressions;
+  private final Links mechanism;
+  private final Coordinates coordinates;
+  private final TreeOrder places;
+  private final Loads loads;
+  private final ParentTransform toParent;
+  private final List<List<Twist>> subspaces = new ArrayList<>();
+
+  /** By row and column place. */
+  private final @Nullable Scalar[][] byPosition;
+
+  private final @Nullable Scalar[][] byVelocity;
+
+  ForceSlopes(
+      Expressions expressions,
+      Links mechanism,
+      Coordinates coordinates,
+      TreeOrder places,
+      Loads loads,
+      JointColumns columns) {
+    this.expressions = expressions;
+    this.mechanism = mechanism;
+    this.coordinates = coordinates;
+    this.places = places;
+    this.loads = loads;
+    this.toParent = new ParentTransform(expressions, coordinates);
+    mechanism.links().forEach(link -> subspaces.add(columns.subspace(link)));
+    byPosition = new Scalar[places.size()][places.size()];
+    byVelocity = new Scalar[places.size()][places.size()];
+  }
+
+  /** Differentiates. */
+  void derive() {
+    for (int place = 0; place < places.size(); place++) {
+      TreeOrder.Place at = places.get(place);
+      Link link = mechanism.links().get(at.link());
+      Map<Scalar, Scalar> turn = new HashMap<>();
+      if (link.isBall()) {
+        EulerParameterTerms e = coordinates.eulerParameters(link);
+        EulerParameterTerms rate = e.rate(unit(at.component()));
+        for (int i = 0; i < 4; i++) {
+          turn.put(e.at(i), rate.at(i));
+        }
+      } else {
+        turn.put(expressions.input(link.position()), expressions.one());
+      }
+      sweep(place, turn, byPosition);
+      Scalar velocity = expressions.input(mechanism.positionCount() + at.velocity());
+      sweep(place, Map.of(velocity, expressions.one()), byVelocity);
+    }
+  }
+
+  private ScalarVector unit(int axis) {
+    Scalar zero = expressions.zero();
+    Scalar one = expressions.one();
+    return new ScalarVector(axis == 0 ? one : zero, axis == 1 ? one : zero, axis == 2 ? one : zero);
+  }
+
+  private void sweep(int column, Map<Scalar, Scalar> direction, @Nullable Scalar[][] into) {
+    Differentiation rate = new Differentiation(expressions, direction);
+    int count = mechanism.links().size();
+    Wrench[] changes = new Wrench[count];
+    ScalarVector none = ScalarVector.zero(expressions);
+    Arrays.fill(changes, new Wrench(none, none));
+    for (int i = count - 1; i >= 0; i--) {
+      Link link = mechanism.links().get(i);
+      Wrench on = loads.on(i);
+      changes[i] = changes[i].plus(new Wrench(on.moment().map(rate::of), on.force().map(rate::of)));
+      ScalarVector inJoint = loads.of(i);
+      ScalarVector toState =
+          (link.isBall() ? coordinates.ballToState(link, inJoint) : inJoint).map(rate::of);
+      int[] rows = places.of(i);
+      for (int r = 0; r < rows.length; r++) {
+        Scalar borne = subspaces.get(i).get(r).dot(changes[i]);
+        Scalar sum = borne.plus(toState.at(link.isBall() ? r : 2)).negated();
+        if (!sum.isZero()) {
+          into[rows[r]][column] = sum;
+        }
+      }
+      if (link.parent() != Links.ROOT) {
+        changes[link.parent()] = changes[link.parent()].plus(toParent.wrench(link, changes[i]));
+      }
+    }
+  }
+
+  /**
+   * Returns the elements that forces have beyond those of the tree, two places for each. The three
+   * velocities of a ball are coupled together: what turns its columns mixes them.
+   */
+  List<Integer> coupled() {
+    List<Integer> coupled = new ArrayList<>();
+    for (int i = 0; i < mechanism.links().size(); i++) {
+      for (int j = 0; j < i; j++) {
+        if (couples(places.of(i), places.of(j))) {
+          addAll(places.of(i), places.of(j), coupled);
+        }
+      }
+    }
+    return coupled;
+  }
+
+  private boolean couples(int[] rows, int[] columns) {
+    for (int i : rows) {
+      for (int j : columns) {
+        boolean any =
+            byPosition[i][j] != null
+                || byPosition[j][i] != null
+                || byVelocity[i][j] != null
+                || byVelocity[j][i] != null;
+        if (any && !places.isOnWay(j, i)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  private static void addAll(int[] rows, int[] columns, List<Integer> coupled) {
+    for (int i : rows) {
+      for (int j : columns) {
+        coupled.addAll(List.of(i, j));
+      }
+    }
+  }
+
+  /** Returns what is added to ∂F/∂q. */
+  Scalar byPosition(int row, int column) {
+    return orZero(byPosition[row][column]);
+  }
+
+  /** Returns what is added to ∂F/∂v. */
+  Scalar byVelocity(int row, int column) {
+    return orZero(byVelocity[row][column]);
+  }
+
+  private Scalar orZero(@Nullable Scalar value) {
+    return value == null ? expressions.zero() : value;
+  }
+}

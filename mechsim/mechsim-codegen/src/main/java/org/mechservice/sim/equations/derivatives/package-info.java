@@ -1,0 +1,21 @@
+/**
+ * Derivatives of the residual F(t, q, v, v') by q, v and v', for the formulation RR-JF.
+ *
+ * <p>{@link org.mechservice.sim.equations.derivatives.ResidualDerivatives} is the main type: it
+ * records the mass matrix M, ∂F/∂v and ∂F/∂q as one program. {@code LinkRows} derives the rows of a
+ * link, moving its columns inwards joint by joint; {@code JointColumns} holds the columns S with
+ * their derivatives ψ' and ψ''; {@code ForceSlopes} differentiates the applied forces, one
+ * direction at a time.
+ *
+ * <p>{@code TreeOrder} numbers the velocities from the root outwards, {@code ElementLayout} says
+ * where each element is put out, and {@code ElementSums} adds what inertia, forces and rods
+ * contribute to it. Elements that are zero in every state are neither computed nor put out.
+ *
+ * <p>Depends on {@code links}, {@code kinematics}, {@code recursion}, {@code force} and {@code
+ * loop}. Source: Singh, Russell and Wensing, "Efficient analytical derivatives of rigid-body
+ * dynamics using spatial vector algebra", 2022; NUMERICS §2.
+ */
+@NullMarked
+package org.mechservice.sim.equations.derivatives;
+
+import org.jspecify.annotations.NullMarked;

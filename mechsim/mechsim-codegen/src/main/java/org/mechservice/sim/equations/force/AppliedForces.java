@@ -1,0 +1,310 @@
+package org.mechservice.sim.equations.force;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.mechservice.sim.equations.coordinates.CutCoordinateTerms;
+import org.mechservice.sim.equations.coordinates.JointCoordinates;
+import org.mechservice.sim.equations.coordinates.JointLinks;
+import org.mechservice.sim.equations.coordinates.PairMotion;
+import org.mechservice.sim.equations.coordinates.RelativeFrameMotion;
+import org.mechservice.sim.equations.coordinates.StateFormulas;
+import org.mechservice.sim.equations.kinematics.BodyPoints;
+import org.mechservice.sim.equations.kinematics.Coordinates;
+import org.mechservice.sim.equations.kinematics.Formulas;
+import org.mechservice.sim.equations.kinematics.LinkKinematics;
+import org.mechservice.sim.equations.links.Labels;
+import org.mechservice.sim.equations.links.Links;
+import org.mechservice.sim.equations.recursion.Loads;
+import org.mechservice.sim.symbolic.Differentiation;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.sim.symbolic.Substitution;
+import org.mechservice.solver.api.DirectedForces;
+import org.mechservice.solver.expression.BodyFrame;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.Coordinate;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.force.Bushing;
+import org.mechservice.solver.mechanism.force.Contact;
+import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.ForceTorque;
+import org.mechservice.solver.mechanism.force.JointForce;
+import org.mechservice.solver.mechanism.force.JointFriction;
+import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.SpringDamper;
+import org.mechservice.solver.mechanism.force.UserForceElement;
+import org.mechservice.solver.spatial.Rotation;
+
+/** The forces of a mechanism as equations of one program; each opens a section of its own. */
+public final class AppliedForces {
+  private final Program program;
+  private final Expressions expressions;
+  private final Links mechanism;
+  private final BodyPoints points;
+  private final JointLinks links;
+  private final JointCoordinates joints;
+  private final LinkKinematics kinematics;
+  private final StateFormulas formulas;
+
+  public AppliedForces(Program program, Links mechanism, Coordinates coordinates) {
+    this.program = program;
+    this.expressions = program.expressions();
+    this.mechanism = mechanism;
+    this.points = new BodyPoints(expressions, mechanism);
+    this.links = new JointLinks(expressions, mechanism, coordinates);
+    this.kinematics = new LinkKinematics(program, mechanism, coordinates);
+    CutCoordinateTerms cuts = new CutCoordinateTerms(expressions, mechanism, points, kinematics);
+    this.joints = new JointCoordinates(mechanism.mechanism(), links, cuts);
+    this.formulas = new StateFormulas(expressions, joints, points, kinematics);
+  }
+
+  /** Returns where links are and how they move. */
+  public LinkKinematics kinematics() {
+    return kinematics;
+  }
+
+  /**
+   * Derives the forces, in file order, and what they do.
+   *
+   * @param checked whether the program ends where a force has no direction
+   */
+  public Loads loads(boolean checked) {
+    Loads loads = new Loads(expressions, mechanism);
+    List<ForceElement> elements = mechanism.mechanism().forces();
+    for (int i = 0; i < elements.size(); i++) {
+      if (elements.get(i) instanceof UserForceElement) {
+        continue;
+      }
+      section(elements.get(i));
+      ForceTerm term = term(elements.get(i));
+      term.apply(loads);
+      if (checked) {
+        guard(i, term);
+      }
+    }
+    if (elements.stream().anyMatch(UserForceElement.class::isInstance)) {
+      program.section("Forces written as classes, already evaluated.", "given");
+      new UserForceInputs(expressions, mechanism, points, links).apply(loads);
+    }
+    return loads;
+  }
+
+  /** Those of which there are equations; what classes of users compute is given. */
+  private List<ForceElement> written() {
+    return mechanism.mechanism().forces().stream()
+        .filter(element -> !(element instanceof UserForceElement))
+        .toList();
+  }
+
+  private void guard(int force, ForceTerm term) {
+    term.direction()
+        .ifPresent(
+            direction ->
+                program.guard(
+                    new Program.Guard(
+                        direction.size(),
+                        expressions.constant(direction.least()),
+                        DirectedForces.result(force),
+                        "the force has no direction")));
+  }
+
+  /** Returns the potential energy of all forces, J. */
+  public Scalar potential() {
+    Scalar sum = expressions.zero();
+    for (ForceElement element : written()) {
+      section(element);
+      sum = sum.plus(term(element).potential());
+    }
+    return sum;
+  }
+
+  /** Returns the powers of all that has no potential energy, one per force in file order, W. */
+  public List<Scalar> powers() {
+    List<Scalar> powers = new ArrayList<>();
+    for (ForceElement element : written()) {
+      section(element);
+      powers.add(term(element).power());
+    }
+    return powers;
+  }
+
+  /** Returns the values that forces can put out, in file order. */
+  public List<Scalar> values() {
+    List<Scalar> values = new ArrayList<>();
+    for (ForceElement element : written()) {
+      section(element);
+      values.addAll(term(element).values());
+    }
+    return values;
+  }
+
+  /** Returns expressions of time, parameters and the state as scalars. */
+  public List<Scalar> scalars(List<Expression> expressions) {
+    program.section("Formulas.", "formulas");
+    return expressions.stream().map(formulas::scalar).toList();
+  }
+
+  private void section(ForceElement element) {
+    program.section(
+        "Force " + element.name() + " (" + element.getClass().getSimpleName() + ").",
+        "f_" + Labels.sanitized(element.name()));
+  }
+
+  private ForceTerm term(ForceElement element) {
+    if (element instanceof SpringDamper spring) {
+      PairMotion pair = new PairMotion(kinematics, points, spring.point1(), spring.point2());
+      return new SpringTerm(spring.name(), pair, law(spring));
+    } else if (element instanceof JointSpringDamper spring) {
+      return jointSpring(spring);
+    } else if (element instanceof JointFriction friction) {
+      return friction(friction);
+    } else if (element instanceof JointForce force) {
+      Coordinate coordinate = force.coordinate();
+      Scalar size = formulas.scalar(force.force());
+      Scalar power = size.times(joints.velocity(coordinate));
+      return new CoordinateTerm(joints, coordinate, size, expressions.zero(), power);
+    } else if (element instanceof ForceTorque force) {
+      return given(force);
+    } else if (element instanceof Contact contact) {
+      return contact(contact);
+    } else if (element instanceof Bushing bushing) {
+      return bushing(bushing);
+    }
+    throw new IllegalArgumentException("no equations for force " + element.name());
+  }
+
+  /** Some coefficients must be known when code is generated, since it depends on them. */
+  private double number(Expression coefficient) {
+    Scalar value = formulas.scalar(coefficient);
+    if (!value.isConstant()) {
+      throw new IllegalArgumentException("no code is generated for a parameter in " + coefficient);
+    }
+    return value.value();
+  }
+
+  private SpringLaw law(SpringDamper s) {
+    return new SpringLaw(
+        s.side(),
+        formulas.scalar(s.stiffness()),
+        formulas.scalar(s.damping()),
+        formulas.scalar(s.length0()),
+        formulas.scalar(s.force0()),
+        number(s.smoothing()));
+  }
+
+  /** A joint's spring counts positions, its force counts velocities. */
+  private ForceTerm jointSpring(JointSpringDamper s) {
+    Coordinate position = s.coordinate();
+    Coordinate velocity = joints.velocityOf(position);
+    SpringLaw law =
+        new SpringLaw(
+            s.side(),
+            formulas.scalar(s.stiffness()),
+            formulas.scalar(s.damping()),
+            formulas.scalar(s.position0()),
+            formulas.scalar(s.force0()).negated(),
+            number(s.smoothing()));
+    Scalar q = joints.position(position);
+    Scalar v = joints.velocity(velocity);
+    return new CoordinateTerm(
+        joints,
+        velocity,
+        law.tension(q, v).negated(),
+        law.potential(q),
+        law.dampingForce(q, v).times(v).negated());
+  }
+
+  private ForceTerm friction(JointFriction f) {
+    Coordinate coordinate = f.coordinate();
+    Scalar v = joints.velocity(coordinate);
+    Scalar force = v.times(formulas.scalar(f.viscous()).negated());
+    Scalar dry = formulas.scalar(f.coulomb());
+    if (!dry.isZero()) {
+      Scalar speed = formulas.scalar(f.speed());
+      Scalar root = v.squared().plus(speed.squared()).squareRoot();
+      force = force.minus(v.over(root).times(dry));
+    }
+    return new CoordinateTerm(joints, coordinate, force, expressions.zero(), force.times(v));
+  }
+
+  private ForceTerm given(ForceTorque f) {
+    List<Scalar> c = new ArrayList<>();
+    f.components().forEach(component -> c.add(formulas.scalar(component)));
+    int link = points.link(f.point().body());
+    ScalarVector force = new ScalarVector(c.get(0), c.get(1), c.get(2));
+    ScalarVector torque = new ScalarVector(c.get(3), c.get(4), c.get(5));
+    boolean inWorld = f.axes() == ForceTorque.Axes.WORLD;
+    return new ExternalForceTerm(
+        kinematics,
+        link,
+        points.inLink(f.point()),
+        inWorld ? kinematics.fromWorld(link, force) : fromBody(f.point(), force),
+        inWorld ? kinematics.fromWorld(link, torque) : fromBody(f.point(), torque),
+        c);
+  }
+
+  private ScalarVector fromBody(BodyPoint point, ScalarVector v) {
+    return points.axes(point.body(), Rotation.IDENTITY).times(v);
+  }
+
+  private ForceTerm contact(Contact f) {
+    BodyFrame sphere = new BodyFrame(f.center().body(), f.center().position(), Rotation.IDENTITY);
+    RelativeFrameMotion frames = new RelativeFrameMotion(kinematics, points, f.surface(), sphere);
+    Scalar x = frames.displacement().x();
+    Profile profile = new Profile(expressions);
+    Scalar height = profile.scalar(f.height());
+    Substitution place = new Substitution(profile.way(), x);
+    return new ContactTerm(
+        frames,
+        new ContactTerm.Coefficients(
+            number(f.radius()),
+            number(f.stiffness()),
+            number(f.damping()),
+            number(f.exponent()),
+            number(f.smoothing()),
+            number(f.friction()),
+            number(f.frictionSpeed())),
+        place.of(height),
+        place.of(profile.slope(height)));
+  }
+
+  private ForceTerm bushing(Bushing f) {
+    return new BushingTerm(
+        expressions,
+        new RelativeFrameMotion(kinematics, points, f.frame1(), f.frame2()),
+        f.stiffness().stream().mapToDouble(this::number).toArray(),
+        f.damping().stream().mapToDouble(this::number).toArray(),
+        f.preload().stream().mapToDouble(this::number).toArray(),
+        f.law() == Bushing.Law.ENERGY);
+  }
+
+  /** The height of a profile as a formula of the way along it. */
+  private static final class Profile extends Formulas {
+    private final Expressions expressions;
+
+    Profile(Expressions expressions) {
+      super(expressions);
+      this.expressions = expressions;
+    }
+
+    /** Returns what stands for the way until it is known. */
+    Scalar way() {
+      return expressions.input(Program.PLACEHOLDER);
+    }
+
+    @Override
+    protected Scalar leaf(Expression leaf) {
+      if (leaf instanceof Expression.Argument) {
+        return way();
+      }
+      throw new IllegalArgumentException("a profile depends on " + leaf);
+    }
+
+    Scalar slope(Scalar height) {
+      return new Differentiation(expressions, Map.of(way(), expressions.one())).of(height);
+    }
+  }
+}

@@ -1,0 +1,179 @@
+package org.mechservice.sim.equations.force;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.sim.equations.coordinates.RelativeFrameMotion;
+import org.mechservice.sim.equations.recursion.Loads;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.MathFunction;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarMatrix;
+import org.mechservice.sim.symbolic.ScalarVector;
+
+/**
+ * Force and moment of a bushing. Legend: x = [r; φ]; φ′ = B ω with B = B(φ); g = preload − K x − C
+ * x′; force g_r; moment Bᵀ g_φ, or g_φ with ω in place of φ′ where the law is linear.
+ */
+final class BushingTerm implements ForceTerm {
+  /** Angle below which γ is taken from its series; the next term is then below 1e-17. */
+  private static final double SERIES = 0.05;
+
+  /** Cosine of half the angle at which a rotation counts as half a turn. */
+  private static final double HALF_TURN = 1e-3;
+
+  private final Expressions e;
+  private final RelativeFrameMotion frames;
+  private final double[] stiffness;
+  private final double[] preload;
+  private final boolean byEnergy;
+  private final ScalarVector phi;
+  private final Scalar gamma;
+  private final Scalar half;
+  private final List<Scalar> x;
+  private final List<Scalar> rates;
+  private final List<Scalar> g;
+
+  /**
+   * @param stiffness K row by row
+   * @param damping C row by row
+   * @param preload force, then moment
+   * @param byEnergy whether the moment belongs to the rotation by its power
+   */
+  BushingTerm(
+      Expressions expressions,
+      RelativeFrameMotion frames,
+      double[] stiffness,
+      double[] damping,
+      double[] preload,
+      boolean byEnergy) {
+    this.e = expressions;
+    this.frames = frames;
+    this.stiffness = stiffness.clone();
+    this.preload = preload.clone();
+    this.byEnergy = byEnergy;
+    ScalarMatrix r = frames.rotation();
+    // e0 = cos θ/2: half a turn is refused
+    half = e.one().plus(r.at(0, 0)).plus(r.at(1, 1)).plus(r.at(2, 2)).squareRoot().times(0.5);
+    ScalarVector vector =
+        new ScalarVector(
+                r.at(2, 1).minus(r.at(1, 2)),
+                r.at(0, 2).minus(r.at(2, 0)),
+                r.at(1, 0).minus(r.at(0, 1)))
+            .times(e.constant(0.25).over(half));
+    Scalar square = vector.dot(vector);
+    // Without a turn nothing is divided by zero, not even in slopes of what is not chosen.
+    Scalar sine = choose(square, e.zero(), e.one(), square).squareRoot();
+    Scalar turn = e.function(MathFunction.ATAN2, sine, half).times(2);
+    boolean parallel = square.isZero();
+    phi =
+        vector.times(
+            parallel ? e.constant(2) : choose(square, e.zero(), e.constant(2), turn.over(sine)));
+    gamma =
+        parallel
+            ? e.constant(1.0 / 12)
+            : gamma(choose(square, e.zero(), e.zero(), turn), turn, half.over(sine));
+    x = joined(frames.displacement(), phi);
+    rates = joined(frames.rate(), byEnergy ? turned(-0.5, frames.omega()) : frames.omega());
+    g = new ArrayList<>();
+    for (int i = 0; i < 6; i++) {
+      Scalar sum = e.constant(preload[i]);
+      for (int k = 0; k < 6; k++) {
+        Scalar spring = x.get(k).times(stiffness[6 * i + k]);
+        sum = sum.minus(spring).minus(rates.get(k).times(damping[6 * i + k]));
+      }
+      g.add(sum);
+    }
+  }
+
+  private Scalar choose(Scalar a, Scalar b, Scalar first, Scalar second) {
+    return e.function(MathFunction.CHOOSE, a, b, first, second);
+  }
+
+  /**
+   * γ = (1 − θ/2 cot θ/2) / θ².
+   *
+   * @param turn θ where it is not zero
+   */
+  private Scalar gamma(Scalar theta, Scalar turn, Scalar cotangent) {
+    Scalar z = theta.squared();
+    Scalar series =
+        e.constant(1.0 / 12)
+            .plus(
+                z.times(
+                    e.constant(1.0 / 720)
+                        .plus(z.times(e.constant(1.0 / 30240).plus(z.times(1.0 / 1209600))))));
+    Scalar closed = e.one().minus(turn.times(0.5).times(cotangent)).over(turn.squared());
+    return choose(theta, e.constant(SERIES), series, closed);
+  }
+
+  /** a + half φ × a + γ φ × (φ × a). */
+  private ScalarVector turned(double factor, ScalarVector a) {
+    ScalarVector once = phi.cross(a);
+    ScalarVector twice = phi.cross(once);
+    return a.plus(once.map(component -> component.times(factor))).plus(twice.times(gamma));
+  }
+
+  private static List<Scalar> joined(ScalarVector first, ScalarVector second) {
+    List<Scalar> all = new ArrayList<>(first.components());
+    all.addAll(second.components());
+    return all;
+  }
+
+  private ScalarVector force() {
+    return new ScalarVector(g.get(0), g.get(1), g.get(2));
+  }
+
+  private ScalarVector moment() {
+    ScalarVector plain = new ScalarVector(g.get(3), g.get(4), g.get(5));
+    return byEnergy ? turned(0.5, plain) : plain;
+  }
+
+  /** Near half a turn the rotation vector jumps. */
+  @Override
+  public Optional<Direction> direction() {
+    return half.isConstant() ? Optional.empty() : Optional.of(new Direction(half, HALF_TURN));
+  }
+
+  @Override
+  public void apply(Loads loads) {
+    frames.addWrench(force(), moment(), loads);
+  }
+
+  @Override
+  public Scalar potential() {
+    Scalar sum = e.zero();
+    for (int i = 0; i < 6; i++) {
+      for (int k = 0; k < 6; k++) {
+        sum = sum.plus(x.get(i).times(x.get(k)).times(0.5 * stiffness[6 * i + k]));
+      }
+      sum = sum.minus(x.get(i).times(preload[i]));
+    }
+    return sum;
+  }
+
+  /** Power of force and moment, and the rate of the potential energy. */
+  @Override
+  public Scalar power() {
+    ScalarVector omega = frames.omega();
+    Scalar sum = force().dot(frames.rate()).plus(moment().dot(omega));
+    List<Scalar> dx = joined(frames.rate(), turned(-0.5, omega));
+    for (int i = 0; i < 6; i++) {
+      Scalar resisting = e.constant(-preload[i]);
+      for (int k = 0; k < 6; k++) {
+        double symmetric = 0.5 * (stiffness[6 * i + k] + stiffness[6 * k + i]);
+        resisting = resisting.plus(x.get(k).times(symmetric));
+      }
+      sum = sum.plus(resisting.times(dx.get(i)));
+    }
+    return sum;
+  }
+
+  @Override
+  public List<Scalar> values() {
+    List<Scalar> values = new ArrayList<>(x);
+    values.addAll(force().components());
+    values.addAll(moment().components());
+    return values;
+  }
+}

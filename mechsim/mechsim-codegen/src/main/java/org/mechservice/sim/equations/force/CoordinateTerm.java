@@ -1,0 +1,31 @@
+package org.mechservice.sim.equations.force;
+
+import java.util.List;
+import org.mechservice.sim.equations.coordinates.JointCoordinates;
+import org.mechservice.sim.equations.recursion.Loads;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.expression.Coordinate;
+
+/**
+ * A force on one coordinate of a joint.
+ *
+ * @param joints finds the coordinate
+ * @param coordinate counts velocities
+ * @param force positive drives the coordinate upwards, N·m or N
+ * @param potential its potential energy, J
+ * @param power power of what has none, W
+ */
+record CoordinateTerm(
+    JointCoordinates joints, Coordinate coordinate, Scalar force, Scalar potential, Scalar power)
+    implements ForceTerm {
+
+  @Override
+  public void apply(Loads loads) {
+    joints.addForce(coordinate, force, loads);
+  }
+
+  @Override
+  public List<Scalar> values() {
+    return List.of(force);
+  }
+}

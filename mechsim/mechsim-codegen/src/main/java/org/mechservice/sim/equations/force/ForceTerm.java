@@ -1,0 +1,34 @@
+package org.mechservice.sim.equations.force;
+
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.sim.equations.recursion.Loads;
+import org.mechservice.sim.symbolic.Scalar;
+
+/** An applied force as equations. */
+interface ForceTerm {
+  /** Adds what it does to links and joints. */
+  void apply(Loads loads);
+
+  /** Returns what vanishes where the force has no direction, if that can happen. */
+  default Optional<Direction> direction() {
+    return Optional.empty();
+  }
+
+  /**
+   * A force has a direction where {@code size > least}.
+   *
+   * @param size what is checked
+   * @param least number at or below which there is none
+   */
+  record Direction(Scalar size, double least) {}
+
+  /** Returns its potential energy, J; zero if it has none. */
+  Scalar potential();
+
+  /** Returns the power of what has no potential energy, W, positive into the mechanism. */
+  Scalar power();
+
+  /** Returns the values it can put out, in the order in which the description names them. */
+  List<Scalar> values();
+}

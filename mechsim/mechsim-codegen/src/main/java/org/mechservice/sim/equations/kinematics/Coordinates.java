@@ -1,0 +1,152 @@
+package org.mechservice.sim.equations.kinematics;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.mechservice.sim.equations.links.Labels;
+import org.mechservice.sim.equations.links.Link;
+import org.mechservice.sim.equations.links.Links;
+import org.mechservice.sim.symbolic.Differentiation;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarMatrix;
+import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.mechanism.Parameter;
+
+/** Coordinates of the links in one program, with their sines and cosines. */
+public final class Coordinates {
+  private static final int NONE = -1;
+
+  private final Program program;
+  private final Expressions expressions;
+  private final TimeFunctions functions;
+  private final Differentiation byTime;
+  private final Map<Link, ScalarMatrix> rotations = new HashMap<>();
+  private final int derivative;
+
+  /** No joint accelerates unless it is driven. */
+  public Coordinates(Program program, Links links) {
+    this(program, links, NONE);
+  }
+
+  /** Joints accelerate as inputs say, from {@code derivative} on those of y'. */
+  public Coordinates(Program program, Links links, int derivative) {
+    this.program = program;
+    this.derivative = derivative;
+    this.expressions = program.expressions();
+    this.functions = new TimeFunctions(expressions);
+    this.byTime =
+        new Differentiation(
+            expressions, Map.of(expressions.input(Program.TIME), expressions.one()));
+    nameParameters(links.mechanism().parameters());
+  }
+
+  private void nameParameters(List<Parameter> parameters) {
+    for (int i = 0; i < parameters.size(); i++) {
+      String name = "p_" + Labels.sanitized(parameters.get(i).name());
+      program.named(name, expressions.input(Program.PARAMETER + i));
+    }
+  }
+
+  /** Returns the link's coordinate, rad or m. */
+  public Scalar position(Link link) {
+    return named("q_", link, drivenOr(link, link.position()));
+  }
+
+  /** Returns the link's velocity, rad/s or m/s. */
+  public Scalar velocity(Link link) {
+    return link.isDriven()
+        ? named("v_", link, byTime.of(position(link)))
+        : named("v_", link, expressions.input(link.velocity()));
+  }
+
+  /** Returns what is known of the link's acceleration beforehand: 0 unless driven or given. */
+  public Scalar knownAcceleration(Link link) {
+    if (link.isDriven()) {
+      return named("a_", link, byTime.of(velocity(link)));
+    }
+    return derivative == NONE
+        ? expressions.zero()
+        : named("a_", link, expressions.input(derivative + link.velocity()));
+  }
+
+  /** The same of a ball, as {@link #ballVelocity}. */
+  public ScalarVector knownBallAcceleration(Link link) {
+    return derivative == NONE
+        ? ScalarVector.zero(expressions)
+        : program.named("a_" + link.jointLabel(), inputs(derivative + link.velocity()));
+  }
+
+  private Scalar drivenOr(Link link, int input) {
+    return link.motion().isPresent()
+        ? functions.scalar(link.motion().get())
+        : expressions.input(input);
+  }
+
+  private Scalar named(String kind, Link link, Scalar value) {
+    return program.named(kind + link.jointLabel(), value);
+  }
+
+  /** Returns the way along z, m. */
+  public Scalar way(Link link) {
+    return position(link).times(link.way());
+  }
+
+  /** Returns its rate, m/s. */
+  public Scalar wayRate(Link link) {
+    return velocity(link).times(link.way());
+  }
+
+  /** Returns the sine of a turning link's angle. */
+  public Scalar sine(Link link) {
+    return named("sin_", link, expressions.sine(position(link)));
+  }
+
+  /** Returns the cosine of a turning link's angle. */
+  public Scalar cosine(Link link) {
+    return named("cos_", link, expressions.cosine(position(link)));
+  }
+
+  /** Returns the angular velocity of the file's body 2 relative to body 1, in body 1's axes. */
+  public ScalarVector ballVelocity(Link link) {
+    return program.named("v_" + link.jointLabel(), inputs(link.velocity()));
+  }
+
+  private ScalarVector inputs(int first) {
+    return new ScalarVector(
+        expressions.input(first), expressions.input(first + 1), expressions.input(first + 2));
+  }
+
+  /** Returns the Euler parameters as the state has them. */
+  public EulerParameterTerms eulerParameters(Link link) {
+    Scalar[] e = new Scalar[4];
+    for (int i = 0; i < 4; i++) {
+      e[i] = expressions.input(link.position() + i);
+      program.named("e" + i + "_" + link.jointLabel(), e[i]);
+    }
+    return new EulerParameterTerms(List.of(e));
+  }
+
+  /** Returns the rotation from the link's axes to its parent's, by R(e/|e|) or its transpose. */
+  public ScalarMatrix ballRotation(Link link) {
+    ScalarMatrix known = rotations.get(link);
+    if (known == null) {
+      ScalarMatrix rotation = eulerParameters(link).rotation();
+      known = link.inverse() ? rotation.transposed() : rotation;
+      program.named("R_" + link.jointLabel(), known);
+      rotations.put(link, known);
+    }
+    return known;
+  }
+
+  /**
+   * Returns rates or moments along the freedoms of a ball as the state tells them: in the axes of
+   * the file's body 1, of its body 2 relative to it.
+   *
+   * @param inLink in link axes, of the link relative to its parent
+   */
+  public ScalarVector ballToState(Link link, ScalarVector inLink) {
+    return link.inverse() ? inLink.map(Scalar::negated) : ballRotation(link).times(inLink);
+  }
+}

@@ -1,0 +1,117 @@
+package org.mechservice.sim.equations.kinematics;
+
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.MathFunction;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.expression.Expression;
+
+/** Formulas of the model file as scalars; what they are made of is told by subclasses. */
+public abstract class Formulas {
+  /** Whole and half exponents up to here become products. */
+  private static final int LARGEST_PRODUCT = 64;
+
+  private final Expressions e;
+
+  public Formulas(Expressions expressions) {
+    this.e = expressions;
+  }
+
+  /** Returns a leaf that is neither a constant nor the time nor a parameter, which are inputs. */
+  protected abstract Scalar leaf(Expression leaf);
+
+  /** Returns a formula as a scalar. */
+  public final Scalar scalar(Expression formula) {
+    if (formula instanceof Expression.Constant constant) {
+      return e.constant(constant.value());
+    } else if (formula instanceof Expression.Time) {
+      return e.input(Program.TIME);
+    } else if (formula instanceof Expression.ParameterValue parameter) {
+      return e.input(Program.PARAMETER + parameter.index());
+    } else if (formula instanceof Expression.Sum sum) {
+      return scalar(sum.left()).plus(scalar(sum.right()));
+    } else if (formula instanceof Expression.Product product) {
+      return scalar(product.left()).times(scalar(product.right()));
+    } else if (formula instanceof Expression.Quotient quotient) {
+      return quotient(scalar(quotient.dividend()), scalar(quotient.divisor()));
+    } else if (formula instanceof Expression.Power power) {
+      return power(scalar(power.base()), scalar(power.exponent()));
+    } else if (formula instanceof Expression.Negation negation) {
+      return scalar(negation.operand()).negated();
+    } else if (formula instanceof Expression.Call call) {
+      return call(call);
+    }
+    return leaf(formula);
+  }
+
+  /** A divisor may pass through zero, and where it is infinite nothing is left. */
+  private Scalar quotient(Scalar dividend, Scalar divisor) {
+    Scalar quotient = dividend.over(divisor);
+    return divisor.isConstant() ? quotient : quotient.markedSteep();
+  }
+
+  /** Products for whole and half exponents, in the order the solver multiplies in. */
+  private Scalar power(Scalar base, Scalar exponent) {
+    double n = exponent.isConstant() ? exponent.value() : Double.NaN;
+    if (Math.abs(n) <= LARGEST_PRODUCT && n == Math.rint(n)) {
+      return whole(base, (int) n);
+    } else if (Math.abs(n) <= LARGEST_PRODUCT && 2 * n == Math.rint(2 * n)) {
+      Scalar root = base.squareRoot().markedSteep().times(whole(base, (int) Math.abs(n)));
+      return n > 0 ? root : quotient(e.one(), root);
+    }
+    return e.function(MathFunction.POWER, base, exponent).markedSteep();
+  }
+
+  private Scalar whole(Scalar base, int n) {
+    Scalar product = e.one();
+    Scalar square = base;
+    for (int k = Math.abs(n); k > 0; k >>= 1) {
+      if ((k & 1) == 1) {
+        product = product.times(square);
+      }
+      square = square.squared();
+    }
+    return n >= 0 ? product : quotient(e.one(), product);
+  }
+
+  private Scalar call(Expression.Call call) {
+    Scalar x = scalar(call.arguments().get(0));
+    return switch (call.function()) {
+      case SQRT -> x.squareRoot().markedSteep();
+      case SIN -> e.sine(x);
+      case COS -> e.cosine(x);
+      case TAN -> e.sine(x).over(e.cosine(x));
+      case STEP -> e.function(MathFunction.CHOOSE, e.zero(), x, e.one(), e.zero());
+      case SMOOTH_STEP -> smoothStep(x);
+      case ABS -> e.function(MathFunction.ABS, x);
+      case ASIN -> e.function(MathFunction.ASIN, x).markedSteep();
+      case ACOS -> e.function(MathFunction.ACOS, x).markedSteep();
+      case ATAN -> e.function(MathFunction.ATAN, x);
+      case EXP -> e.function(MathFunction.EXP, x).markedSteep();
+      case LOG -> e.function(MathFunction.LOG, x).markedSteep();
+      case SINH -> e.function(MathFunction.SINH, x).markedSteep();
+      case COSH -> e.function(MathFunction.COSH, x).markedSteep();
+      case TANH -> e.function(MathFunction.TANH, x);
+      case SIGNUM -> e.function(MathFunction.SIGNUM, x);
+      case FLOOR -> e.function(MathFunction.FLOOR, x);
+      case ATAN2, MIN, MAX, HYPOT -> ofTwo(call, x);
+    };
+  }
+
+  private Scalar ofTwo(Expression.Call call, Scalar x) {
+    Scalar y = scalar(call.arguments().get(1));
+    return switch (call.function()) {
+      case ATAN2 -> e.function(MathFunction.ATAN2, x, y);
+      case MIN -> e.function(MathFunction.MIN, x, y);
+      case MAX -> e.function(MathFunction.MAX, x, y);
+      default -> e.function(MathFunction.HYPOT, x, y);
+    };
+  }
+
+  /** s² (3 − 2 s) with s = x between 0 and 1. */
+  private Scalar smoothStep(Scalar x) {
+    Scalar below = e.function(MathFunction.MIN, e.one(), x);
+    Scalar s = e.function(MathFunction.MAX, e.zero(), below);
+    return s.squared().times(e.constant(3).minus(s.times(2)));
+  }
+}

@@ -1,0 +1,40 @@
+package org.mechservice.sim.equations.kinematics;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import org.mechservice.sim.equations.links.Link;
+import org.mechservice.sim.equations.links.Twist;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarMatrix;
+import org.mechservice.sim.symbolic.ScalarVector;
+
+/** The motions S of links for each of their velocities, in link axes at the links' origins. */
+public final class JointSubspace {
+  private final Expressions expressions;
+  private final Coordinates coordinates;
+
+  public JointSubspace(Expressions expressions, Coordinates coordinates) {
+    this.expressions = expressions;
+    this.coordinates = coordinates;
+  }
+
+  /** Returns S of each velocity of a link, as the state tells them. */
+  public List<Twist> of(Link link) {
+    ScalarVector none = ScalarVector.zero(expressions);
+    if (link.isBall()) {
+      ScalarMatrix toState = coordinates.ballRotation(link);
+      return IntStream.range(0, 3)
+          .mapToObj(c -> new Twist(link.inverse() ? along(c, -1) : toState.row(c), none))
+          .toList();
+    }
+    return List.of(new Twist(link.turns() ? along(2, 1) : none, along(2, link.way())));
+  }
+
+  private ScalarVector along(int axis, double size) {
+    Scalar zero = expressions.zero();
+    Scalar length = expressions.constant(size);
+    return new ScalarVector(
+        axis == 0 ? length : zero, axis == 1 ? length : zero, axis == 2 ? length : zero);
+  }
+}

@@ -1,0 +1,49 @@
+package org.mechservice.sim.equations.kinematics;
+
+import org.mechservice.sim.equations.links.Link;
+import org.mechservice.sim.equations.links.Links;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
+
+/** How the positions change: q' = v, but e' = ½ (0, ω) ∘ e for Euler parameters (NUMERICS §1a). */
+public final class PositionRates {
+  private final Program program;
+  private final Links mechanism;
+  private final Coordinates coordinates;
+
+  public PositionRates(Program program, Links mechanism, Coordinates coordinates) {
+    this.program = program;
+    this.mechanism = mechanism;
+    this.coordinates = coordinates;
+  }
+
+  /** Takes the rate of a position of the state. */
+  public interface Taker {
+    void take(int position, Scalar rate);
+  }
+
+  /** Puts the rates out in a section of their own. */
+  public void putOut() {
+    each(program::output);
+  }
+
+  /** Derives the rates in a section of their own and hands them over. */
+  public void each(Taker taker) {
+    boolean balls = false;
+    for (Link link : mechanism.links()) {
+      balls |= link.isBall();
+    }
+    program.section(balls ? "q' = v, e' = (0, v) e / 2" : "q' = v", "q");
+    for (Link link : mechanism.links()) {
+      if (link.isBall()) {
+        EulerParameterTerms rate =
+            coordinates.eulerParameters(link).rate(coordinates.ballVelocity(link));
+        for (int i = 0; i < 4; i++) {
+          taker.take(link.position() + i, rate.at(i));
+        }
+      } else if (!link.isDriven()) {
+        taker.take(link.position(), coordinates.velocity(link));
+      }
+    }
+  }
+}

@@ -1,0 +1,17 @@
+package org.mechservice.sim.equations.kinematics;
+
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.expression.Expression;
+
+/** Formulas of time and parameters as scalars; parameters are inputs. */
+public final class TimeFunctions extends Formulas {
+  public TimeFunctions(Expressions expressions) {
+    super(expressions);
+  }
+
+  @Override
+  protected Scalar leaf(Expression leaf) {
+    throw new IllegalArgumentException("a prescribed motion depends on " + leaf);
+  }
+}

@@ -1,0 +1,67 @@
+package org.mechservice.sim.equations.links;
+
+import java.util.List;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarVector;
+
+/**
+ * One freedom of a link: it turns about a coordinate axis of its computing frame, or moves along z,
+ * or does both in proportion.
+ *
+ * @param axis 0, 1, 2 for x, y, z
+ * @param turns whether it turns
+ * @param way along the axis per coordinate
+ */
+public record DegreeOfFreedom(int axis, boolean turns, double way) {
+
+  /** Returns the freedoms of a link in the order in which they are eliminated. */
+  public static List<DegreeOfFreedom> of(Link link) {
+    return link.isBall()
+        ? List.of(
+            new DegreeOfFreedom(0, true, 0),
+            new DegreeOfFreedom(1, true, 0),
+            new DegreeOfFreedom(2, true, 0))
+        : List.of(new DegreeOfFreedom(2, link.turns(), link.way()));
+  }
+
+  /** Returns what of a wrench, or of a share, lies along the freedom. */
+  public Scalar along(Wrench wrench) {
+    Scalar sum = wrench.moment().x().expressions().zero();
+    if (turns) {
+      sum = sum.plus(wrench.moment().at(axis));
+    }
+    return way == 0 ? sum : sum.plus(wrench.force().at(axis).times(way));
+  }
+
+  /** Returns whether the freedom is a plain turn or a plain move. */
+  public boolean isPlain() {
+    return turns != (way != 0);
+  }
+
+  /** Returns a wrench whose element on the axis of a plain freedom is replaced. */
+  public Wrench with(Wrench wrench, Scalar onAxis) {
+    if (!isPlain()) {
+      return wrench;
+    }
+    return turns
+        ? new Wrench(replaced(wrench.moment(), onAxis), wrench.force())
+        : new Wrench(wrench.moment(), replaced(wrench.force(), onAxis));
+  }
+
+  /** Returns a vector with its component along the axis replaced. */
+  public ScalarVector replaced(ScalarVector vector, Scalar component) {
+    return new ScalarVector(
+        axis == 0 ? component : vector.x(),
+        axis == 1 ? component : vector.y(),
+        axis == 2 ? component : vector.z());
+  }
+
+  /** Returns the link's own inertia along the freedom: kg·m², or kg. */
+  public double ownInertia(Link link) {
+    if (link.isBall()) {
+      return SmallTensor.pivots(link.inertiaAtOrigin())[axis];
+    }
+    double turning = turns ? link.inertiaAtOrigin().zz() : 0;
+    return turning + way * way * link.mass();
+  }
+}

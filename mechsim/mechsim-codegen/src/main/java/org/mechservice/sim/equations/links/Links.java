@@ -1,0 +1,46 @@
+package org.mechservice.sim.equations.links;
+
+import java.util.List;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * A mechanism in computing frames.
+ *
+ * @param mechanism what it describes
+ * @param links what moves, from the root outwards: parents come before their children
+ * @param bodies where each body is, in the mechanism's order
+ * @param positionCount number of positions in the state
+ * @param velocityCount number of velocities in the state
+ * @param gravity acceleration of free fall in root axes, m/s²
+ * @param fixedMass mass welded to the root, kg
+ * @param fixedCenter its centre, in root axes, m
+ */
+public record Links(
+    Mechanism mechanism,
+    List<Link> links,
+    List<BodyPlacement> bodies,
+    int positionCount,
+    int velocityCount,
+    Vector3 gravity,
+    double fixedMass,
+    Vector3 fixedCenter) {
+  /** Index of the root where a link is meant. */
+  public static final int ROOT = -1;
+
+  public Links {
+    links = List.copyOf(links);
+    bodies = List.copyOf(bodies);
+  }
+
+  /** Returns the same with other links in the places of these. */
+  public Links with(List<Link> others) {
+    return new Links(
+        mechanism, others, bodies, positionCount, velocityCount, gravity, fixedMass, fixedCenter);
+  }
+
+  /** Chooses the computing frames of a mechanism. */
+  public static Links of(Mechanism mechanism) {
+    return new LinkLayout(mechanism).links();
+  }
+}

@@ -1,0 +1,47 @@
+package org.mechservice.sim.equations.links;
+
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarMatrix;
+import org.mechservice.sim.symbolic.ScalarVector;
+
+/**
+ * A force and a moment about the origin of the frame they are given in.
+ *
+ * @param moment N·m
+ * @param force N
+ */
+public record Wrench(ScalarVector moment, ScalarVector force) {
+
+  public Wrench plus(Wrench other) {
+    return new Wrench(moment.plus(other.moment), force.plus(other.force));
+  }
+
+  public Wrench minus(Wrench other) {
+    return new Wrench(moment.minus(other.moment), force.minus(other.force));
+  }
+
+  /** Returns factor · this. */
+  public Wrench times(double factor) {
+    return new Wrench(moment.times(factor), force.times(factor));
+  }
+
+  /** Returns the same wrench in other axes: components v = rotation · this. */
+  public Wrench in(ScalarMatrix rotation) {
+    return new Wrench(rotation.times(moment), rotation.times(force));
+  }
+
+  /** Returns the same wrench in axes turned back: components v = Rot(axis, angle) · this. */
+  public Wrench turned(int axis, Scalar cosine, Scalar sine) {
+    return new Wrench(moment.turned(axis, cosine, sine), force.turned(axis, cosine, sine));
+  }
+
+  /** Returns the same wrench in parent axes. */
+  public Wrench toParent(AxesChange axes) {
+    return new Wrench(axes.toParent(moment), axes.toParent(force));
+  }
+
+  /** Returns the same wrench about a point from which this frame's origin lies at {@code r}. */
+  public Wrench shifted(ScalarVector r) {
+    return new Wrench(moment.plus(r.cross(force)), force);
+  }
+}

@@ -1,0 +1,152 @@
+package org.mechservice.sim.equations.loop;
+
+import java.util.Optional;
+import org.mechservice.sim.equations.force.AppliedForces;
+import org.mechservice.sim.equations.force.MassiveRodTerms;
+import org.mechservice.sim.equations.kinematics.Coordinates;
+import org.mechservice.sim.equations.kinematics.JointOutputs;
+import org.mechservice.sim.equations.kinematics.LinkKinematics;
+import org.mechservice.sim.equations.links.Links;
+import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.sim.equations.recursion.ForceSweep;
+import org.mechservice.sim.equations.recursion.JointSweep;
+import org.mechservice.sim.equations.recursion.Loads;
+import org.mechservice.sim.equations.recursion.StateMass;
+import org.mechservice.sim.equations.recursion.VelocityRows;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.closure.CountedAngles;
+import org.mechservice.solver.closure.LoopTerms;
+
+/**
+ * The terms of the equations of a mechanism with loops as programs, laid out as {@link LoopTerms}
+ * says; counted angles follow [q; v]. Whatever is zero in every state is not put out.
+ */
+public final class LoopCode {
+  private final Program program = new Program();
+  private final Expressions expressions = program.expressions();
+  private final Links mechanism;
+  private final Coordinates coordinates;
+  private final LinkKinematics kinematics;
+  private final VelocityRows rows;
+  private final int m;
+  private final int n;
+
+  /**
+   * @param equations number of equations of the loops
+   * @param derivative where inputs of accelerations begin; −1: no joint accelerates
+   */
+  private LoopCode(Links mechanism, int equations, int derivative) {
+    this.mechanism = MassiveRodTerms.withEnds(mechanism);
+    this.coordinates = new Coordinates(program, this.mechanism, derivative);
+    this.kinematics = new LinkKinematics(program, this.mechanism, coordinates);
+    this.rows = new VelocityRows(expressions, this.mechanism, coordinates);
+    this.m = equations;
+    this.n = mechanism.velocityCount();
+  }
+
+  private static LoopCode atRest(Links mechanism, int equations) {
+    return new LoopCode(mechanism, equations, -1);
+  }
+
+  /** Derives the program from [q; v] to Φ, Φ' and J. */
+  public static Program loops(Links mechanism, int equations) {
+    LoopCode code = atRest(mechanism, equations);
+    code.putOutLoops(Optional.empty());
+    return code.program;
+  }
+
+  /** Derives the program from [q; v] to all terms; guards return results of forces. */
+  public static Program equations(Links mechanism, int equations) {
+    LoopCode code = atRest(mechanism, equations);
+    ForceSweep sweep = code.putOutBias(LoopTerms.biasAt(equations, code.n));
+    code.putOutLoops(Optional.of(sweep));
+    code.putOutMass();
+    return code.program;
+  }
+
+  /** Derives the program from [q; v] to γ. */
+  public static Program offset(Links mechanism, int equations) {
+    LoopCode code = atRest(mechanism, equations);
+    ForceSweep sweep = new ForceSweep(code.program, code.mechanism, code.coordinates);
+    sweep.sweep();
+    code.rows(Optional.of(sweep)).each((row, equation) -> code.putOutOffset(row, equation));
+    return code.program;
+  }
+
+  /**
+   * Derives the program from [q; v], followed by v', to M v' + b − τ; guards as {@link #equations}.
+   */
+  public static Program residual(Links mechanism) {
+    // accelerations count like velocities, which come after the positions
+    int derivative = mechanism.velocityCount() + CountedAngles.of(mechanism.mechanism()).size();
+    LoopCode code = new LoopCode(mechanism, 0, derivative);
+    code.putOutBias(0);
+    return code.program;
+  }
+
+  private LoopRows rows(Optional<ForceSweep> sweep) {
+    return new LoopRows(program, mechanism, coordinates, kinematics, rows, sweep);
+  }
+
+  private void put(int index, Scalar value) {
+    if (!value.isZero()) {
+      program.output(index, value);
+    }
+  }
+
+  private void putOutLoops(Optional<ForceSweep> sweep) {
+    rows(sweep)
+        .each(
+            (row, equation) -> {
+              put(row, equation.value());
+              put(m + row, equation.rate());
+              for (int j = 0; j < n; j++) {
+                put(LoopTerms.jacobianAt(m) + row * n + j, equation.jacobian()[j]);
+              }
+              equation.size().ifPresent(size -> put(LoopTerms.sizeAt(m, n) + row, size));
+              if (sweep.isPresent()) {
+                putOutOffset(row, equation);
+              }
+            });
+  }
+
+  private void putOutOffset(int row, LoopRow equation) {
+    put(LoopTerms.offsetAt(m, n) + row, equation.offset());
+  }
+
+  /** Puts what the joints must bear out; returns how the links move for that. */
+  private ForceSweep putOutBias(int at) {
+    ForceSweep sweep = new ForceSweep(program, mechanism, coordinates);
+    Wrench[] needed = sweep.sweep();
+    program.section("Rods.", "rods");
+    new MassiveRodTerms(expressions, mechanism, kinematics, rows).addNeeded(sweep, needed);
+    Loads loads = new AppliedForces(program, mechanism, coordinates).loads(true);
+    for (int i = 0; i < needed.length; i++) {
+      needed[i] = needed[i].minus(loads.on(i));
+    }
+    ScalarVector[] borne = new JointSweep(program, mechanism, coordinates).sweep(needed, loads);
+    program.section("b - tau in the order of the state.", "bias");
+    new JointOutputs(mechanism, coordinates).putOut(borne, program, at - mechanism.positionCount());
+    return sweep;
+  }
+
+  private void putOutMass() {
+    Scalar[][] mass = new Scalar[n][];
+    for (int i = 0; i < n; i++) {
+      mass[i] = rows.zeros();
+    }
+    new StateMass(program, mechanism, rows)
+        .each(
+            (row, column, element) -> mass[Math.max(row, column)][Math.min(row, column)] = element);
+    program.section("Mass matrix, lower triangle.", "mass");
+    new MassiveRodTerms(expressions, mechanism, kinematics, rows).addMass(mass);
+    for (int i = 0; i < n; i++) {
+      for (int j = 0; j <= i; j++) {
+        put(LoopTerms.massAt(m, n) + i * n + j, mass[i][j]);
+      }
+    }
+  }
+}

@@ -1,0 +1,230 @@
+package org.mechservice.sim.equations.loop;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.IntFunction;
+import org.mechservice.sim.equations.coordinates.CutCoordinateTerms;
+import org.mechservice.sim.equations.coordinates.JointLinks;
+import org.mechservice.sim.equations.coordinates.PairTerm;
+import org.mechservice.sim.equations.coordinates.PairTerms;
+import org.mechservice.sim.equations.coordinates.RelativeFrameMotion;
+import org.mechservice.sim.equations.kinematics.BodyPoints;
+import org.mechservice.sim.equations.kinematics.Coordinates;
+import org.mechservice.sim.equations.kinematics.LinkKinematics;
+import org.mechservice.sim.equations.kinematics.TimeFunctions;
+import org.mechservice.sim.equations.links.Labels;
+import org.mechservice.sim.equations.links.Links;
+import org.mechservice.sim.equations.recursion.ForceSweep;
+import org.mechservice.sim.equations.recursion.Loads;
+import org.mechservice.sim.equations.recursion.VelocityRows;
+import org.mechservice.sim.symbolic.Differentiation;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.closure.LoopEquations;
+import org.mechservice.solver.expression.BodyFrame;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.pair.CutJoint;
+import org.mechservice.solver.kinematics.pair.PairFunction;
+import org.mechservice.solver.mechanism.closure.CoordinateClosure;
+import org.mechservice.solver.mechanism.closure.DistanceClosure;
+import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
+import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
+import org.mechservice.solver.spatial.Rotation;
+
+/**
+ * The equations of the loops of a mechanism, Φ = 0, with J and γ, in the order of {@link
+ * LoopEquations} (NUMERICS §3).
+ */
+public final class LoopRows {
+  private final Program program;
+  private final Expressions expressions;
+  private final Links mechanism;
+  private final Coordinates coordinates;
+  private final LinkKinematics kinematics;
+  private final BodyPoints points;
+  private final VelocityRows rows;
+  private final Optional<ForceSweep> sweep;
+  private final TreeGeometry tree;
+
+  /**
+   * @param sweep how the links accelerate while no joint does, if γ is wanted
+   */
+  public LoopRows(
+      Program program,
+      Links mechanism,
+      Coordinates coordinates,
+      LinkKinematics kinematics,
+      VelocityRows rows,
+      Optional<ForceSweep> sweep) {
+    this.program = program;
+    this.expressions = program.expressions();
+    this.mechanism = mechanism;
+    this.coordinates = coordinates;
+    this.kinematics = kinematics;
+    this.points = new BodyPoints(expressions, mechanism);
+    this.rows = rows;
+    this.sweep = sweep;
+    this.tree = new TreeGeometry(mechanism.mechanism());
+  }
+
+  /** Takes an equation. */
+  interface Taker {
+    void take(int row, LoopRow equation);
+  }
+
+  /** Derives the equations, a section for each closure. */
+  void each(Taker taker) {
+    int row = 0;
+    for (LoopClosure closure : mechanism.mechanism().closures()) {
+      program.section(
+          "Loop: " + closure.name() + ".\nPhi, J by the forces that would keep it, Phi' = J v",
+          Labels.sanitized(closure.name()));
+      for (LoopRow equation : equations(closure)) {
+        taker.take(row++, equation);
+      }
+    }
+  }
+
+  /**
+   * Adds the forces Jᵀ λ, a section for each closure.
+   *
+   * @param multiplier λ of each equation
+   */
+  public void addForces(IntFunction<Scalar> multiplier, Loads loads) {
+    int row = 0;
+    for (LoopClosure closure : mechanism.mechanism().closures()) {
+      program.section(
+          "Forces of loop: " + closure.name() + ".", Labels.sanitized(closure.name()) + "_force");
+      if (closure instanceof CoordinateClosure relation) {
+        relationRow().addForces(relation.relation(), multiplier.apply(row++), loads);
+        continue;
+      }
+      Pair pair = pair(closure);
+      RelativeFrameMotion frames = pair.frames();
+      ScalarVector force = ScalarVector.zero(expressions);
+      ScalarVector moment = force;
+      for (PairTerm term : pair.terms(frames)) {
+        Scalar lambda = multiplier.apply(row++);
+        force = force.plus(term.byShift().times(lambda));
+        moment = moment.plus(term.byTurn().times(lambda));
+      }
+      frames.addWrench(force, moment, loads);
+    }
+  }
+
+  private List<LoopRow> equations(LoopClosure closure) {
+    return closure instanceof CoordinateClosure relation
+        ? List.of(relationRow().row(relation.relation()))
+        : pair(closure).equations();
+  }
+
+  private RelationRow relationRow() {
+    return new RelationRow(
+        expressions,
+        new JointLinks(expressions, mechanism, coordinates),
+        new CutCoordinateTerms(expressions, mechanism, points, kinematics),
+        mechanism,
+        rows,
+        new LoopEquations(tree).length(),
+        sweep);
+  }
+
+  private Pair pair(LoopClosure closure) {
+    if (closure instanceof JointClosure cut) {
+      CutJoint joint = new CutJoint(tree, cut.joint());
+      List<PairFunction> functions = new ArrayList<>(joint.forbidden());
+      for (int k = 0; k < cut.motion().size(); k++) {
+        functions.add(joint.coordinate(k));
+      }
+      return new Pair(joint.point1(), joint.point2(), functions, cut.motion());
+    } else if (closure instanceof DistanceClosure distance) {
+      PairFunction function = PairFunction.distance(distance.distance());
+      return new Pair(distance.point1(), distance.point2(), List.of(function), List.of());
+    } else if (closure instanceof PointOnPlaneClosure plane) {
+      PairFunction function = PairFunction.displacement("off the plane", plane.normal());
+      return new Pair(plane.plane(), plane.point(), List.of(function), List.of());
+    }
+    PointOnLineClosure line = (PointOnLineClosure) closure;
+    List<PairFunction> functions = PairFunction.offLine(line.direction());
+    return new Pair(line.line(), line.point(), functions, List.of());
+  }
+
+  private static BodyFrame frame(BodyPoint point) {
+    return new BodyFrame(point.body(), point.position(), Rotation.IDENTITY);
+  }
+
+  /** Functions of the relative pose of two bodies: the last ones follow motions. */
+  private final class Pair {
+    private final BodyPoint a;
+    private final BodyPoint b;
+    private final List<PairFunction> functions;
+    private final List<Expression> motions;
+
+    Pair(BodyPoint a, BodyPoint b, List<PairFunction> functions, List<Expression> motions) {
+      this.a = a;
+      this.b = b;
+      this.functions = functions;
+      this.motions = motions;
+    }
+
+    RelativeFrameMotion frames() {
+      return new RelativeFrameMotion(kinematics, points, frame(a), frame(b));
+    }
+
+    List<PairTerm> terms(RelativeFrameMotion frames) {
+      PairTerms forms = new PairTerms(expressions, frames);
+      return functions.stream().map(function -> function.as(forms)).toList();
+    }
+
+    List<LoopRow> equations() {
+      RelativeFrameMotion frames = frames();
+      List<PairTerm> terms = terms(frames);
+      List<LoopRow> equations = new ArrayList<>();
+      int vanishing = functions.size() - motions.size();
+      for (int i = 0; i < terms.size(); i++) {
+        PairTerm term = terms.get(i);
+        LoopRow row = row(frames, term);
+        equations.add(i < vanishing ? row : following(row, term, motions.get(i - vanishing)));
+      }
+      return equations;
+    }
+  }
+
+  private LoopRow row(RelativeFrameMotion frames, PairTerm term) {
+    Scalar[] jacobian = rows.zeros();
+    frames.addRow(term.byShift(), term.byTurn(), rows, jacobian);
+    ScalarVector none = ScalarVector.zero(expressions);
+    ScalarVector alpha = sweep.map(frames::alpha).orElse(none);
+    ScalarVector acceleration = sweep.map(frames::acceleration).orElse(none);
+    return new LoopRow(
+        term.value(),
+        term.rate(frames.omega(), frames.rate()),
+        term.acceleration(alpha, acceleration),
+        jacobian,
+        Optional.empty());
+  }
+
+  /** A coordinate less what it is prescribed to be. */
+  private LoopRow following(LoopRow row, PairTerm term, Expression motion) {
+    Scalar wanted = new TimeFunctions(expressions).scalar(motion);
+    Differentiation byTime =
+        new Differentiation(
+            expressions, Map.of(expressions.input(Program.TIME), expressions.one()));
+    Scalar difference = row.value().minus(wanted);
+    Scalar rate = byTime.of(wanted);
+    return new LoopRow(
+        term.countsTurns() ? PairTerms.nearest(difference, 2 * Math.PI) : difference,
+        row.rate().minus(rate),
+        row.offset().minus(byTime.of(rate)),
+        row.jacobian(),
+        row.size());
+  }
+}

@@ -1,0 +1,148 @@
+package org.mechservice.sim.equations.recursion;
+
+import java.util.List;
+import org.mechservice.sim.equations.kinematics.Coordinates;
+import org.mechservice.sim.equations.links.DegreeOfFreedom;
+import org.mechservice.sim.equations.links.Link;
+import org.mechservice.sim.equations.links.Links;
+import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarMatrix;
+import org.mechservice.sim.symbolic.ScalarVector;
+
+/**
+ * Third sweep, outwards: joint accelerations q'' = u / D − (U / D) · A, with A what the joint
+ * accelerations nearer the root add to the motion of the first sweep (Featherstone 2008, §7.2).
+ */
+public final class AccelerationSweep {
+  /** What joint accelerations add: angular and linear acceleration of a computing frame. */
+  private record Added(ScalarVector alpha, ScalarVector acceleration) {}
+
+  private final Program program;
+  private final Expressions expressions;
+  private final List<Link> links;
+  private final Coordinates coordinates;
+  private final InertiaSweep inertias;
+  private final Added[] added;
+  private final boolean putOut;
+
+  public AccelerationSweep(
+      Program program,
+      Links mechanism,
+      Coordinates coordinates,
+      InertiaSweep inertias,
+      boolean putOut) {
+    this.program = program;
+    this.expressions = program.expressions();
+    this.links = mechanism.links();
+    this.coordinates = coordinates;
+    this.inertias = inertias;
+    this.added = new Added[links.size()];
+    this.putOut = putOut;
+  }
+
+  /** Returns the angular acceleration that joint accelerations add to a link. */
+  public ScalarVector alpha(int link) {
+    return added[link].alpha();
+  }
+
+  /** Returns the acceleration that joint accelerations add to a link's origin. */
+  public ScalarVector acceleration(int link) {
+    return added[link].acceleration();
+  }
+
+  /**
+   * Sweeps from the root to the leaves and puts the joint accelerations out, if they are wanted.
+   */
+  public void sweep() {
+    for (int i = 0; i < added.length; i++) {
+      Link link = links.get(i);
+      program.section(
+          "Sweep 3, outwards: " + link.title() + ".\nq'' = u / D - k.A, A = X' A_p + q'' z",
+          link.bodyLabel());
+      added[i] = fromParent(link);
+      if (!link.isDriven()) {
+        accelerate(i, link);
+      }
+      program.named("dalpha_" + link.bodyLabel(), added[i].alpha());
+      program.named("da_" + link.bodyLabel(), added[i].acceleration());
+    }
+  }
+
+  private void accelerate(int i, Link link) {
+    List<DegreeOfFreedom> freedoms = DegreeOfFreedom.of(link);
+    Scalar[] rates = new Scalar[freedoms.size()];
+    // what was eliminated last is known first
+    for (int k = rates.length - 1; k >= 0; k--) {
+      Wrench share = inertias.shares(i).get(k);
+      Scalar taken =
+          share.moment().dot(added[i].alpha()).plus(share.force().dot(added[i].acceleration()));
+      rates[k] = inertias.atRest(i).get(k).minus(taken);
+      if (rates.length == 1) {
+        program.named("qdd_" + link.jointLabel(), rates[k]);
+      }
+      added[i] = after(freedoms.get(k), added[i], rates[k]);
+    }
+    if (!putOut) {
+      return;
+    }
+    if (link.isBall()) {
+      putOutBall(link, new ScalarVector(rates[0], rates[1], rates[2]));
+    } else {
+      program.output(link.velocity(), rates[0]);
+    }
+  }
+
+  /** Angular accelerations in link axes, put out in the axes of the file's body 1. */
+  private void putOutBall(Link link, ScalarVector rates) {
+    ScalarVector out = coordinates.ballToState(link, rates);
+    program.named("vd_" + link.jointLabel(), out);
+    for (int k = 0; k < 3; k++) {
+      program.output(link.velocity() + k, out.at(k));
+    }
+  }
+
+  private Added fromParent(Link link) {
+    if (link.parent() == Links.ROOT) {
+      ScalarVector none = ScalarVector.zero(expressions);
+      return new Added(none, none);
+    }
+    Added parent = added[link.parent()];
+    ScalarVector offset = ScalarVector.of(expressions, link.offset());
+    ScalarVector atJoint = parent.acceleration().plus(parent.alpha().cross(offset));
+    ScalarVector alpha = link.axes().toChild(parent.alpha());
+    ScalarVector acceleration = link.axes().toChild(atJoint);
+    if (link.isBall()) {
+      ScalarMatrix toChild = coordinates.ballRotation(link).transposed();
+      return new Added(toChild.times(alpha), toChild.times(acceleration));
+    }
+    if (link.slides()) {
+      Scalar zero = expressions.zero();
+      ScalarVector way = new ScalarVector(zero, zero, coordinates.way(link));
+      acceleration = acceleration.plus(alpha.cross(way));
+    }
+    if (link.turns()) {
+      Scalar cosine = coordinates.cosine(link);
+      Scalar back = coordinates.sine(link).negated();
+      alpha = alpha.turned(2, cosine, back);
+      acceleration = acceleration.turned(2, cosine, back);
+    }
+    return new Added(alpha, acceleration);
+  }
+
+  private static Added after(DegreeOfFreedom freedom, Added before, Scalar rate) {
+    ScalarVector alpha = before.alpha();
+    ScalarVector acceleration = before.acceleration();
+    int axis = freedom.axis();
+    if (freedom.turns()) {
+      alpha = freedom.replaced(alpha, alpha.at(axis).plus(rate));
+    }
+    if (freedom.way() != 0) {
+      Scalar moved = acceleration.at(axis).plus(rate.times(freedom.way()));
+      acceleration = freedom.replaced(acceleration, moved);
+    }
+    return new Added(alpha, acceleration);
+  }
+}

@@ -1,0 +1,144 @@
+package org.mechservice.sim.equations.recursion;
+
+import org.mechservice.sim.equations.links.AxesChange;
+import org.mechservice.sim.equations.links.DegreeOfFreedom;
+import org.mechservice.sim.equations.links.Link;
+import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarMatrix;
+import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * What a body and all beyond it answer to an acceleration of the body's computing frame: moment n =
+ * J α + H a about the origin and force f = Hᵀ α + M a.
+ *
+ * @param rotational J, symmetric, kg·m²
+ * @param coupling H, kg·m
+ * @param translational M, symmetric, kg
+ */
+public record ArticulatedInertia(
+    ScalarMatrix rotational, ScalarMatrix coupling, ScalarMatrix translational) {
+
+  /** Returns the inertia of a link's own body: J about the origin, H = m [c]×, M = m 1. */
+  public static ArticulatedInertia of(Expressions expressions, Link link) {
+    Vector3 c = link.centerOfMass();
+    InertiaTensor own = link.inertiaAtOrigin();
+    double[][] j = {
+      {own.xx(), own.xy(), own.xz()}, {own.xy(), own.yy(), own.yz()}, {own.xz(), own.yz(), own.zz()}
+    };
+    return new ArticulatedInertia(
+        ScalarMatrix.of((row, column) -> expressions.constant(j[row][column])),
+        ScalarMatrix.cross(ScalarVector.of(expressions, c.times(link.mass()))),
+        ScalarMatrix.of((row, column) -> expressions.constant(row == column ? link.mass() : 0)));
+  }
+
+  public ArticulatedInertia plus(ArticulatedInertia other) {
+    return new ArticulatedInertia(
+        rotational.plus(other.rotational),
+        coupling.plus(other.coupling),
+        translational.plus(other.translational));
+  }
+
+  /** Returns the column along a freedom: the moment and force that move it. */
+  public Wrench along(DegreeOfFreedom freedom) {
+    int axis = freedom.axis();
+    Wrench turning = new Wrench(rotational.column(axis), coupling.row(axis));
+    if (freedom.way() == 0) {
+      return turning;
+    }
+    Wrench moving =
+        new Wrench(coupling.column(axis), translational.column(axis)).times(freedom.way());
+    return freedom.turns() ? turning.plus(moving) : moving;
+  }
+
+  /**
+   * Returns what remains when a freedom gives way: I − U Uᵀ / D. The row and column along the axis
+   * of a plain freedom are zero.
+   *
+   * @param column U
+   * @param share U / D
+   */
+  ArticulatedInertia projected(DegreeOfFreedom freedom, Wrench column, Wrench share) {
+    Scalar zero = rotational.at(0, 0).expressions().zero();
+    int axis = freedom.axis();
+    boolean turned = freedom.isPlain() && freedom.turns();
+    boolean moved = freedom.isPlain() && !freedom.turns();
+    ScalarVector n = column.moment();
+    ScalarVector f = column.force();
+    ScalarVector kn = share.moment();
+    ScalarVector kf = share.force();
+    return new ArticulatedInertia(
+        ScalarMatrix.symmetric(
+            (i, j) ->
+                turned && (i == axis || j == axis)
+                    ? zero
+                    : rotational.at(i, j).minus(kn.at(i).times(n.at(j)))),
+        ScalarMatrix.of(
+            (i, j) ->
+                (turned && i == axis) || (moved && j == axis)
+                    ? zero
+                    : coupling.at(i, j).minus(kn.at(i).times(f.at(j)))),
+        ScalarMatrix.symmetric(
+            (i, j) ->
+                moved && (i == axis || j == axis)
+                    ? zero
+                    : translational.at(i, j).minus(kf.at(i).times(f.at(j)))));
+  }
+
+  /** Returns the same in other axes: components v = rotation · this. */
+  ArticulatedInertia in(ScalarMatrix rotation) {
+    return new ArticulatedInertia(
+        rotational.in(rotation), coupling.in(rotation), translational.in(rotation));
+  }
+
+  /** Returns the same in axes turned back: R = Rot(axis, angle) takes this frame's axes there. */
+  ArticulatedInertia turned(int axis, Scalar cosine, Scalar sine) {
+    return new ArticulatedInertia(
+        rotational.turned(axis, cosine, sine),
+        coupling.turned(axis, cosine, sine),
+        translational.turned(axis, cosine, sine));
+  }
+
+  /** Returns the same in parent axes. */
+  ArticulatedInertia toParent(AxesChange axes) {
+    return new ArticulatedInertia(
+        axes.toParent(rotational), axes.toParent(coupling), axes.toParent(translational));
+  }
+
+  /**
+   * Returns the same for a frame from which this one's origin lies at {@code r}: H' = H + [r]× M
+   * and J' = J + [r]× H'ᵀ + ([r]× Hᵀ)ᵀ.
+   */
+  ArticulatedInertia shifted(ScalarVector r) {
+    ScalarMatrix h = coupling;
+    ScalarMatrix moved = h.plus(ScalarMatrix.cross(r).times(translational));
+    ScalarMatrix j =
+        ScalarMatrix.symmetric(
+            (row, column) ->
+                row == column ? moment(r, moved, row) : product(r, moved, row, column));
+    return new ArticulatedInertia(j, moved, translational);
+  }
+
+  /** J'ii = Jii + rj (H'ik + Hik) − rk (H'ij + Hij) with i, j, k cyclic. */
+  private Scalar moment(ScalarVector r, ScalarMatrix moved, int i) {
+    int j = (i + 1) % 3;
+    int k = (i + 2) % 3;
+    Scalar first = r.at(j).times(moved.at(i, k).plus(coupling.at(i, k)));
+    Scalar second = r.at(k).times(moved.at(i, j).plus(coupling.at(i, j)));
+    return rotational.at(i, i).plus(first.minus(second));
+  }
+
+  /** J'ij = Jij + rj H'jk − ri Hik + rk (Hii − H'jj) with i, j, k cyclic. */
+  private Scalar product(ScalarVector r, ScalarMatrix moved, int row, int column) {
+    boolean cyclic = (row + 1) % 3 == column;
+    int i = cyclic ? row : column;
+    int j = cyclic ? column : row;
+    int k = 3 - i - j;
+    Scalar across = r.at(j).times(moved.at(j, k)).minus(r.at(i).times(coupling.at(i, k)));
+    Scalar along = r.at(k).times(coupling.at(i, i).minus(moved.at(j, j)));
+    return rotational.at(i, j).plus(across.plus(along));
+  }
+}

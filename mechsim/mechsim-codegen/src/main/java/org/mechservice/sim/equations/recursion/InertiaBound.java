@@ -1,0 +1,78 @@
+package org.mechservice.sim.equations.recursion;
+
+import java.util.List;
+import java.util.function.Function;
+import org.mechservice.sim.equations.links.Link;
+import org.mechservice.sim.equations.links.Links;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.kinematics.LinkKind;
+
+/**
+ * A bound of the inertia beyond a joint with every joint beyond it locked: what an articulated
+ * inertia is small against when the joint is singular.
+ *
+ * <p>The inertia of the bodies before they were projected, taken at its largest over all positions:
+ * Σ m ρ² + trace I, with ρ the length of the way from the joint to the centre of mass. It costs
+ * nothing when the program runs unless a joint slides on the way.
+ *
+ * @param mass Σ m, kg
+ * @param first Σ m ρ, kg·m
+ * @param second Σ (m ρ² + trace I), kg·m²
+ */
+record InertiaBound(Scalar mass, Scalar first, Scalar second) {
+
+  /**
+   * Returns the bounds at every link's computing origin.
+   *
+   * @param slid the way that a sliding joint adds, m
+   */
+  static InertiaBound[] of(Expressions expressions, List<Link> links, Function<Link, Scalar> slid) {
+    InertiaBound[] bounds = new InertiaBound[links.size()];
+    for (int i = 0; i < bounds.length; i++) {
+      bounds[i] = own(expressions, links.get(i));
+    }
+    for (int i = bounds.length - 1; i > 0; i--) {
+      Link link = links.get(i);
+      if (link.parent() != Links.ROOT) {
+        Scalar length = finite(expressions, link.offset().norm());
+        InertiaBound seen = bounds[i].from(link.slides() ? length.plus(slid.apply(link)) : length);
+        bounds[link.parent()] = bounds[link.parent()].plus(seen);
+      }
+    }
+    return bounds;
+  }
+
+  private static InertiaBound own(Expressions expressions, Link link) {
+    double distance = link.centerOfMass().norm();
+    double moment = link.mass() * distance;
+    return new InertiaBound(
+        finite(expressions, link.mass()),
+        finite(expressions, moment),
+        finite(expressions, moment * distance + link.inertia().trace()));
+  }
+
+  /** A bound that overflows is still one: what it bounds overflows too, and the run says where. */
+  private static Scalar finite(Expressions expressions, double bound) {
+    return expressions.constant(Math.min(bound, Double.MAX_VALUE));
+  }
+
+  private InertiaBound plus(InertiaBound other) {
+    return new InertiaBound(
+        mass.plus(other.mass), first.plus(other.first), second.plus(other.second));
+  }
+
+  private InertiaBound from(Scalar way) {
+    Scalar more = way.times(mass);
+    return new InertiaBound(
+        mass, first.plus(more), second.plus(way.times(first.times(2).plus(more))));
+  }
+
+  /** Returns the bound along a joint: of the moment of inertia, or of the mass. */
+  Scalar along(Link link) {
+    if (link.kind() == LinkKind.SLIDE) {
+      return mass;
+    }
+    return second.plus(mass.times(link.way() * link.way()));
+  }
+}

@@ -1,0 +1,184 @@
+package org.mechservice.sim.equations.recursion;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.sim.equations.kinematics.Coordinates;
+import org.mechservice.sim.equations.links.DegreeOfFreedom;
+import org.mechservice.sim.equations.links.Link;
+import org.mechservice.sim.equations.links.Links;
+import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarVector;
+
+/**
+ * Second sweep, inwards: articulated inertias, and what the joints leave of the wrenches of the
+ * first sweep (Featherstone 2008, §7.2, with the residual in place of the bias forces).
+ *
+ * <p>With U the column of the articulated inertia along the joint's axis, D its element on the
+ * axis, and u the joint force less the wrench along the axis, the parent sees I − U Uᵀ / D and p +
+ * U u / D.
+ */
+public final class InertiaSweep {
+  private final Program program;
+  private final Expressions expressions;
+  private final List<Link> links;
+  private final JointForces jointForces;
+  private final ParentTransform toParent;
+  private final Pivots pivots;
+  private final ArticulatedInertia[] inertias;
+  private final Wrench[] wrenches;
+  private final List<List<Wrench>> shares = new ArrayList<>();
+  private final List<List<Scalar>> atRest = new ArrayList<>();
+
+  /**
+   * @param wrenches what each body needs; overwritten with what all beyond it need
+   * @param jointForces what acts in the joints
+   * @param checked whether the program checks pivots
+   */
+  public InertiaSweep(
+      Program program,
+      Links mechanism,
+      Coordinates coordinates,
+      Wrench[] wrenches,
+      JointForces jointForces,
+      boolean checked) {
+    this.program = program;
+    this.expressions = program.expressions();
+    this.links = mechanism.links();
+    this.jointForces = jointForces;
+    this.toParent = new ParentTransform(expressions, coordinates);
+    this.pivots = new Pivots(program, links, coordinates, checked);
+    this.inertias = new ArticulatedInertia[links.size()];
+    this.wrenches = wrenches;
+    for (int i = 0; i < links.size(); i++) {
+      shares.add(new ArrayList<>());
+      atRest.add(new ArrayList<>());
+    }
+  }
+
+  /**
+   * Sweeps from the leaves to the root.
+   *
+   * @return whether every joint can have an inertia; if not, the program ends with a guard that
+   *     always holds
+   */
+  public boolean sweep() {
+    for (int i = 0; i < inertias.length; i++) {
+      inertias[i] = ArticulatedInertia.of(expressions, links.get(i));
+    }
+    for (int i = links.size() - 1; i >= 0; i--) {
+      if (!inwards(i, links.get(i))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Returns U / D of each freedom of a link; the element along a plain freedom is 1. */
+  List<Wrench> shares(int link) {
+    return shares.get(link);
+  }
+
+  /** Returns u / D of each freedom of a link: its acceleration if its parent did not accelerate. */
+  List<Scalar> atRest(int link) {
+    return atRest.get(link);
+  }
+
+  /** Returns what a link and all beyond it answer to an acceleration, its own freedoms locked. */
+  public ArticulatedInertia inertia(int link) {
+    return inertias[link];
+  }
+
+  /** Returns the wrench that a link and all beyond it need while the link does not accelerate. */
+  public Wrench wrench(int link) {
+    return wrenches[link];
+  }
+
+  private boolean inwards(int i, Link link) {
+    program.section("Sweep 2, inwards: " + link.title() + ".\n" + equation(link), link.bodyLabel());
+    named(link, inertias[i]);
+    if (!link.isDriven()) {
+      List<DegreeOfFreedom> freedoms = DegreeOfFreedom.of(link);
+      ScalarVector forces = jointForces.of(i);
+      for (int k = 0; k < freedoms.size(); k++) {
+        DegreeOfFreedom freedom = freedoms.get(k);
+        boolean passedOn = link.parent() != Links.ROOT || k + 1 < freedoms.size();
+        if (!eliminate(i, link, freedom, forces.at(freedom.axis()), passedOn)) {
+          return false;
+        }
+      }
+    }
+    if (link.parent() != Links.ROOT) {
+      pass(link, inertias[i], wrenches[i]);
+    }
+    return true;
+  }
+
+  private static String equation(Link link) {
+    return link.isDriven()
+        ? "I_p += X I X', p_p += X p"
+        : "k = U / D, u = tau - p.z, I_p += X (I - U k') X', p_p += X (p + k u)";
+  }
+
+  /** Lets a freedom give way; returns whether it can have an inertia. */
+  private boolean eliminate(
+      int i, Link link, DegreeOfFreedom freedom, Scalar force, boolean passedOn) {
+    String label = link.jointLabel() + (link.isBall() ? "_" + "xyz".charAt(freedom.axis()) : "");
+    Wrench column = inertias[i].along(freedom);
+    Scalar pivot = program.named("D_" + label, freedom.along(column));
+    if (pivots.guarded(i, freedom, pivot)) {
+      return false;
+    }
+    Scalar reciprocal = program.named("one_over_D_" + label, expressions.one().over(pivot));
+    Wrench share = share(freedom, column, reciprocal, label);
+    Scalar left = force.minus(freedom.along(wrenches[i]));
+    // The reciprocal pays where the column is divided too, which nothing needs at the root.
+    Scalar rate =
+        program.named("u_over_D_" + label, passedOn ? left.times(reciprocal) : left.over(pivot));
+    shares.get(i).add(share);
+    atRest.get(i).add(rate);
+    if (passedOn) {
+      wrenches[i] = rest(freedom, wrenches[i], column, rate, force);
+      inertias[i] = inertias[i].projected(freedom, column, share);
+    }
+    return true;
+  }
+
+  private void named(Link link, ArticulatedInertia inertia) {
+    program.named("J_" + link.bodyLabel(), inertia.rotational());
+    program.named("H_" + link.bodyLabel(), inertia.coupling());
+    program.named("M_" + link.bodyLabel(), inertia.translational());
+  }
+
+  private Wrench share(DegreeOfFreedom freedom, Wrench column, Scalar reciprocal, String label) {
+    Wrench divided =
+        new Wrench(column.moment().times(reciprocal), column.force().times(reciprocal));
+    Wrench share = freedom.with(divided, expressions.one());
+    program.named("kn_" + label, share.moment());
+    program.named("kf_" + label, share.force());
+    return share;
+  }
+
+  /** p + U u / D; along the axis of a plain freedom that is the joint force. */
+  private static Wrench rest(
+      DegreeOfFreedom freedom, Wrench wrench, Wrench column, Scalar rate, Scalar jointForce) {
+    Wrench rest =
+        new Wrench(
+            wrench.moment().plus(column.moment().times(rate)),
+            wrench.force().plus(column.force().times(rate)));
+    return freedom.with(rest, perWay(freedom, jointForce));
+  }
+
+  private static Scalar perWay(DegreeOfFreedom freedom, Scalar jointForce) {
+    return freedom.turns() ? jointForce : jointForce.times(1 / freedom.way());
+  }
+
+  /** Adds what the parent sees of a link to the parent. */
+  private void pass(Link link, ArticulatedInertia inertia, Wrench wrench) {
+    int p = link.parent();
+    inertias[p] = inertias[p].plus(toParent.inertia(link, inertia));
+    wrenches[p] = wrenches[p].plus(toParent.wrench(link, wrench));
+  }
+}

@@ -1,0 +1,54 @@
+package org.mechservice.sim.equations.recursion;
+
+import java.util.List;
+import org.mechservice.sim.equations.kinematics.Coordinates;
+import org.mechservice.sim.equations.links.DegreeOfFreedom;
+import org.mechservice.sim.equations.links.Link;
+import org.mechservice.sim.equations.links.Links;
+import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarVector;
+
+/**
+ * Inwards: what the joints must bear of the wrenches that the bodies need, beyond the forces
+ * applied in them (recursive Newton-Euler, Featherstone 2008, §5.3).
+ */
+public final class JointSweep {
+  private final Program program;
+  private final List<Link> links;
+  private final ParentTransform toParent;
+
+  public JointSweep(Program program, Links mechanism, Coordinates coordinates) {
+    this.program = program;
+    this.links = mechanism.links();
+    this.toParent = new ParentTransform(program.expressions(), coordinates);
+  }
+
+  /**
+   * Sweeps from the leaves to the root.
+   *
+   * @param wrenches what each body needs; overwritten with what all beyond it need
+   * @param applied what acts in the joints
+   * @return of each link the force along its freedoms, at the axes they have
+   */
+  public ScalarVector[] sweep(Wrench[] wrenches, JointForces applied) {
+    ScalarVector[] borne = new ScalarVector[wrenches.length];
+    for (int i = wrenches.length - 1; i >= 0; i--) {
+      Link link = links.get(i);
+      program.section(
+          "Inwards: " + link.title() + ".\ntau = p.z - tau applied, p_p += X p", link.bodyLabel());
+      borne[i] = ScalarVector.zero(program.expressions());
+      for (DegreeOfFreedom freedom : DegreeOfFreedom.of(link)) {
+        Scalar force = freedom.along(wrenches[i]).minus(applied.of(i).at(freedom.axis()));
+        borne[i] = freedom.replaced(borne[i], force);
+      }
+      program.named("tau_" + link.jointLabel(), borne[i]);
+      if (link.parent() != Links.ROOT) {
+        int p = link.parent();
+        wrenches[p] = wrenches[p].plus(toParent.wrench(link, wrenches[i]));
+      }
+    }
+    return borne;
+  }
+}

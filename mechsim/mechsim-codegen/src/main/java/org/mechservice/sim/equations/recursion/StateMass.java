@@ -1,0 +1,85 @@
+package org.mechservice.sim.equations.recursion;
+
+import java.util.List;
+import org.mechservice.sim.equations.links.Link;
+import org.mechservice.sim.equations.links.Links;
+import org.mechservice.sim.equations.links.Twist;
+import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarVector;
+
+/**
+ * The mass matrix by the velocities of the state, from composite inertias (Featherstone 2008,
+ * §6.2).
+ */
+public final class StateMass {
+  private final Program program;
+  private final List<Link> links;
+  private final VelocityRows rows;
+
+  public StateMass(Program program, Links mechanism, VelocityRows rows) {
+    this.program = program;
+    this.links = mechanism.links();
+    this.rows = rows;
+  }
+
+  /** Takes an element of M. */
+  public interface Taker {
+    void take(int row, int column, Scalar element);
+  }
+
+  /** Derives the elements between each velocity and those on its way to the root. */
+  public void each(Taker taker) {
+    RigidComposite[] composites = composites();
+    for (int i = links.size() - 1; i >= 0; i--) {
+      Link link = links.get(i);
+      program.section(
+          "Mass matrix: " + link.title() + ".\nM_kj = S_j.X I S_k on the way to the root",
+          link.bodyLabel());
+      List<Twist> own = rows.subspace(link);
+      for (int c = 0; c < own.size(); c++) {
+        column(i, rows.velocity(link) + c, composites[i].times(own.get(c)), taker);
+      }
+    }
+  }
+
+  /** The momentum of everything beyond a velocity, along the velocities on its way to the root. */
+  private void column(int link, int velocity, Wrench momentum, Taker taker) {
+    Wrench carried = momentum;
+    for (int i = link; i != Links.ROOT; i = links.get(i).parent()) {
+      Link on = links.get(i);
+      int at = rows.velocity(on);
+      for (Twist motion : rows.subspace(on)) {
+        if (i != link || at <= velocity) {
+          taker.take(velocity, at, motion.dot(carried));
+        }
+        at++;
+      }
+      if (on.parent() != Links.ROOT) {
+        carried = rows.toParent(on, carried);
+      }
+    }
+  }
+
+  private RigidComposite[] composites() {
+    Expressions expressions = program.expressions();
+    ScalarVector none = ScalarVector.zero(expressions);
+    RigidComposite[] composites = new RigidComposite[links.size()];
+    for (int i = 0; i < composites.length; i++) {
+      composites[i] = RigidComposite.of(expressions, links.get(i), new Twist(none, none));
+    }
+    for (int i = composites.length - 1; i >= 0; i--) {
+      Link link = links.get(i);
+      program.section("Composite inertia: " + link.title() + ".\nI_p += X I X'", link.bodyLabel());
+      program.named("h_" + link.bodyLabel(), composites[i].moment());
+      program.named("J_" + link.bodyLabel(), composites[i].second());
+      if (link.parent() != Links.ROOT) {
+        int p = link.parent();
+        composites[p] = composites[p].plus(rows.toParent(link, composites[i]));
+      }
+    }
+    return composites;
+  }
+}

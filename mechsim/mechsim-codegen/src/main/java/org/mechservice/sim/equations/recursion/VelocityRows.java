@@ -1,0 +1,73 @@
+package org.mechservice.sim.equations.recursion;
+
+import java.util.Arrays;
+import java.util.List;
+import org.mechservice.sim.equations.kinematics.Coordinates;
+import org.mechservice.sim.equations.kinematics.JointSubspace;
+import org.mechservice.sim.equations.links.Link;
+import org.mechservice.sim.equations.links.Links;
+import org.mechservice.sim.equations.links.Twist;
+import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Scalar;
+
+/** What wrenches on links are along the velocities of the state: rows Sᵀ w. */
+public final class VelocityRows {
+  private final Expressions expressions;
+  private final Links mechanism;
+  private final ParentTransform toParent;
+  private final JointSubspace subspace;
+
+  public VelocityRows(Expressions expressions, Links mechanism, Coordinates coordinates) {
+    this.expressions = expressions;
+    this.mechanism = mechanism;
+    this.toParent = new ParentTransform(expressions, coordinates);
+    this.subspace = new JointSubspace(expressions, coordinates);
+  }
+
+  /** Returns a row of zeros, one per velocity of the state. */
+  public Scalar[] zeros() {
+    Scalar[] row = new Scalar[mechanism.velocityCount()];
+    Arrays.fill(row, expressions.zero());
+    return row;
+  }
+
+  /** Returns the index of a link's first velocity among those of the state. */
+  public int velocity(Link link) {
+    return link.velocity() - mechanism.positionCount();
+  }
+
+  /** Returns S of each velocity of a link. */
+  List<Twist> subspace(Link link) {
+    return link.isDriven() ? List.of() : subspace.of(link);
+  }
+
+  /**
+   * Adds what a wrench on a link is along the velocities on its way to an ancestor, whose own are
+   * left out.
+   */
+  public void add(int link, int ancestor, Wrench wrench, Scalar[] row) {
+    Wrench carried = wrench;
+    for (int i = link; i != ancestor; i = mechanism.links().get(i).parent()) {
+      Link on = mechanism.links().get(i);
+      int at = velocity(on);
+      for (Twist motion : subspace(on)) {
+        row[at] = row[at].plus(motion.dot(carried));
+        at++;
+      }
+      if (on.parent() != ancestor) {
+        carried = toParent.wrench(on, carried);
+      }
+    }
+  }
+
+  /** Returns a wrench on a link as its parent sees it. */
+  Wrench toParent(Link link, Wrench wrench) {
+    return toParent.wrench(link, wrench);
+  }
+
+  /** Returns an inertia of a link as its parent sees it. */
+  RigidComposite toParent(Link link, RigidComposite composite) {
+    return toParent.composite(link, composite);
+  }
+}

@@ -1,0 +1,209 @@
+package org.mechservice.sim.scene;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.dynamics.DataDrivenModel;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Expression.Call;
+import org.mechservice.solver.expression.Expression.Negation;
+import org.mechservice.solver.expression.Expression.Power;
+import org.mechservice.solver.expression.Expression.Product;
+import org.mechservice.solver.expression.Expression.Quotient;
+import org.mechservice.solver.expression.Expression.Sum;
+import org.mechservice.solver.expression.Expression.Time;
+import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.ForceTorque;
+import org.mechservice.solver.mechanism.force.JointForce;
+import org.mechservice.solver.mechanism.force.UserForceElement;
+
+/**
+ * Says before a run that formulas of time push a joint for a small part of it only: no integrator
+ * with a step of its own knows of that before it has come there, and a long step may pass over it.
+ *
+ * <p>The accelerations of the start are evaluated at many times, the state being held. Pushes that
+ * begin or end with {@code step} or {@code floor} are not meant: their times are known, and steps
+ * end there. Of a driven joint the acceleration is what pushes others.
+ */
+public final class ShortPulseCheck {
+  /** Times looked at; fewer where each costs much. */
+  private static final int SAMPLES = 20_000;
+
+  private static final int COST = 200_000;
+
+  /** Away from the middle value by more than this part of the range, a joint is being pushed. */
+  private static final double PUSHED = 0.05;
+
+  /** A push for a larger part of the run does not escape the steps of an integrator. */
+  private static final double SHORT = 0.02;
+
+  private final Mechanism mechanism;
+  private final RunSettings settings;
+  private final double[] times;
+
+  private ShortPulseCheck(Mechanism mechanism, RunSettings settings) {
+    this.mechanism = mechanism;
+    this.settings = settings;
+    times = new double[Math.min(SAMPLES, COST / mechanism.velocityCount())];
+    double length = settings.tEnd() - settings.tStart();
+    for (int i = 0; i < times.length; i++) {
+      times[i] = settings.tStart() + length * i / (times.length - 1.0);
+    }
+  }
+
+  /**
+   * Looks for a push.
+   *
+   * @param settings of the run: start, end and largest step
+   * @return what to tell the user; empty if no formula of time pushes for a short while, or steps
+   *     are bounded by less than that; nothing is said of forces written in Java
+   */
+  public static Optional<Finding> of(Mechanism mechanism, RunSettings settings) {
+    boolean user = mechanism.forces().stream().anyMatch(UserForceElement.class::isInstance);
+    boolean timed = formulas(mechanism).anyMatch(ShortPulseCheck::dependsOnTime);
+    if (user
+        || !timed
+        || mechanism.velocityCount() == 0
+        || mechanism.velocityCount() > COST / 100
+        || !(settings.tEnd() > settings.tStart())) {
+      return Optional.empty();
+    }
+    try {
+      return new ShortPulseCheck(opened(mechanism), settings).found();
+    } catch (IllegalArgumentException e) {
+      // What cannot be built is refused by name when a run is asked for.
+      return Optional.empty();
+    }
+  }
+
+  private static Stream<Expression> formulas(Mechanism mechanism) {
+    return Stream.concat(
+        mechanism.forces().stream().flatMap(ShortPulseCheck::formulas),
+        mechanism.motions().stream().flatMap(motion -> motion.coordinates().stream()));
+  }
+
+  /** What pushes the tree for a short while pushes it so in closed loops, too. */
+  private static Mechanism opened(Mechanism closed) {
+    return new Mechanism(
+        closed.name(),
+        closed.root(),
+        closed.gravity(),
+        closed.bodies(),
+        closed.joints(),
+        closed.motions(),
+        closed.startRoles(),
+        List.of(),
+        closed.forces(),
+        closed.parameters());
+  }
+
+  /** Returns the formulas a force is given by. */
+  static Stream<Expression> formulas(ForceElement force) {
+    return force instanceof JointForce inJoint
+        ? Stream.of(inJoint.force())
+        : force instanceof ForceTorque wrench ? wrench.components().stream() : Stream.empty();
+  }
+
+  private static boolean dependsOnTime(Expression formula) {
+    return formula instanceof Time
+        || operands(formula).stream().anyMatch(ShortPulseCheck::dependsOnTime);
+  }
+
+  /** Returns what an expression is made of. */
+  static List<Expression> operands(Expression formula) {
+    if (formula instanceof Sum sum) {
+      return List.of(sum.left(), sum.right());
+    } else if (formula instanceof Product product) {
+      return List.of(product.left(), product.right());
+    } else if (formula instanceof Quotient quotient) {
+      return List.of(quotient.dividend(), quotient.divisor());
+    } else if (formula instanceof Power power) {
+      return List.of(power.base(), power.exponent());
+    } else if (formula instanceof Negation negation) {
+      return List.of(negation.operand());
+    }
+    return formula instanceof Call call ? call.arguments() : List.of();
+  }
+
+  private Optional<Finding> found() {
+    DataDrivenModel model = new DataDrivenModel(mechanism, settings);
+    int nq = mechanism.positionCount();
+    double[][] acceleration = new double[mechanism.velocityCount()][times.length];
+    double[] y = new double[model.description().stateCount()];
+    double[] yDot = new double[y.length];
+    model.initialState(y);
+    for (int i = 0; i < times.length; i++) {
+      if (model.derivative(times[i], y, yDot) != ExplicitModel.REGULAR) {
+        return Optional.empty();
+      }
+      for (int k = 0; k < acceleration.length; k++) {
+        acceleration[k][i] = yDot[nq + k];
+      }
+    }
+    for (int k = 0; k < acceleration.length; k++) {
+      Optional<Finding> brief = brief(acceleration[k], k);
+      if (brief.isPresent()) {
+        return brief;
+      }
+    }
+    return Optional.empty();
+  }
+
+  private Optional<Finding> brief(double[] a, int velocity) {
+    double[] sorted = a.clone();
+    Arrays.sort(sorted);
+    double middle = sorted[sorted.length / 2];
+    double range = sorted[sorted.length - 1] - sorted[0];
+    if (!(range > 1e-9 * (1 + Math.abs(middle)))) {
+      return Optional.empty();
+    }
+    int count = 0;
+    int first = -1;
+    int last = -1;
+    for (int i = 0; i < a.length; i++) {
+      if (Math.abs(a[i] - middle) > PUSHED * range) {
+        first = first < 0 ? i : first;
+        last = i;
+        count++;
+      }
+    }
+    double step = (settings.tEnd() - settings.tStart()) / (a.length - 1.0);
+    double lasts = count * step;
+    double from = times[Math.max(0, first - 1)];
+    double to = times[Math.min(times.length - 1, last + 1)];
+    boolean bounded = settings.maxStep() <= lasts;
+    return count > SHORT * a.length || bounded || !mechanism.timeJumps(from, to).isEmpty()
+        ? Optional.empty()
+        : Optional.of(finding(velocity, times[first], lasts));
+  }
+
+  private Finding finding(int velocity, double at, double lasts) {
+    Joint joint = mechanism.joints().get(0);
+    for (int j = 0; j < mechanism.joints().size(); j++) {
+      boolean moves =
+          !mechanism.isDriven(j) && mechanism.joints().get(j).type().velocityCount() > 0;
+      if (moves && mechanism.velocityOffset(j) <= velocity) {
+        joint = mechanism.joints().get(j);
+      }
+    }
+    return new Finding(
+        MessageCode.SHORT_PULSE,
+        String.format(
+            Locale.ROOT,
+            "a formula of time pushes joint \"%s\" for some %.1e s only, first at t = %.6g s; a"
+                + " long step of the integrator may pass over it: give the integrator a maxStep of"
+                + " %.1e s, or begin and end the push with step(), whose times are known",
+            joint.name(),
+            lasts,
+            at,
+            lasts / 2),
+        joint.origin());
+  }
+}

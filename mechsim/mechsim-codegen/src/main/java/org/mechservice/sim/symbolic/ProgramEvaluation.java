@@ -1,0 +1,64 @@
+package org.mechservice.sim.symbolic;
+
+import org.mechservice.solver.spatial.SinCos;
+
+/** Evaluates programs in doubles, node by node: what printed code must reproduce bit for bit. */
+final class ProgramEvaluation {
+  private final double time;
+  private final double[] inputs;
+  private final double[] pair = new double[2];
+
+  /** Takes the time, s, and the inputs by index; not modified. */
+  ProgramEvaluation(double time, double[] inputs) {
+    this.time = time;
+    this.inputs = inputs;
+  }
+
+  /** Returns the value of every node the program contains, by node number. */
+  double[] valuesOf(Program program) {
+    int[] uses = program.uses();
+    double[] values = new double[uses.length];
+    for (int id = 0; id < uses.length; id++) {
+      if (uses[id] > 0) {
+        values[id] = valueOf(program.expressions().node(id), values);
+      }
+    }
+    return values;
+  }
+
+  private double valueOf(Scalar node, double[] values) {
+    return switch (node.operation()) {
+      case CONSTANT -> node.value();
+      case INPUT -> node.index() == Program.TIME ? time : inputs[node.index()];
+      case FUNCTION -> function(node, values);
+      case NEGATE, SQUARE_ROOT, SINE, COSINE -> unary(node, values[node.first().id()]);
+      default -> binary(node, values[node.first().id()], values[node.second().id()]);
+    };
+  }
+
+  private static double function(Scalar node, double[] values) {
+    return node.function()
+        .value(node.operands().stream().mapToDouble(operand -> values[operand.id()]).toArray());
+  }
+
+  private double unary(Scalar node, double operand) {
+    return switch (node.operation()) {
+      case NEGATE -> -operand;
+      case SQUARE_ROOT -> Math.sqrt(operand);
+      default -> {
+        SinCos.sinCos(operand, pair, 0);
+        yield pair[node.operation() == ScalarOperation.SINE ? 0 : 1];
+      }
+    };
+  }
+
+  private static double binary(Scalar node, double first, double second) {
+    return switch (node.operation()) {
+      case ADD -> first + second;
+      case SUBTRACT -> first - second;
+      case MULTIPLY -> first * second;
+      case DIVIDE -> first / second;
+      default -> throw new AssertionError(node.operation());
+    };
+  }
+}

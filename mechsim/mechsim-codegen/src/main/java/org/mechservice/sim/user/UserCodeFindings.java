@@ -1,0 +1,63 @@
+package org.mechservice.sim.user;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.Severity;
+
+/** What is wrong with the classes of a model; each thing is said once. */
+final class UserCodeFindings {
+  private final Map<String, Diagnostic> found = new LinkedHashMap<>();
+
+  /** Something is wrong with a file or a class. */
+  void add(MessageCode code, String file, String text) {
+    add(code, file, 0, 0, text);
+  }
+
+  /** Something is wrong at a place in a file. */
+  void add(MessageCode code, String file, int line, int column, String text) {
+    found.putIfAbsent(
+        code + file + line + text,
+        new Diagnostic(Severity.ERROR, code, text, file, line, column, ""));
+  }
+
+  /**
+   * A class is missing. The message is about its file, which is how a client knows what to send.
+   *
+   * @param who names it, such as {@code force "Road" (car.xml:12) is}
+   */
+  void missing(String className, String who) {
+    String simple = className.substring(className.lastIndexOf('.') + 1);
+    String file = className.replace('.', '/') + ".class";
+    found.putIfAbsent(
+        file,
+        new Diagnostic(
+            Severity.ERROR,
+            MessageCode.USER_CLASS_MISSING,
+            who
+                + " the class "
+                + className
+                + ", which did not come with the model; put "
+                + simple
+                + ".java or "
+                + simple
+                + ".class beside the model file, below it in the folders of its package, or into"
+                + " the folder given with --user-code",
+            file,
+            0,
+            0,
+            ""));
+  }
+
+  /**
+   * @throws MechmlException if anything was found
+   */
+  void throwIfAny() throws MechmlException {
+    if (!found.isEmpty()) {
+      throw new MechmlException(List.copyOf(found.values()));
+    }
+  }
+}
