@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
 import org.mechservice.sim.host.HostOptions;
-import org.mechservice.sim.service.HostLimits;
+import org.mechservice.sim.service.limits.HostLimits;
 import picocli.CommandLine.Option;
 
 /** What a process that runs simulations allows, and where it keeps them. */

@@ -13,7 +13,7 @@ import ch.qos.logback.core.FileAppender;
 import ch.qos.logback.core.OutputStreamAppender;
 import ch.qos.logback.core.encoder.Encoder;
 import ch.qos.logback.core.spi.ContextAwareBase;
-import org.mechservice.sim.service.Journal;
+import org.mechservice.sim.service.contract.Journal;
 import org.slf4j.LoggerFactory;
 
 /**
@@ -26,8 +26,7 @@ import org.slf4j.LoggerFactory;
 public final class LogSetup extends ContextAwareBase implements Configurator {
   private static final String PRODUCT = "org.mechservice";
   private static final String CONSOLE = "console";
-  private static final String EMBEDDED =
-      Journal.class.getPackageName() + "." + Service.EMBEDDED_NAME;
+  private static final String EMBEDDED = Journal.LOGGER + "." + Service.EMBEDDED_NAME;
   private static final String SHORT = "%msg%n%nopex";
   private static final String DETAILED = "%msg%n%ex";
   private static final String LONG = "%d{ISO8601,UTC} %-5level [%thread] %logger: %msg%n%ex";

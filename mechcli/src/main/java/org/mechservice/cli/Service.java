@@ -7,7 +7,7 @@ import org.mechservice.client.jar.JarCache;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
 import org.mechservice.sim.host.HostOptions;
-import org.mechservice.sim.service.HeadStart;
+import org.mechservice.sim.service.session.WarmUp;
 
 /** The service a command asks: one on the network, or one started for this command alone. */
 final class Service implements AutoCloseable {
@@ -46,7 +46,7 @@ final class Service implements AutoCloseable {
           MechConnection.open(asked.address(), JarCache.ofUser(), asked.identity()));
     }
     // What the user of this process has written may run in it.
-    HeadStart.begin();
+    WarmUp.beginToBuild();
     HostOptions embedded = new HostOptions(EMBEDDED_NAME, capacity).withUserCode(true);
     MechServerProcess server =
         MechServerProcess.start(new ServerSettings("127.0.0.1", 0, embedded));

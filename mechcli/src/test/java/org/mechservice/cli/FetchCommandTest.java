@@ -20,7 +20,7 @@ import org.mechservice.client.run.RemoteRun;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
 import org.mechservice.sim.host.HostOptions;
-import org.mechservice.sim.service.HostLimits;
+import org.mechservice.sim.service.limits.HostLimits;
 
 /** Runs whose client is gone, fetched by their ids. */
 class FetchCommandTest {

@@ -9,8 +9,8 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.time.Instant;
 import org.mechservice.idl.ServiceEvent;
-import org.mechservice.sim.service.EventBook;
-import org.mechservice.sim.service.FileTrouble;
+import org.mechservice.sim.service.contract.FileErrors;
+import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -51,7 +51,7 @@ final class AuditLog implements AutoCloseable {
               + " the audit log "
               + file
               + " cannot be written: "
-              + FileTrouble.why(e),
+              + FileErrors.reason(e),
           e);
     }
   }
@@ -61,7 +61,7 @@ final class AuditLog implements AutoCloseable {
     JsonObject line = new JsonObject();
     line.addProperty("time", Instant.ofEpochMilli(event.happenedAt).toString());
     line.addProperty("kind", event.kind);
-    line.addProperty("level", EventBook.level(event.level));
+    line.addProperty("level", Journal.level(event.level));
     add(line, "code", event.code);
     add(line, "host", event.hostName);
     add(line, "owner", event.owner);
@@ -75,7 +75,7 @@ final class AuditLog implements AutoCloseable {
       LOG.error(
           MessageCode.SERVER_AUDIT_LOG + " the audit log {} cannot be written: {}",
           file,
-          FileTrouble.why(e));
+          FileErrors.reason(e));
     }
   }
 

@@ -9,9 +9,8 @@ import org.mechservice.idl.HostInfo;
 import org.mechservice.idl.Limit;
 import org.mechservice.idl.NotAuthorized;
 import org.mechservice.orb.Caller;
-import org.mechservice.sim.service.Happening;
-import org.mechservice.sim.service.Journal;
-import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.sim.service.contract.Journal;
+import org.mechservice.sim.service.contract.JournalEntry;
 
 /**
  * Writes down who was refused what. Every action is written down; a question that the same caller
@@ -73,9 +72,8 @@ final class Denials {
     String name = clean(caller.name(""));
     String text =
         "\"" + name + "\" (" + caller.roleName() + ") at " + caller.address() + " was refused ";
-    journal.tell(
-        Happening.warning(
-                "denied", MessageCode.of(refusal.code), text + what + often + ": " + refusal.text)
+    journal.add(
+        JournalEntry.warning("denied", refusal.code, text + what + often + ": " + refusal.text)
             .inSession("", name));
   }
 

@@ -4,22 +4,22 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.Limit;
-import org.mechservice.sim.service.HostLimits;
-import org.mechservice.sim.service.LimitsInForce;
+import org.mechservice.sim.service.limits.CurrentLimits;
+import org.mechservice.sim.service.limits.HostLimits;
 
 /**
  * The limits of a server and of all its hosts. What an operator sets for all of them also holds for
  * hosts that join later, which otherwise have limits of their own.
  */
 final class FarmLimits {
-  private final LimitsInForce own;
+  private final CurrentLimits own;
   private final HostDirectory directory;
   private final Map<String, Limit> set = new LinkedHashMap<>();
 
   /**
    * @param own limits of the server's own process
    */
-  FarmLimits(LimitsInForce own, HostDirectory directory) {
+  FarmLimits(CurrentLimits own, HostDirectory directory) {
     this.own = own;
     this.directory = directory;
   }

@@ -9,7 +9,7 @@ import java.util.Optional;
 import org.mechservice.orb.ServiceKey;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.ServiceUnreachableException;
-import org.mechservice.sim.service.FileTrouble;
+import org.mechservice.sim.service.contract.FileErrors;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -54,7 +54,7 @@ final class Findable implements AutoCloseable {
               + " the server's reference cannot be written to "
               + file
               + ": "
-              + FileTrouble.why(e),
+              + FileErrors.reason(e),
           e);
     }
   }

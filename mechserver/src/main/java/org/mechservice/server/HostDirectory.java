@@ -22,8 +22,8 @@ import org.mechservice.idl.ServiceEvent;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.OutboundAllowList;
-import org.mechservice.sim.service.Happening;
-import org.mechservice.sim.service.Journal;
+import org.mechservice.sim.service.contract.Journal;
+import org.mechservice.sim.service.contract.JournalEntry;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.SystemException;
 import org.omg.CORBA.UserException;
@@ -82,8 +82,9 @@ final class HostDirectory implements AutoCloseable {
       dropped.removeIf(gone -> gone.name().equals(host.name()));
     }
     if (!host.own()) {
-      journal.tell(
-          Happening.info("host-joined", "host " + host.name() + " joined from " + host.endpoint())
+      journal.add(
+          JournalEntry.info(
+                  "host-joined", "host " + host.name() + " joined from " + host.endpoint())
               .onHost(host.name()));
     }
   }
@@ -181,7 +182,7 @@ final class HostDirectory implements AutoCloseable {
       for (ServiceEvent event : news.events()) {
         if (event.seqNo > host.lastEvent()) {
           host.tookOver(event.seqNo);
-          journal.retell(event);
+          journal.addOfHost(event);
           runs.follow(event);
         }
       }
@@ -267,9 +268,11 @@ final class HostDirectory implements AutoCloseable {
           dropped.removeLast();
         }
       }
-      journal.tell(
-          Happening.warning(
-                  "host-lost", MessageCode.HOST_DROPPED, "host " + host.name() + " dropped: " + why)
+      journal.add(
+          JournalEntry.warning(
+                  "host-lost",
+                  MessageCode.HOST_DROPPED.code(),
+                  "host " + host.name() + " dropped: " + why)
               .onHost(host.name()));
       runs.goneWith(host.name(), "was lost");
     }
@@ -281,8 +284,9 @@ final class HostDirectory implements AutoCloseable {
       host.gone();
       outbound.forbid(host.endpoint().host(), host.endpoint().port());
       host.dropped("it signed off");
-      journal.tell(
-          Happening.info("host-left", "host " + host.name() + " signed off").onHost(host.name()));
+      journal.add(
+          JournalEntry.info("host-left", "host " + host.name() + " signed off")
+              .onHost(host.name()));
       runs.goneWith(host.name(), "signed off");
     }
   }

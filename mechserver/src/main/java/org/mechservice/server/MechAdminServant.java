@@ -18,9 +18,9 @@ import org.mechservice.idl.ServerStatus;
 import org.mechservice.idl.ServiceEvent;
 import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimSummary;
-import org.mechservice.sim.service.Happening;
-import org.mechservice.sim.service.Journal;
-import org.mechservice.sim.service.Refusal;
+import org.mechservice.sim.service.contract.ContractErrors;
+import org.mechservice.sim.service.contract.Journal;
+import org.mechservice.sim.service.contract.JournalEntry;
 import org.omg.CORBA.IntHolder;
 
 /** What administrators ask. Every answer comes in time: silent hosts are left out of it. */
@@ -140,17 +140,15 @@ final class MechAdminServant implements MechAdminOperations {
   }
 
   private NotFound noSimulation(String simId) {
-    return Refusal.notFound("there is no simulation " + simId + directory.silentHosts());
+    return ContractErrors.notFound("there is no simulation " + simId + directory.silentHosts());
   }
 
   @Override
   public ServiceEvent[] events(long afterSeqNo, int maxCount, int waitMillis) {
-    return journal
-        .events()
-        .after(
-            afterSeqNo,
-            Integer.toUnsignedLong(maxCount),
-            Math.min(Integer.toUnsignedLong(waitMillis), MAX_WAIT_MILLIS.value));
+    return journal.eventsAfter(
+        afterSeqNo,
+        Integer.toUnsignedLong(maxCount),
+        Math.min(Integer.toUnsignedLong(waitMillis), MAX_WAIT_MILLIS.value));
   }
 
   @Override
@@ -175,7 +173,7 @@ final class MechAdminServant implements MechAdminOperations {
   private KnownHost require(String hostName) throws NotFound {
     return directory
         .find(hostName)
-        .orElseThrow(() -> Refusal.notFound("there is no host \"" + hostName + "\""));
+        .orElseThrow(() -> ContractErrors.notFound("there is no host \"" + hostName + "\""));
   }
 
   @Override
@@ -191,7 +189,7 @@ final class MechAdminServant implements MechAdminOperations {
       throw directory
           .runs()
           .fateOf(simId)
-          .map(Refusal::notFound)
+          .map(ContractErrors::notFound)
           .orElseGet(() -> noSimulation(simId));
     }
   }
@@ -214,7 +212,7 @@ final class MechAdminServant implements MechAdminOperations {
             .filter(trouble -> !trouble.isEmpty())
             .map(trouble -> "; " + trouble)
             .orElse("");
-    return Refusal.notFound("host " + hostName + " does not answer" + since);
+    return ContractErrors.notFound("host " + hostName + " does not answer" + since);
   }
 
   @Override
@@ -248,7 +246,7 @@ final class MechAdminServant implements MechAdminOperations {
         PlacementPolicy.named(policy)
             .orElseThrow(
                 () ->
-                    Refusal.option(
+                    ContractErrors.option(
                         "placement",
                         "there is no placement \""
                             + policy
@@ -258,7 +256,7 @@ final class MechAdminServant implements MechAdminOperations {
   }
 
   private void tell(String kind, String text) {
-    journal.tell(Happening.info(kind, text));
+    journal.add(JournalEntry.info(kind, text));
   }
 
   @Override

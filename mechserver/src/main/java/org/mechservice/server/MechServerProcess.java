@@ -16,9 +16,9 @@ import org.mechservice.orb.ListenAddress;
 import org.mechservice.orb.ServiceKey;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.sim.host.SimHost;
-import org.mechservice.sim.service.Happening;
-import org.mechservice.sim.service.Journal;
-import org.mechservice.sim.service.LimitsInForce;
+import org.mechservice.sim.service.contract.Journal;
+import org.mechservice.sim.service.contract.JournalEntry;
+import org.mechservice.sim.service.limits.CurrentLimits;
 
 /** The process behind {@code mech server}, and the embedded server of the command line. */
 public final class MechServerProcess implements AutoCloseable {
@@ -40,7 +40,7 @@ public final class MechServerProcess implements AutoCloseable {
     audit = settings.auditFile().map(AuditLog::open);
     Journal journal = new Journal("server", event -> audit.ifPresent(log -> log.write(event)));
     directory = new HostDirectory(tuning, orb.outbound(), journal);
-    LimitsInForce limits = new LimitsInForce(settings.host().limits());
+    CurrentLimits limits = new CurrentLimits(settings.host().limits());
     orb.allowConnections(limits.now().connectionsAtAll());
     Placement placement = new Placement(directory, settings.placement());
     server = new MechServerServant(settings.name(), directory, placement, limits);
@@ -67,7 +67,7 @@ public final class MechServerProcess implements AutoCloseable {
             .metricsPort()
             .map(port -> MetricsEndpoint.open(port, figures::text, figures::health));
     findable = Findable.make(orb, settings.iorFile(), settings.naming());
-    journal.tell(Happening.info("server-started", "server " + settings.name() + " has started"));
+    journal.add(JournalEntry.info("server-started", "server " + settings.name() + " has started"));
   }
 
   private void publish(MechAdminServant admin, HostRegistryServant registry, Denials denials) {

@@ -19,9 +19,9 @@ import org.mechservice.idl.ServerFailure;
 import org.mechservice.idl.ServerInfo;
 import org.mechservice.orb.Caller;
 import org.mechservice.orb.ServiceVersion;
-import org.mechservice.sim.service.LimitsInForce;
-import org.mechservice.sim.service.ModelImport;
-import org.mechservice.sim.service.Refusal;
+import org.mechservice.sim.service.contract.ContractErrors;
+import org.mechservice.sim.service.library.ModelImport;
+import org.mechservice.sim.service.limits.CurrentLimits;
 
 /** Where clients connect. */
 final class MechServerServant implements MechServerOperations {
@@ -46,12 +46,12 @@ final class MechServerServant implements MechServerOperations {
   private final String name;
   private final HostDirectory directory;
   private final Placement placement;
-  private final LimitsInForce limits;
+  private final CurrentLimits limits;
   private final long startedAt = System.currentTimeMillis();
   private final AtomicBoolean draining = new AtomicBoolean();
 
   MechServerServant(
-      String name, HostDirectory directory, Placement placement, LimitsInForce limits) {
+      String name, HostDirectory directory, Placement placement, CurrentLimits limits) {
     this.name = name;
     this.directory = directory;
     this.placement = placement;
@@ -81,7 +81,8 @@ final class MechServerServant implements MechServerOperations {
       throws LimitExceeded, NotFound, ServerFailure {
     String clientName = Caller.current().name(claimedName);
     if (draining.get()) {
-      throw Refusal.noPlace("server " + name + " is being emptied and takes no new sessions");
+      throw ContractErrors.noPlace(
+          "server " + name + " is being emptied and takes no new sessions");
     }
     return hostName.isEmpty()
         ? placement.anywhere(clientName, client)
@@ -93,14 +94,16 @@ final class MechServerServant implements MechServerOperations {
     return directory
         .search(host -> host.findSession(sessionId))
         .orElseThrow(
-            () -> Refusal.notFound("there is no session " + sessionId + directory.silentHosts()));
+            () ->
+                ContractErrors.notFound(
+                    "there is no session " + sessionId + directory.silentHosts()));
   }
 
   @Override
   public IMechSimRemote findSimulation(String simId) throws NotFound {
     return directory
         .search(host -> host.findSimulation(simId))
-        .orElseThrow(() -> Refusal.notFound(whatBecameOf(simId)));
+        .orElseThrow(() -> ContractErrors.notFound(whatBecameOf(simId)));
   }
 
   private String whatBecameOf(String simId) {

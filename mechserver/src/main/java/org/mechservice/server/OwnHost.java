@@ -2,7 +2,7 @@ package org.mechservice.server;
 
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.sim.host.SimHost;
-import org.mechservice.sim.service.LimitsInForce;
+import org.mechservice.sim.service.limits.CurrentLimits;
 
 /** Opens the host inside the server's own process. */
 interface OwnHost {
@@ -19,5 +19,5 @@ interface OwnHost {
    * @param limits what it allows its clients
    * @param shutdown closes the server
    */
-  SimHost open(ServiceOrb orb, ServerSettings settings, LimitsInForce limits, Runnable shutdown);
+  SimHost open(ServiceOrb orb, ServerSettings settings, CurrentLimits limits, Runnable shutdown);
 }

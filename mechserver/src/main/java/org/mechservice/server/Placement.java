@@ -12,7 +12,7 @@ import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServerFailure;
-import org.mechservice.sim.service.Refusal;
+import org.mechservice.sim.service.contract.ContractErrors;
 import org.omg.CORBA.UserException;
 
 /** Chooses the host of a session, by what is known of the hosts' load: it asks none but the one. */
@@ -72,7 +72,7 @@ final class Placement {
           answer.refusal().filter(LimitExceeded.class::isInstance).map(LimitExceeded.class::cast);
     }
     throw refusal.orElseGet(
-        () -> Refusal.noPlace("no host takes sessions now; start one with mech simhost"));
+        () -> ContractErrors.noPlace("no host takes sessions now; start one with mech simhost"));
   }
 
   private List<KnownHost> candidates(String clientName) {
@@ -105,7 +105,7 @@ final class Placement {
     if (answer.refusal().isPresent()) {
       throwRefusal(answer.refusal().get());
     }
-    throw Refusal.noPlace("host " + hostName + " does not answer: " + answer.failure());
+    throw ContractErrors.noPlace("host " + hostName + " does not answer: " + answer.failure());
   }
 
   private static void throwRefusal(UserException refusal) throws LimitExceeded, ServerFailure {
@@ -119,7 +119,7 @@ final class Placement {
 
   private NotFound noSuchHost(String hostName) {
     List<String> names = directory.all().stream().map(KnownHost::name).toList();
-    return Refusal.notFound(
+    return ContractErrors.notFound(
         "there is no host \""
             + hostName
             + "\"; "

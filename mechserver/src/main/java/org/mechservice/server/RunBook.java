@@ -20,8 +20,8 @@ import org.mechservice.idl.SimEvent;
 import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.idl.StepTried;
-import org.mechservice.sim.service.Happening;
-import org.mechservice.sim.service.Journal;
+import org.mechservice.sim.service.contract.Journal;
+import org.mechservice.sim.service.contract.JournalEntry;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
@@ -232,8 +232,8 @@ final class RunBook {
     lost.info = copy(last.info, SimState.SIM_FAILED);
     lost.endedAt = System.currentTimeMillis();
     lost.leaseEndsAt = 0;
-    journal.tell(
-        new Happening(
+    journal.add(
+        new JournalEntry(
             "sim-lost",
             Severity.SEV_ERROR,
             LOST,

@@ -15,7 +15,7 @@ import org.mechservice.idl.SimEvent;
 import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.idl.StepTried;
-import org.mechservice.sim.service.Journal;
+import org.mechservice.sim.service.contract.Journal;
 
 class RunBookTest {
   private final List<ServiceEvent> journal = new ArrayList<>();

@@ -30,7 +30,7 @@ import org.mechservice.idl.ResultBlockHolder;
 import org.mechservice.idl.ResultCursor;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.sim.host.SimHost;
-import org.mechservice.sim.service.LimitsInForce;
+import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.worker.WorkerMain;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.RunReport;
@@ -84,7 +84,7 @@ class ServiceSpeedTest {
       };
 
   private static SimHost fastHost(
-      ServiceOrb orb, ServerSettings settings, LimitsInForce limits, Runnable shutdown) {
+      ServiceOrb orb, ServerSettings settings, CurrentLimits limits, Runnable shutdown) {
     return new SimHost(orb, settings.host(), limits, FAST, shutdown);
   }
 
@@ -105,13 +105,13 @@ class ServiceSpeedTest {
             + " the same JVM, nothing encoded. gRPC is not measured: it would add a dozen"
             + " dependencies to the build for one table.\n");
     report.add(
-        "No MechSims are kept in stock: opening one is the row `MechSim`, of which the row `ping` is"
-            + " the call itself, so a stock would spare the difference. What makes a first client"
-            + " wait is that the first model of a process loads its classes (`cold` against `warm`)."
-            + " `mech server` and `mech simhost` therefore build and pack a small model of their own"
-            + " as soon as they have started, so that their MechSims are ready. Processes for classes"
-            + " of users are not kept in stock either: each would hold its memory all the time, for"
-            + " less than the last step of a build that such a run has behind it.\n");
+        "No MechSims are kept in stock: opening one is the row `MechSim`, of which the row `ping`"
+            + " is the call itself, so a stock would spare the difference. What makes a first"
+            + " client wait is that the first model of a process loads its classes (`cold` against"
+            + " `warm`). `mech server` and `mech simhost` therefore build and pack a small model of"
+            + " their own as soon as they have started, so that their MechSims are ready. Processes"
+            + " for classes of users are not kept in stock either: each would hold its memory all"
+            + " the time, for less than the last step of a build that such a run has behind it.\n");
     report.add("| what | measured |\n|---|---|");
     try (MechServerProcess server =
             MechServerProcess.start(

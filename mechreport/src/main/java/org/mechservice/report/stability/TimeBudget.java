@@ -27,7 +27,7 @@ public final class TimeBudget {
     this(limitSeconds, totalSeconds, System::nanoTime);
   }
 
-  TimeBudget(double limitSeconds, double totalSeconds, LongSupplier nanoTime) {
+  public TimeBudget(double limitSeconds, double totalSeconds, LongSupplier nanoTime) {
     this.limitSeconds = limitSeconds;
     this.totalSeconds = totalSeconds;
     this.nanoTime = nanoTime;

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
 import org.mechservice.orb.Role;
-import org.mechservice.sim.service.FileTrouble;
+import org.mechservice.sim.service.contract.FileErrors;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
@@ -65,7 +65,7 @@ public final class KeyFolder {
             + " no keys can be made in "
             + what
             + ": "
-            + FileTrouble.why(cause),
+            + FileErrors.reason(cause),
         cause);
   }
 

@@ -2,7 +2,7 @@ package org.mechservice.sim.host;
 
 import java.nio.file.Path;
 import java.util.Optional;
-import org.mechservice.sim.service.HostLimits;
+import org.mechservice.sim.service.limits.HostLimits;
 
 /**
  * What a host is like.

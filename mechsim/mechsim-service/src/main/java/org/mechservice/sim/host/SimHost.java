@@ -23,12 +23,12 @@ import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.ServiceVersion;
-import org.mechservice.sim.service.Happening;
-import org.mechservice.sim.service.Journal;
-import org.mechservice.sim.service.LimitsInForce;
-import org.mechservice.sim.service.Refusal;
-import org.mechservice.sim.service.SessionTable;
-import org.mechservice.sim.service.WarmUp;
+import org.mechservice.sim.service.contract.ContractErrors;
+import org.mechservice.sim.service.contract.Journal;
+import org.mechservice.sim.service.contract.JournalEntry;
+import org.mechservice.sim.service.limits.CurrentLimits;
+import org.mechservice.sim.service.session.SessionTable;
+import org.mechservice.sim.service.session.WarmUp;
 import org.mechservice.solver.api.Solver;
 
 /**
@@ -40,7 +40,7 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
 
   private final ServiceOrb orb;
   private final HostOptions options;
-  private final LimitsInForce limits;
+  private final CurrentLimits limits;
   private final SessionTable sessions;
   private final Journal journal;
   private final WarmUp warmUp;
@@ -57,7 +57,7 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
    * @throws IllegalArgumentException with code S-114 if the spool folder cannot be used
    */
   public SimHost(ServiceOrb orb, HostOptions options, Solver solver, Runnable shutdown) {
-    this(orb, options, new LimitsInForce(options.limits()), solver, shutdown);
+    this(orb, options, new CurrentLimits(options.limits()), solver, shutdown);
   }
 
   /**
@@ -66,7 +66,7 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
    * @param limits in force; those of the options do not matter
    */
   public SimHost(
-      ServiceOrb orb, HostOptions options, LimitsInForce limits, Solver solver, Runnable shutdown) {
+      ServiceOrb orb, HostOptions options, CurrentLimits limits, Solver solver, Runnable shutdown) {
     this.orb = orb;
     this.options = options;
     this.limits = limits;
@@ -134,7 +134,7 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   public MechSim createSession(String clientName, @Nullable IMechClient client)
       throws LimitExceeded {
     if (draining.get()) {
-      throw Refusal.noPlace(
+      throw ContractErrors.noPlace(
           "host " + options.name() + " is being emptied and takes no new sessions");
     }
     return sessions.open(clientName, client);
@@ -144,7 +144,7 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   public MechSim findSession(String sessionId) throws NotFound {
     return sessions
         .find(sessionId)
-        .orElseThrow(() -> Refusal.notFound("there is no session " + sessionId));
+        .orElseThrow(() -> ContractErrors.notFound("there is no session " + sessionId));
   }
 
   @Override
@@ -163,7 +163,8 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   }
 
   private NotFound noSimulation(String simId) {
-    return Refusal.notFound("there is no simulation " + simId + " on host " + options.name());
+    return ContractErrors.notFound(
+        "there is no simulation " + simId + " on host " + options.name());
   }
 
   @Override
@@ -180,12 +181,10 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
 
   @Override
   public ServiceEvent[] events(long afterSeqNo, int maxCount, int waitMillis) {
-    return journal
-        .events()
-        .after(
-            afterSeqNo,
-            Integer.toUnsignedLong(maxCount),
-            Math.min(Integer.toUnsignedLong(waitMillis), MAX_WAIT_MILLIS.value));
+    return journal.eventsAfter(
+        afterSeqNo,
+        Integer.toUnsignedLong(maxCount),
+        Math.min(Integer.toUnsignedLong(waitMillis), MAX_WAIT_MILLIS.value));
   }
 
   @Override
@@ -202,14 +201,14 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   }
 
   private void tell(String kind, String text) {
-    journal.tell(Happening.info(kind, text).onHost(options.name()));
+    journal.add(JournalEntry.info(kind, text).onHost(options.name()));
   }
 
   @Override
   public void drain() {
     if (draining.compareAndSet(false, true)) {
       tell("drained", "takes no new sessions");
-      sessions.tellDraining();
+      sessions.announceDraining();
     }
   }
 

@@ -1,0 +1,145 @@
+package org.mechservice.sim.service.contract;
+
+import java.util.List;
+import java.util.function.Supplier;
+import org.mechservice.idl.InvalidModel;
+import org.mechservice.idl.InvalidOption;
+import org.mechservice.idl.InvalidState;
+import org.mechservice.idl.LimitExceeded;
+import org.mechservice.idl.NotAvailable;
+import org.mechservice.idl.NotFound;
+import org.mechservice.idl.OPT_COLUMNS;
+import org.mechservice.idl.OPT_FORMULATION;
+import org.mechservice.idl.OPT_INTEGRATOR;
+import org.mechservice.idl.OPT_SET;
+import org.mechservice.idl.ServerFailure;
+import org.mechservice.idl.SimState;
+import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.Severity;
+
+/**
+ * Makes the exceptions of the contract, each with its code of the error catalogue, also from the
+ * exceptions of the model builder.
+ */
+public final class ContractErrors {
+  private ContractErrors() {}
+
+  /** The interface has it, this version has not. */
+  public static NotAvailable notAvailable(String text) {
+    return new NotAvailable(MessageCode.NOT_AVAILABLE.code(), text);
+  }
+
+  /** An option is unknown or its value is not usable. */
+  public static InvalidOption option(String name, String text) {
+    return new InvalidOption(MessageCode.OPTION_VALUE.code(), text, name);
+  }
+
+  /** Not possible now. */
+  public static InvalidState state(SimState current, String text) {
+    return new InvalidState(MessageCode.WRONG_STATE.code(), text, current);
+  }
+
+  /**
+   * More than this server allows.
+   *
+   * @param name the limit, as {@code limits} lists it
+   * @param value what it allows
+   * @param requested what was asked for
+   */
+  public static LimitExceeded limit(String name, long value, long requested, String text) {
+    return new LimitExceeded(MessageCode.LIMIT_EXCEEDED.code(), text, name, value, requested);
+  }
+
+  /** No host takes a session now. */
+  public static LimitExceeded noPlace(String text) {
+    return new LimitExceeded(MessageCode.NO_PLACE_FOR_SESSION.code(), text, "places", 0, 1);
+  }
+
+  /** There is no such thing, or no longer. */
+  public static NotFound notFound(String text) {
+    return new NotFound(MessageCode.NO_SUCH_OBJECT.code(), text);
+  }
+
+  /**
+   * The model cannot be used.
+   *
+   * @param diagnostics why, at least one of them an error
+   */
+  public static InvalidModel model(List<Diagnostic> diagnostics) {
+    long errors = diagnostics.stream().filter(said -> said.severity() == Severity.ERROR).count();
+    return new InvalidModel(
+        MessageCode.MODEL_FILE_UNUSABLE.code(),
+        "the model has " + errors + (errors == 1 ? " error" : " errors"),
+        ContractTypes.diagnostics(diagnostics));
+  }
+
+  /** There are warnings, and the request is strict. */
+  public static InvalidModel strict(List<Diagnostic> warnings) {
+    int count = warnings.size();
+    return new InvalidModel(
+        MessageCode.WARNINGS_REFUSED.code(),
+        "the model has " + count + (count == 1 ? " warning" : " warnings") + ", and strict was set",
+        ContractTypes.diagnostics(warnings));
+  }
+
+  /**
+   * Builds, and translates what the builder throws.
+   *
+   * @throws InvalidOption if the formulation, the integrator or a column group does not fit
+   * @throws InvalidModel if the model itself cannot become a class
+   * @throws ServerFailure if this process cannot compile
+   */
+  public static <T> T build(Supplier<T> build) throws InvalidOption, InvalidModel, ServerFailure {
+    try {
+      return build.get();
+    } catch (ModelBuildException e) {
+      String text = withoutCode(e.code(), e);
+      switch (e.code()) {
+        case MessageCode.FORMULATION_NOT_AVAILABLE ->
+            throw new InvalidOption(e.code(), text, OPT_FORMULATION.value);
+        case MessageCode.INTEGRATOR_NOT_AVAILABLE ->
+            throw new InvalidOption(e.code(), text, OPT_INTEGRATOR.value);
+        case MessageCode.NO_COMPILER -> throw new ServerFailure(e.code(), text, "");
+        default -> throw invalidModel(e.code(), text);
+      }
+    } catch (IllegalArgumentException e) {
+      String message = String.valueOf(e.getMessage());
+      if (message.startsWith(MessageCode.COLUMN_GROUP_MISSING + " ")) {
+        throw new InvalidOption(
+            MessageCode.COLUMN_GROUP_MISSING.code(),
+            withoutCode(MessageCode.COLUMN_GROUP_MISSING.code(), e),
+            OPT_COLUMNS.value);
+      } else if (message.startsWith(MessageCode.FORCE_CLASS_UNUSABLE + " ")) {
+        throw invalidModel(
+            MessageCode.FORCE_CLASS_UNUSABLE.code(),
+            withoutCode(MessageCode.FORCE_CLASS_UNUSABLE.code(), e));
+      }
+      throw e;
+    }
+  }
+
+  /**
+   * Translates the refusal of a parameter.
+   *
+   * @param refusal its message begins with S-125 or S-126; any other is thrown as it is
+   */
+  public static InvalidOption parameter(IllegalArgumentException refusal) {
+    for (String code : List.of(MessageCode.PARAMETER_FIXED, MessageCode.PARAMETER_NOT_A_NUMBER)) {
+      if (String.valueOf(refusal.getMessage()).startsWith(code + " ")) {
+        return new InvalidOption(code, withoutCode(code, refusal), OPT_SET.value);
+      }
+    }
+    throw refusal;
+  }
+
+  private static InvalidModel invalidModel(String code, String text) {
+    return model(List.of(new Diagnostic(Severity.ERROR, code, text, "", 0, 0, "")));
+  }
+
+  private static String withoutCode(String code, RuntimeException e) {
+    String message = String.valueOf(e.getMessage());
+    return message.startsWith(code + " ") ? message.substring(code.length() + 1) : message;
+  }
+}

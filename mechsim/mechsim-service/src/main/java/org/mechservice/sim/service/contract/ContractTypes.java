@@ -1,0 +1,68 @@
+package org.mechservice.sim.service.contract;
+
+import java.util.List;
+import java.util.Map;
+import org.mechservice.idl.Channel;
+import org.mechservice.idl.Diagnostic;
+import org.mechservice.idl.FailureRecord;
+import org.mechservice.idl.NameValue;
+import org.mechservice.idl.Severity;
+import org.mechservice.idl.StepTried;
+import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.Variable;
+
+/** What the modules know, in the types of the contract. */
+public final class ContractTypes {
+  private ContractTypes() {}
+
+  public static Diagnostic[] diagnostics(List<org.mechservice.mechml.diagnosis.Diagnostic> said) {
+    return said.stream().map(ContractTypes::diagnostic).toArray(Diagnostic[]::new);
+  }
+
+  private static Diagnostic diagnostic(org.mechservice.mechml.diagnosis.Diagnostic said) {
+    Severity level =
+        switch (said.severity()) {
+          case INFO -> Severity.SEV_INFO;
+          case WARNING -> Severity.SEV_WARNING;
+          case ERROR -> Severity.SEV_ERROR;
+        };
+    return new Diagnostic(
+        level, said.code(), said.message(), said.file(), said.path(), said.line(), said.column());
+  }
+
+  public static Diagnostic information(String code, String text) {
+    return diagnostic(Severity.SEV_INFO, code, text);
+  }
+
+  public static Diagnostic diagnostic(Severity weight, String code, String text) {
+    return new Diagnostic(weight, code, text, "", "", 0, 0);
+  }
+
+  public static Channel[] channels(List<Variable> variables) {
+    return variables.stream()
+        .map(variable -> new Channel(variable.name(), variable.unit()))
+        .toArray(Channel[]::new);
+  }
+
+  public static NameValue[] nameValues(Map<String, String> map) {
+    return map.entrySet().stream()
+        .map(entry -> new NameValue(entry.getKey(), entry.getValue()))
+        .toArray(NameValue[]::new);
+  }
+
+  private static StepTried step(Failure.Step step) {
+    return new StepTried(step.time(), step.stepSize(), step.order(), step.error());
+  }
+
+  public static FailureRecord failure(Failure failure) {
+    return new FailureRecord(
+        failure.code(),
+        failure.cause(),
+        failure.time(),
+        failure.stepSize(),
+        failure.order(),
+        failure.part(),
+        failure.advice(),
+        failure.lastSteps().stream().map(ContractTypes::step).toArray(StepTried[]::new));
+  }
+}

@@ -1,0 +1,66 @@
+package org.mechservice.sim.service.contract;
+
+import org.mechservice.idl.ServiceEvent;
+import org.mechservice.idl.Severity;
+
+/**
+ * Something operators hear of.
+ *
+ * @param kind one of the kinds the contract lists
+ * @param level how bad it is
+ * @param code entry of the error catalogue; empty: none
+ * @param hostName host it is about; empty: that of the journal
+ * @param sessionId session it is about; empty: none
+ * @param simId simulation it is about; empty: none
+ * @param owner client it is about; empty: none
+ * @param text what happened
+ */
+public record JournalEntry(
+    String kind,
+    Severity level,
+    String code,
+    String hostName,
+    String sessionId,
+    String simId,
+    String owner,
+    String text) {
+
+  /** Something ordinary. */
+  public static JournalEntry info(String kind, String text) {
+    return new JournalEntry(kind, Severity.SEV_INFO, "", "", "", "", "", text);
+  }
+
+  /** Something an operator should look at. */
+  public static JournalEntry warning(String kind, String code, String text) {
+    return new JournalEntry(kind, Severity.SEV_WARNING, code, "", "", "", "", text);
+  }
+
+  /** Returns the same about a host. */
+  public JournalEntry onHost(String name) {
+    return new JournalEntry(kind, level, code, name, sessionId, simId, owner, text);
+  }
+
+  /** Returns the same about a session. */
+  public JournalEntry inSession(String id, String client) {
+    return new JournalEntry(kind, level, code, hostName, id, simId, client, text);
+  }
+
+  /** Returns the same about a simulation. */
+  public JournalEntry ofSimulation(String id) {
+    return new JournalEntry(kind, level, code, hostName, sessionId, id, owner, text);
+  }
+
+  ServiceEvent event(String source) {
+    return new ServiceEvent(
+        0,
+        System.currentTimeMillis(),
+        kind,
+        level,
+        code,
+        hostName.isEmpty() ? source : hostName,
+        sessionId,
+        simId,
+        owner,
+        text);
+  }
+}

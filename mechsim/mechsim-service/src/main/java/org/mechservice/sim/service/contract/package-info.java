@@ -1,0 +1,21 @@
+/**
+ * Between the service and its CORBA contract: values, errors and events in the contract's types.
+ *
+ * <p>{@link org.mechservice.sim.service.contract.ContractTypes} converts diagnostics, columns and
+ * failures. {@link org.mechservice.sim.service.contract.ContractErrors} makes the contract's
+ * exceptions with their codes, also from exceptions of the model builder; {@link
+ * org.mechservice.sim.service.contract.FileErrors} puts file errors into words.
+ *
+ * <p>Events take two ways. {@link org.mechservice.sim.service.contract.Journal} logs the events of
+ * a host or a server and keeps them for administrators. {@link
+ * org.mechservice.sim.service.contract.SessionEvents} keeps the events of one session for clients
+ * that poll, and {@link org.mechservice.sim.service.contract.ClientNotifier} calls clients back.
+ * All events are kept in an {@link org.mechservice.sim.service.contract.EventBuffer}.
+ *
+ * <p>Depends on the IDL stubs, mechml's diagnostics and the model builder's exceptions, on no other
+ * package of the service.
+ */
+@NullMarked
+package org.mechservice.sim.service.contract;
+
+import org.jspecify.annotations.NullMarked;

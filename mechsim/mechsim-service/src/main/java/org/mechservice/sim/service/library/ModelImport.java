@@ -1,0 +1,64 @@
+package org.mechservice.sim.service.library;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Pattern;
+import org.mechservice.idl.DiagnosticSeqHolder;
+import org.mechservice.idl.InvalidModel;
+import org.mechservice.idl.LimitExceeded;
+import org.mechservice.idl.ModelFile;
+import org.mechservice.idl.NotAvailable;
+import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.document.DocumentWriter;
+import org.mechservice.mechml.urdf.UrdfImport;
+import org.mechservice.sim.service.contract.ContractErrors;
+import org.mechservice.sim.service.contract.ContractTypes;
+import org.mechservice.sim.service.limits.HostLimit;
+import org.mechservice.sim.service.limits.HostLimits;
+
+/** Translates models of other formats. */
+public final class ModelImport {
+  private static final String URDF = ".urdf";
+  private static final Pattern ENDING = Pattern.compile("\\.[^./\\\\]*$");
+
+  private ModelImport() {}
+
+  /**
+   * Translates a file into MechML.
+   *
+   * @param foreign the file; the end of its name says what it is
+   * @param losses takes what of it is not in the result, then what looks odd in the model
+   * @param limits what the host allows
+   * @throws InvalidModel if the file cannot be used
+   * @throws NotAvailable if its format is not known
+   * @throws LimitExceeded if it is too large
+   */
+  public static ModelFile translate(
+      ModelFile foreign, DiagnosticSeqHolder losses, HostLimits limits)
+      throws InvalidModel, NotAvailable, LimitExceeded {
+    long most = limits.of(HostLimit.MODEL_BYTES);
+    int bytes = foreign.content.length;
+    if (bytes > most) {
+      throw HostLimit.MODEL_BYTES.refusal(
+          most, bytes, "the file has " + bytes + " bytes; this server takes at most " + most);
+    }
+    if (!foreign.fileName.toLowerCase(Locale.ROOT).endsWith(URDF)) {
+      throw ContractErrors.notAvailable(
+          "files are imported from URDF, whose names end in .urdf; this is " + foreign.fileName);
+    }
+    try {
+      UrdfImport imported = UrdfImport.of(foreign.fileName, foreign.content);
+      List<Diagnostic> said = new ArrayList<>(imported.losses());
+      said.addAll(ModelWarnings.of(imported.model()));
+      losses.value = ContractTypes.diagnostics(said);
+      return new ModelFile(
+          ENDING.matcher(foreign.fileName).replaceFirst("") + ".xml",
+          DocumentWriter.write(imported.document()).getBytes(StandardCharsets.UTF_8));
+    } catch (MechmlException e) {
+      throw ContractErrors.model(e.diagnostics());
+    }
+  }
+}

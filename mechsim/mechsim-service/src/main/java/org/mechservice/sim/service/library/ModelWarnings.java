@@ -1,0 +1,97 @@
+package org.mechservice.sim.service.library;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.ReadOptions;
+import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.sim.scene.Finding;
+import org.mechservice.sim.scene.RunForecast;
+import org.mechservice.sim.scene.SceneAnalysis;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.Severity;
+
+/** The warnings of a model and of its runs that are known before a run begins. */
+public final class ModelWarnings {
+  private ModelWarnings() {}
+
+  /** Returns the warnings of a run with the settings of the file. */
+  static List<Diagnostic> of(MechmlModel model) {
+    return of(model, model.settings().formulation(), model.settings().run());
+  }
+
+  /**
+   * Returns the reader's warnings, then joints that move nothing or that no inertia resists, and
+   * whether a run will take very many steps.
+   *
+   * @param formulation asked for
+   * @param run settings of the run
+   */
+  static List<Diagnostic> of(MechmlModel model, String formulation, RunSettings run) {
+    List<Diagnostic> warnings = new ArrayList<>(model.warnings());
+    List<Finding> findings =
+        new ArrayList<>(SceneAnalysis.of(model.mechanism()).findingsAtStart(run.tStart()));
+    findings.addAll(RunForecast.of(model.mechanism(), formulation, run));
+    for (Finding finding : findings) {
+      warnings.add(
+          new Diagnostic(
+              Severity.WARNING,
+              finding.code(),
+              finding.text(),
+              finding.origin().file(),
+              finding.origin().line(),
+              0,
+              ""));
+    }
+    return warnings;
+  }
+
+  /**
+   * Returns all warnings of a run; empty if they are those of its file. They differ if the run has
+   * another formulation, integrator, end, tolerance or largest step, or if the model is read with
+   * other options.
+   */
+  static Optional<List<Diagnostic>> differing(
+      LoadedModel source, String formulation, RunSettings run) {
+    RunSettings file = source.model().settings().run();
+    boolean sameFormulation = formulation.equals(source.model().settings().formulation());
+    return source.options().equals(ReadOptions.NONE)
+            && sameFormulation
+            && RunForecast.isSame(run, file)
+        ? Optional.empty()
+        : Optional.of(of(source.model(), formulation, run));
+  }
+
+  /**
+   * Returns the warnings of a run that differ from those of its file, as entries of a set-up:
+   * {@code warnings} is their number; {@code warning.1} and so on are code, file, line, column,
+   * path and text, separated by tabs.
+   */
+  public static Map<String, String> ofSetUp(
+      LoadedModel source, String formulation, RunSettings run) {
+    Map<String, String> facts = new LinkedHashMap<>();
+    differing(source, formulation, run)
+        .ifPresent(
+            warnings -> {
+              facts.put("warnings", String.valueOf(warnings.size()));
+              for (int i = 0; i < warnings.size(); i++) {
+                facts.put("warning." + (i + 1), text(warnings.get(i)));
+              }
+            });
+    return facts;
+  }
+
+  private static String text(Diagnostic said) {
+    return String.join(
+        "\t",
+        said.code(),
+        said.file(),
+        String.valueOf(said.line()),
+        String.valueOf(said.column()),
+        said.path(),
+        said.message());
+  }
+}

@@ -1,0 +1,175 @@
+package org.mechservice.sim.service.limits;
+
+import java.util.Arrays;
+import java.util.Optional;
+import org.mechservice.idl.LimitExceeded;
+import org.mechservice.idl.MAX_MECHML_BYTES;
+import org.mechservice.solver.catalogue.MessageCode;
+
+/**
+ * What an operator can bound, each with its name, unit, value if he does not, and the page of the
+ * error catalogue that a refusal points to.
+ */
+public enum HostLimit {
+  /** A client renews at a third of it, so two renewals may be lost. */
+  LEASE(
+      "lease",
+      "s",
+      120,
+      1,
+      MessageCode.LIMIT_EXCEEDED.code(),
+      "a session lives this long without a call"),
+  /** Together with the next keeps one client from taking all memory. */
+  SESSIONS(
+      "sessions",
+      "1",
+      200,
+      0,
+      MessageCode.TOO_MANY_SESSIONS.code(),
+      "sessions on one host at once"),
+  SIMULATIONS(
+      "simulations",
+      "1",
+      64,
+      0,
+      MessageCode.TOO_MANY_SIMULATIONS.code(),
+      "simulations of one session at once"),
+  CLIENT_RUNS(
+      "clientRuns",
+      "1",
+      64,
+      0,
+      MessageCode.TOO_MANY_RUNS.code(),
+      "runs of one client on one host at once"),
+  CURSORS(
+      "cursors",
+      "1",
+      16,
+      0,
+      MessageCode.TOO_MANY_CURSORS.code(),
+      "open cursors of one simulation at once"),
+  QUEUE(
+      "queue",
+      "1",
+      1000,
+      0,
+      MessageCode.QUEUE_FULL.code(),
+      "runs that wait for a place on one host"),
+  MODEL_BYTES(
+      "modelBytes",
+      "B",
+      MAX_MECHML_BYTES.value,
+      1,
+      MessageCode.MODEL_TOO_LARGE.code(),
+      "size of a model with its user files"),
+  RESULT_BYTES(
+      "resultBytes",
+      "B",
+      64L << 30,
+      1,
+      MessageCode.RESULTS_TOO_LARGE.code(),
+      "size of the rows of one run"),
+  SPOOL_BYTES(
+      "spoolBytes",
+      "B",
+      256L << 30,
+      1,
+      MessageCode.SPOOL_FULL.code(),
+      "size of the rows of all runs of one host"),
+  WALL_TIME(
+      "wallTime",
+      "s",
+      HostLimits.UNLIMITED,
+      1,
+      MessageCode.RUN_TOO_LONG.code(),
+      "time one run takes, without pauses"),
+  CPU_TIME(
+      "cpuTime",
+      "s",
+      HostLimits.UNLIMITED,
+      1,
+      MessageCode.PROCESSOR_TIME_EXCEEDED.code(),
+      "processor time of one run"),
+  MEMORY(
+      "memory",
+      "B",
+      HostLimits.UNLIMITED,
+      1,
+      MessageCode.OUT_OF_MEMORY.code(),
+      "memory of one host, or of one worker"),
+  CONNECTIONS(
+      "connections",
+      "1",
+      280,
+      1,
+      MessageCode.TOO_MANY_CONNECTIONS.code(),
+      "connections to one process at once"),
+  /** A week, so that who went home on Friday finds his results on Monday. */
+  RETENTION(
+      "retention",
+      "s",
+      7 * 86_400,
+      0,
+      MessageCode.LIMIT_EXCEEDED.code(),
+      "an ended run is kept this long");
+
+  private final String label;
+  private final String unit;
+  private final long initial;
+  private final long least;
+  private final String code;
+  private final String text;
+
+  HostLimit(String label, String unit, long initial, long least, String code, String text) {
+    this.label = label;
+    this.unit = unit;
+    this.initial = initial;
+    this.least = least;
+    this.code = code;
+    this.text = text;
+  }
+
+  /** Returns the limit of a name, if there is one. */
+  public static Optional<HostLimit> named(String label) {
+    return Arrays.stream(values()).filter(limit -> limit.label.equals(label)).findFirst();
+  }
+
+  /** Returns the name operators and clients see. */
+  public String label() {
+    return label;
+  }
+
+  String unit() {
+    return unit;
+  }
+
+  long initial() {
+    return initial;
+  }
+
+  /** Returns the smallest value that makes sense. */
+  long least() {
+    return least;
+  }
+
+  /** Returns the entry of the error catalogue for what is beyond it. */
+  public String code() {
+    return code;
+  }
+
+  /** Returns what it bounds. */
+  String text() {
+    return text;
+  }
+
+  /**
+   * Returns a refusal.
+   *
+   * @param value what is allowed
+   * @param requested what was asked for
+   * @param message what was asked for, and what to do
+   */
+  public LimitExceeded refusal(long value, long requested, String message) {
+    return new LimitExceeded(code, message, label, value, requested);
+  }
+}

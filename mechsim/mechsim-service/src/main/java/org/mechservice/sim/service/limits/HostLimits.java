@@ -1,0 +1,142 @@
+package org.mechservice.sim.service.limits;
+
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.mechservice.idl.InvalidOption;
+import org.mechservice.idl.Limit;
+import org.mechservice.idl.LimitExceeded;
+import org.mechservice.solver.catalogue.MessageCode;
+
+/** What a host allows. Immutable. */
+public final class HostLimits {
+  /** The value of what is not bounded. */
+  public static final long UNLIMITED = -1;
+
+  /** Without these, dead clients would stay for ever, and hostile ones take all there is. */
+  private static final Set<HostLimit> NEVER_UNLIMITED =
+      Set.of(HostLimit.LEASE, HostLimit.CONNECTIONS, HostLimit.MODEL_BYTES);
+
+  /** The limits of a host nobody configured. */
+  public static final HostLimits DEFAULT = new HostLimits(new EnumMap<>(HostLimit.class));
+
+  private static final int RESERVED_CONNECTIONS = 20;
+
+  private final Map<HostLimit, Long> changed;
+
+  private HostLimits(Map<HostLimit, Long> changed) {
+    this.changed = changed;
+  }
+
+  /** Returns the value of a limit, or {@link #UNLIMITED}. */
+  public long of(HostLimit limit) {
+    return changed.getOrDefault(limit, limit.initial());
+  }
+
+  /** Returns the value of a limit, or the largest number there is. */
+  public long bound(HostLimit limit) {
+    long value = of(limit);
+    return value == UNLIMITED ? Long.MAX_VALUE : value;
+  }
+
+  /** Returns the lease in the contract's unit. */
+  public int leaseSeconds() {
+    return (int) Math.min(of(HostLimit.LEASE), Integer.MAX_VALUE);
+  }
+
+  /**
+   * Returns how many connections there may be with those of operators and hosts, who need to get
+   * through when clients have taken all of theirs.
+   */
+  public int connectionsAtAll() {
+    return (int) Math.min(of(HostLimit.CONNECTIONS) + RESERVED_CONNECTIONS, Integer.MAX_VALUE);
+  }
+
+  /**
+   * Returns the same limits but one.
+   *
+   * @throws IllegalArgumentException with code S-015 if the value makes no sense
+   */
+  public HostLimits with(HostLimit limit, long value) {
+    boolean unlimited = value == UNLIMITED && !NEVER_UNLIMITED.contains(limit);
+    if (value < limit.least() && !unlimited) {
+      throw new IllegalArgumentException(
+          MessageCode.LIMIT_VALUE
+              + " limit "
+              + limit.label()
+              + " cannot be "
+              + value
+              + "; it must be at least "
+              + limit.least()
+              + " "
+              + limit.unit()
+              + (NEVER_UNLIMITED.contains(limit) ? "" : ", or -1 for unlimited"));
+    }
+    Map<HostLimit, Long> all = new EnumMap<>(HostLimit.class);
+    all.putAll(changed);
+    all.put(limit, value);
+    return new HostLimits(all);
+  }
+
+  /**
+   * Returns the same limits but some, given by name.
+   *
+   * @throws IllegalArgumentException with code S-015 if there is no such limit, or a value makes no
+   *     sense
+   */
+  public HostLimits with(String label, long value) {
+    return with(
+        HostLimit.named(label)
+            .orElseThrow(
+                () ->
+                    new IllegalArgumentException(
+                        MessageCode.LIMIT_VALUE
+                            + " there is no limit \""
+                            + label
+                            + "\"; there are "
+                            + Arrays.stream(HostLimit.values())
+                                .map(HostLimit::label)
+                                .collect(Collectors.joining(", ")))),
+        value);
+  }
+
+  /**
+   * Returns the same limits but those an operator sends.
+   *
+   * @throws InvalidOption if one of them is unknown or makes no sense
+   */
+  public HostLimits with(Limit[] values) throws InvalidOption {
+    HostLimits limits = this;
+    for (Limit limit : values) {
+      try {
+        limits = limits.with(limit.name, limit.value);
+      } catch (IllegalArgumentException e) {
+        throw new InvalidOption(
+            MessageCode.LIMIT_VALUE.code(),
+            String.valueOf(e.getMessage()).substring(6),
+            limit.name);
+      }
+    }
+    return limits;
+  }
+
+  /**
+   * Makes sure that there is room for one more.
+   *
+   * @throws LimitExceeded if there is not
+   */
+  public void requireBelow(HostLimit limit, long present) throws LimitExceeded {
+    if (present >= bound(limit)) {
+      throw limit.refusal(of(limit), present + 1, "no more than " + of(limit) + " " + limit.text());
+    }
+  }
+
+  /** Returns the limits as the contract lists them. */
+  public Limit[] toLimits() {
+    return Arrays.stream(HostLimit.values())
+        .map(limit -> new Limit(limit.label(), limit.unit(), of(limit), limit.text()))
+        .toArray(Limit[]::new);
+  }
+}

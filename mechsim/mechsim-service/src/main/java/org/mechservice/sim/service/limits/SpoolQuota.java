@@ -1,0 +1,86 @@
+package org.mechservice.sim.service.limits;
+
+import java.util.Locale;
+import java.util.concurrent.atomic.AtomicLong;
+import org.mechservice.idl.LimitExceeded;
+
+/** How much disk the rows of a host's runs take, and how much they may. */
+public final class SpoolQuota {
+  private static final double MEGABYTE = 1e6;
+
+  private final CurrentLimits limits;
+  private final AtomicLong used = new AtomicLong();
+
+  public SpoolQuota(CurrentLimits limits) {
+    this.limits = limits;
+  }
+
+  /**
+   * Takes room for rows that are going to be written.
+   *
+   * @param more bytes
+   * @param ofRun bytes the run will have then
+   * @throws LimitReachedException if that is more than the run, or all runs, may have
+   */
+  public void take(long more, long ofRun) throws LimitReachedException {
+    long most = limits.now().bound(HostLimit.RESULT_BYTES);
+    if (ofRun > most) {
+      throw new LimitReachedException(
+          HostLimit.RESULT_BYTES,
+          "the rows of the run are more than the "
+              + megabytes(most)
+              + " this host keeps of one; make t-step larger or choose fewer columns");
+    }
+    long all = limits.now().bound(HostLimit.SPOOL_BYTES);
+    if (used.addAndGet(more) > all) {
+      used.addAndGet(-more);
+      throw new LimitReachedException(
+          HostLimit.SPOOL_BYTES,
+          "the rows of all runs are more than the "
+              + megabytes(all)
+              + " this host keeps; destroy runs that are no longer needed");
+    }
+  }
+
+  /** Takes room for rows that are there already. */
+  public void note(long bytes) {
+    used.addAndGet(bytes);
+  }
+
+  /** Gives room back. */
+  public void giveBack(long bytes) {
+    used.addAndGet(-bytes);
+  }
+
+  /** Returns the bytes taken. */
+  public long used() {
+    return used.get();
+  }
+
+  /**
+   * Makes sure that a run whose rows are foreseeable fits.
+   *
+   * @param bytes what it will put out
+   * @param free what the disk has left
+   * @throws LimitExceeded if it does not
+   */
+  public void require(double bytes, long free, String whatToDo) throws LimitExceeded {
+    HostLimits now = limits.now();
+    long ofRun = Math.min(now.bound(HostLimit.RESULT_BYTES), free);
+    if (bytes > ofRun) {
+      throw HostLimit.RESULT_BYTES.refusal(ofRun, (long) bytes, whatToDo);
+    }
+    long left = now.bound(HostLimit.SPOOL_BYTES) - used.get();
+    if (bytes > left) {
+      throw HostLimit.SPOOL_BYTES.refusal(
+          now.of(HostLimit.SPOOL_BYTES),
+          used.get() + (long) bytes,
+          "the rows of this and all other runs are more than this host keeps;"
+              + " destroy runs that are no longer needed, or try another host");
+    }
+  }
+
+  private static String megabytes(long bytes) {
+    return String.format(Locale.ROOT, "%.1f MB", bytes / MEGABYTE);
+  }
+}

@@ -1,0 +1,319 @@
+package org.mechservice.sim.service.results;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.Deque;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Future;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Predicate;
+import org.mechservice.idl.FailureRecord;
+import org.mechservice.idl.Progress;
+import org.mechservice.idl.SimState;
+import org.mechservice.idl.SimSummary;
+import org.mechservice.idl.StepTried;
+import org.mechservice.sim.service.contract.FileErrors;
+import org.mechservice.sim.service.limits.CurrentLimits;
+import org.mechservice.sim.service.limits.HostLimit;
+import org.mechservice.sim.service.limits.SpoolQuota;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The runs of a host that have ended: those whose rows are kept although their session is gone, and
+ * the latest of all others, for administrators. With a folder, what has ended is on disk before
+ * anybody is told so, and outlives the process.
+ */
+public final class RunStore implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(RunStore.class);
+
+  /**
+   * A run that is kept after the end of its session.
+   *
+   * @param run its record
+   * @param rows its rows
+   * @param until when it is deleted; UTC, ms since 1970-01-01
+   */
+  public record Kept(RunRecord run, ResultSpool rows, long until) {}
+
+  /** Each may hold a file open. */
+  private static final int KEPT_WITHOUT_FOLDER = 500;
+
+  private static final int REMEMBERED = 1000;
+  private static final int LONG_TEXT = 1 << 18;
+
+  private static final long CLOSING_SECONDS = 10;
+
+  private final Optional<SpoolFolder> folder;
+  private final CurrentLimits limits;
+  private final SpoolQuota account;
+  private final Map<String, Kept> kept = new ConcurrentHashMap<>();
+  private final Deque<RunRecord> remembered = new ArrayDeque<>();
+  private final ExecutorService disk = oneThread();
+  private final AtomicLong completed = new AtomicLong();
+  private final AtomicLong failed = new AtomicLong();
+  private final AtomicLong cancelled = new AtomicLong();
+
+  /**
+   * Opens a store, with what an earlier process has left in the folder.
+   *
+   * @param folder where runs outlive the process; empty: nowhere
+   * @throws IllegalArgumentException with code S-114 if the folder cannot be used
+   */
+  public RunStore(Optional<Path> folder, CurrentLimits limits) {
+    this.folder = folder.map(SpoolFolder::open);
+    this.limits = limits;
+    account = new SpoolQuota(limits);
+    this.folder.ifPresent(this::takeUp);
+  }
+
+  private static ExecutorService oneThread() {
+    ThreadPoolExecutor executor =
+        new ThreadPoolExecutor(
+            1,
+            1,
+            1,
+            TimeUnit.SECONDS,
+            new LinkedBlockingQueue<>(),
+            work -> {
+              Thread thread = new Thread(work, "mechservice-disk");
+              thread.setDaemon(true);
+              return thread;
+            });
+    executor.allowCoreThreadTimeOut(true);
+    return executor;
+  }
+
+  private void takeUp(SpoolFolder left) {
+    try {
+      for (RunRecord run : left.readAll()) {
+        RowFile place = left.rows(run.identity().simId());
+        ResultSpool rows = ResultSpool.left(run.columns().count(), place, account);
+        RunRecord found = run;
+        if (run.endedAt() == 0) {
+          found = cutOff(run, rows);
+          left.write(found);
+        }
+        keep(found, rows);
+      }
+    } catch (IOException e) {
+      throw new IllegalArgumentException(
+          MessageCode.SPOOL_FOLDER + " the spool folder cannot be read: " + FileErrors.reason(e),
+          e);
+    }
+  }
+
+  /** A run of a process that did not live to write down its end. */
+  private static RunRecord cutOff(RunRecord run, ResultSpool rows) throws IOException {
+    Progress last = run.progress();
+    last.state = SimState.SIM_FAILED;
+    last.rowsReady = rows.rows();
+    if (rows.rows() > 0) {
+      last.simTime = rows.read(rows.rows() - 1, 1)[0];
+    }
+    String text = "the run was cut off by the end of its host; its rows up to then are kept";
+    FailureRecord failure =
+        new FailureRecord(
+            MessageCode.RUN_CUT_OFF.code(),
+            text + ".",
+            last.simTime,
+            0,
+            0,
+            "",
+            "Start it again.",
+            new StepTried[0]);
+    return new RunRecord(
+        run.identity(),
+        run.columns(),
+        run.states(),
+        last,
+        run.startedAt(),
+        System.currentTimeMillis(),
+        MessageCode.RUN_CUT_OFF + " " + text,
+        "",
+        Optional.of(failure),
+        List.of());
+  }
+
+  public SpoolQuota account() {
+    return account;
+  }
+
+  /** Returns an empty place for the rows of a run. */
+  public ResultSpool newRows(String simId, int columns) {
+    RowFile place = folder.map(spool -> spool.rows(simId)).orElseGet(RowFile::temporary);
+    return new ResultSpool(columns, place, account);
+  }
+
+  /** Returns the files of a run. */
+  public RunFiles files(String simId, ResultSpool rows) {
+    return new RunFiles(folder, simId, rows);
+  }
+
+  /** Returns whether runs outlive the process. */
+  public boolean lasts() {
+    return folder.isPresent();
+  }
+
+  /** Work on the disk. */
+  public interface DiskWork {
+    void run() throws IOException;
+  }
+
+  /** Does what nobody waits for, in order. */
+  public Future<?> soon(String simId, DiskWork work) {
+    try {
+      return disk.submit(() -> tried(simId, work));
+    } catch (RejectedExecutionException e) {
+      LOG.warn(
+          MessageCode.RESULTS_NOT_KEPT
+              + " run {} ended after its host: on disk it is one that was cut off",
+          simId);
+      return CompletableFuture.completedFuture(null);
+    }
+  }
+
+  private static void tried(String simId, DiskWork work) {
+    try {
+      work.run();
+    } catch (IOException | UncheckedIOException e) {
+      LOG.warn(
+          MessageCode.RESULTS_NOT_KEPT + " what is on disk of run {} is not up to date: {}",
+          simId,
+          e.toString());
+    }
+  }
+
+  /** Counts a run that has ended. */
+  public void count(SimState state) {
+    switch (state.value()) {
+      case SimState._SIM_DONE -> completed.incrementAndGet();
+      case SimState._SIM_FAILED -> failed.incrementAndGet();
+      default -> cancelled.incrementAndGet();
+    }
+  }
+
+  public long completed() {
+    return completed.get();
+  }
+
+  public long failed() {
+    return failed.get();
+  }
+
+  public long cancelled() {
+    return cancelled.get();
+  }
+
+  /** Keeps an ended run whose session is gone. */
+  public void keep(RunRecord run, ResultSpool rows) {
+    long end = run.endedAt() == 0 ? System.currentTimeMillis() : run.endedAt();
+    long retention = limits.now().bound(HostLimit.RETENTION);
+    long until = retention > Long.MAX_VALUE / 2000 ? Long.MAX_VALUE : end + retention * 1000;
+    kept.put(run.identity().simId(), new Kept(run, rows, until));
+    if (folder.isEmpty() && kept.size() > KEPT_WITHOUT_FOLDER) {
+      kept.values().stream()
+          .min(Comparator.comparingLong((Kept other) -> other.run().endedAt()))
+          .ifPresent(this::drop);
+    }
+  }
+
+  /** Returns a run that is kept; one whose time is over is not, although it may not be deleted. */
+  public Optional<Kept> find(String simId) {
+    return Optional.ofNullable(kept.get(simId))
+        .or(() -> continuing(simId))
+        .filter(run -> run.until() > System.currentTimeMillis());
+  }
+
+  private Optional<Kept> continuing(String earlierId) {
+    return kept.values().stream()
+        .filter(kept -> kept.run().identity().earlierIds().contains(earlierId))
+        .findFirst();
+  }
+
+  /** Deletes what is on disk of a run; its room is free at once. */
+  public void delete(RunFiles files, ResultSpool rows, String simId) {
+    rows.giveUp();
+    var unused = soon(simId, files::delete);
+  }
+
+  /** Remembers that there was a run, for administrators. */
+  public void remember(RunRecord run) {
+    RunRecord remains = run.identity().modelText().length() > LONG_TEXT ? run.withoutText() : run;
+    synchronized (remembered) {
+      remembered.addFirst(remains);
+      if (remembered.size() > REMEMBERED) {
+        remembered.removeLast();
+      }
+    }
+  }
+
+  /**
+   * Deletes what has been kept long enough.
+   *
+   * @param takenUp whether a client reads a run just now, which then stays until it is let go
+   */
+  public void expire(Predicate<String> takenUp) {
+    long now = System.currentTimeMillis();
+    kept.values().stream()
+        .filter(run -> run.until() < now && !takenUp.test(run.run().identity().simId()))
+        .forEach(this::drop);
+  }
+
+  private void drop(Kept run) {
+    if (kept.remove(run.run().identity().simId(), run)) {
+      String simId = run.run().identity().simId();
+      remember(run.run());
+      delete(files(simId, run.rows()), run.rows(), simId);
+    }
+  }
+
+  /** Returns what is known of an ended run, kept or not. */
+  public Optional<RunRecord> known(String simId) {
+    Optional<RunRecord> stillKept = find(simId).map(Kept::run);
+    if (stillKept.isPresent()) {
+      return stillKept;
+    }
+    synchronized (remembered) {
+      return remembered.stream().filter(run -> run.identity().simId().equals(simId)).findFirst();
+    }
+  }
+
+  /** Returns all ended runs as administrators see them. */
+  public List<SimSummary> summaries() {
+    List<SimSummary> summaries = new ArrayList<>();
+    kept.values().forEach(run -> summaries.add(run.run().summary(run.until())));
+    synchronized (remembered) {
+      remembered.forEach(run -> summaries.add(run.summary(0)));
+    }
+    return summaries;
+  }
+
+  /** Gives up what does not outlive the process. */
+  @Override
+  public void close() {
+    disk.shutdown();
+    try {
+      disk.awaitTermination(CLOSING_SECONDS, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    kept.values().forEach(run -> run.rows().close());
+    kept.clear();
+    folder.ifPresent(SpoolFolder::close);
+  }
+}

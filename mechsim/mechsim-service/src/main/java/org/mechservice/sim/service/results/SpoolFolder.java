@@ -1,0 +1,162 @@
+package org.mechservice.sim.service.results;
+
+import com.google.gson.JsonParseException;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.mechservice.sim.service.contract.FileErrors;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The folder in which a host keeps its runs over its own end: for each run, its rows and what is
+ * known of it. One process at a time uses it.
+ */
+final class SpoolFolder implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(SpoolFolder.class);
+  private static final String RECORD = ".json";
+
+  private final Path folder;
+  private final FileChannel lockFile;
+
+  private SpoolFolder(Path folder, FileChannel lockFile) {
+    this.folder = folder;
+    this.lockFile = lockFile;
+  }
+
+  /**
+   * Opens a folder, creating it if need be.
+   *
+   * @throws IllegalArgumentException with code S-114 if it cannot be used
+   */
+  static SpoolFolder open(Path folder) {
+    try {
+      Files.createDirectories(folder);
+      FileChannel lockFile =
+          FileChannel.open(
+              folder.resolve("lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+      if (!locked(lockFile)) {
+        lockFile.close();
+        throw unusable(folder, "another host uses it", null);
+      }
+      return new SpoolFolder(folder, lockFile);
+    } catch (IOException e) {
+      throw unusable(folder, FileErrors.reason(e), e);
+    }
+  }
+
+  private static boolean locked(FileChannel lockFile) throws IOException {
+    try {
+      FileLock lock = lockFile.tryLock();
+      return lock != null;
+    } catch (java.nio.channels.OverlappingFileLockException ofThisProcess) {
+      return false;
+    }
+  }
+
+  private static IllegalArgumentException unusable(
+      Path folder, String why, @org.jspecify.annotations.Nullable Exception cause) {
+    return new IllegalArgumentException(
+        MessageCode.SPOOL_FOLDER + " the spool folder " + folder + " cannot be used: " + why,
+        cause);
+  }
+
+  /** Returns where the rows of a run are. */
+  RowFile rows(String simId) {
+    return RowFile.at(folder.resolve(simId + ".rows"));
+  }
+
+  /**
+   * Writes down what is known of a run. After a crash there is either this or what was written
+   * before, never half of it.
+   */
+  void write(RunRecord run) throws IOException {
+    put(run, true);
+    forceFolder();
+  }
+
+  /**
+   * Writes down what is known of a run without waiting for the disk: from then on it outlives the
+   * process, and the machine as soon as it is written again.
+   */
+  void note(RunRecord run) throws IOException {
+    put(run, false);
+  }
+
+  private void put(RunRecord run, boolean forced) throws IOException {
+    Path growing = folder.resolve(run.identity().simId() + ".part");
+    try (FileChannel channel =
+        FileChannel.open(
+            growing,
+            StandardOpenOption.CREATE,
+            StandardOpenOption.TRUNCATE_EXISTING,
+            StandardOpenOption.WRITE)) {
+      ByteBuffer bytes = ByteBuffer.wrap(run.toJson().getBytes(StandardCharsets.UTF_8));
+      while (bytes.hasRemaining()) {
+        channel.write(bytes);
+      }
+      if (forced) {
+        channel.force(true);
+      }
+    }
+    Files.move(
+        growing,
+        record(run.identity().simId()),
+        StandardCopyOption.ATOMIC_MOVE,
+        StandardCopyOption.REPLACE_EXISTING);
+  }
+
+  private Path record(String simId) {
+    return folder.resolve(simId + RECORD);
+  }
+
+  private void forceFolder() {
+    try (FileChannel channel = FileChannel.open(folder, StandardOpenOption.READ)) {
+      channel.force(true);
+    } catch (IOException e) {
+      LOG.debug("folders cannot be forced to disk on this system", e);
+    }
+  }
+
+  /** Deletes what is known of a run; its rows are deleted by themselves. */
+  void delete(String simId) throws IOException {
+    Files.deleteIfExists(record(simId));
+  }
+
+  /** Returns all that was written down and can be read; the rest is left where it is. */
+  List<RunRecord> readAll() throws IOException {
+    List<RunRecord> found = new ArrayList<>();
+    try (Stream<Path> files = Files.list(folder)) {
+      for (Path file : files.filter(path -> path.toString().endsWith(RECORD)).sorted().toList()) {
+        try {
+          found.add(RunRecord.ofJson(Files.readString(file)));
+        } catch (JsonParseException | IOException e) {
+          LOG.warn(
+              MessageCode.SPOOL_FOLDER + " {} cannot be read and is left as it is: {}",
+              file,
+              e.toString());
+        }
+      }
+    }
+    return found;
+  }
+
+  @Override
+  public void close() {
+    try {
+      lockFile.close();
+    } catch (IOException e) {
+      LOG.debug("the lock of {} does not close: {}", folder, e.toString());
+    }
+  }
+}

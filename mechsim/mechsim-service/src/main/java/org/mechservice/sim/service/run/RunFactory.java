@@ -1,0 +1,102 @@
+package org.mechservice.sim.service.run;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.mechservice.idl.LimitExceeded;
+import org.mechservice.sim.model.CompiledModel;
+import org.mechservice.sim.service.results.ResultColumns;
+import org.mechservice.sim.service.results.RunStore;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.simulation.Simulation;
+
+/** Makes simulations that a host's queue runs. */
+public final class RunFactory {
+  private final Solver solver;
+  private final RunQueue queue;
+  private final RunStore store;
+  private final Path disk;
+
+  /**
+   * @param disk where the rows go
+   */
+  public RunFactory(Solver solver, RunQueue queue, RunStore store, Path disk) {
+    this.solver = solver;
+    this.queue = queue;
+    this.store = store;
+    this.disk = disk;
+  }
+
+  /**
+   * Returns the columns of a run.
+   *
+   * @throws IllegalArgumentException if the model has not what is asked for
+   */
+  public ResultColumns columns(Model model, RunRequest request) {
+    Simulation.requireBalance(model, request);
+    return ResultColumns.of(groups -> Simulation.columns(model, groups), request.columns());
+  }
+
+  /**
+   * Makes the computing of a run: here, or where the model has classes of users, in a process of
+   * its own.
+   *
+   * @param memoryBytes most memory of a process of its own; negative: what Java takes by itself
+   */
+  public RunTask task(CompiledModel compiled, RunRequest request, long memoryBytes) {
+    return compiled.hasUserClasses()
+        ? new WorkerTask(compiled, request, memoryBytes)
+        : here(compiled, request);
+  }
+
+  private LocalTask here(CompiledModel compiled, RunRequest request) {
+    ModelSource source = compiled.instances();
+    Model model = source.model();
+    return new LocalTask(
+        solver,
+        source,
+        model,
+        source.parameters(),
+        request,
+        new RunCheckpoints(compiled::sha256, Simulation.canBeSaved(model)),
+        new LocalTask.ThreadClock());
+  }
+
+  /**
+   * Makes a simulation.
+   *
+   * @param listener receives what happens to it
+   * @throws LimitExceeded if its rows would be more than the host or its disk takes
+   */
+  public SimulationRun create(RunPlan plan, SimulationRun.Listener listener) throws LimitExceeded {
+    requireRoomForRows(plan.task().settings(), plan.columns().count());
+    return new SimulationRun(plan, queue, store, listener);
+  }
+
+  private void requireRoomForRows(RunSettings settings, int columns) throws LimitExceeded {
+    double rows = (settings.tEnd() - settings.tStart()) / settings.tStep() + 2;
+    store
+        .account()
+        .require(
+            rows * columns * Double.BYTES,
+            freeDisk(),
+            "the run would put out "
+                + (long) rows
+                + " rows of "
+                + columns
+                + " columns, more than this host keeps; make t-step larger or choose fewer"
+                + " columns");
+  }
+
+  private long freeDisk() {
+    try {
+      return Files.getFileStore(disk).getUsableSpace();
+    } catch (IOException e) {
+      return Long.MAX_VALUE; // not known: the run itself will find out
+    }
+  }
+}

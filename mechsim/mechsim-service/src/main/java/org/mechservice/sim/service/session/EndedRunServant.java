@@ -1,0 +1,171 @@
+package org.mechservice.sim.service.session;
+
+import org.mechservice.idl.Channel;
+import org.mechservice.idl.FailureRecord;
+import org.mechservice.idl.IMechSimRemoteOperations;
+import org.mechservice.idl.InvalidState;
+import org.mechservice.idl.LimitExceeded;
+import org.mechservice.idl.NameValue;
+import org.mechservice.idl.NotAvailable;
+import org.mechservice.idl.NotFound;
+import org.mechservice.idl.Parameter;
+import org.mechservice.idl.Progress;
+import org.mechservice.idl.ResultCursor;
+import org.mechservice.sim.service.contract.ContractErrors;
+import org.mechservice.sim.service.contract.ContractTypes;
+import org.mechservice.sim.service.results.ResultCursors;
+import org.mechservice.sim.service.results.RunStore;
+import org.mechservice.solver.api.Variable;
+import org.omg.CORBA.DoubleHolder;
+import org.omg.CORBA.OBJECT_NOT_EXIST;
+
+/** An ended run, reopened: its rows and its report; calls that steer a run are refused. */
+final class EndedRunServant implements IMechSimRemoteOperations {
+  private final Session session;
+  private final RunStore.Kept kept;
+  private final ResultCursors cursors;
+  private final Runnable destroyed;
+
+  /**
+   * @param destroyed called when the client destroys its reference; the run is kept
+   */
+  EndedRunServant(Session session, RunStore.Kept kept, Runnable destroyed) {
+    this.session = session;
+    this.kept = kept;
+    this.destroyed = destroyed;
+    cursors = new ResultCursors(session, kept.rows(), kept.run().columns());
+  }
+
+  private InvalidState hasEnded(String what) {
+    return ContractErrors.state(
+        kept.run().progress().state, "the simulation has ended: it cannot be " + what);
+  }
+
+  @Override
+  public String simId() {
+    return kept.run().identity().simId();
+  }
+
+  @Override
+  public void start() throws InvalidState {
+    throw hasEnded("started");
+  }
+
+  @Override
+  public void pause() throws InvalidState {
+    throw hasEnded("paused");
+  }
+
+  @Override
+  public void resume() throws InvalidState {
+    throw hasEnded("resumed");
+  }
+
+  @Override
+  public void stepOnce() throws InvalidState {
+    throw hasEnded("continued");
+  }
+
+  @Override
+  public void runTo(double untilTime) throws InvalidState {
+    throw hasEnded("continued");
+  }
+
+  @Override
+  public void cancel() {
+    // Nothing is left to be cancelled.
+  }
+
+  @Override
+  public Progress getProgress() {
+    return kept.run().progress();
+  }
+
+  @Override
+  public Channel[] stateChannels() {
+    return ContractTypes.channels(kept.run().states());
+  }
+
+  /** The state of the last row. */
+  @Override
+  public double[] getStates(DoubleHolder simTime) throws InvalidState {
+    double[] values = lastRow();
+    double[] state = new double[kept.run().states().size()];
+    for (int i = 0; i < state.length; i++) {
+      Variable wanted = kept.run().states().get(i);
+      state[i] = values[kept.run().columns().indexOf(wanted.name())];
+    }
+    simTime.value = values[0];
+    return state;
+  }
+
+  private double[] lastRow() throws InvalidState {
+    try {
+      double[] values = kept.rows().read(Math.max(0, kept.rows().rows() - 1), 1);
+      if (values.length == 0) {
+        throw hasEnded("asked for a state: it has put out no row");
+      }
+      return values;
+    } catch (java.io.IOException e) {
+      throw new OBJECT_NOT_EXIST("the results are not kept any more");
+    }
+  }
+
+  @Override
+  public Parameter[] parameters() {
+    return new Parameter[0];
+  }
+
+  @Override
+  public void setParameters(NameValue[] values) throws InvalidState {
+    throw hasEnded("changed");
+  }
+
+  @Override
+  public ResultCursor openResults(String[] channelNames) throws NotFound, LimitExceeded {
+    return cursors.open(channelNames);
+  }
+
+  @Override
+  public String report() throws InvalidState {
+    if (kept.run().report().isEmpty()) {
+      throw ContractErrors.state(
+          kept.run().progress().state, "there is no report: " + kept.run().text());
+    }
+    return kept.run().report();
+  }
+
+  @Override
+  public FailureRecord failure() throws InvalidState {
+    return kept.run()
+        .failure()
+        .orElseThrow(
+            () ->
+                ContractErrors.state(kept.run().progress().state, "the simulation has not failed"));
+  }
+
+  @Override
+  public byte[] checkpoint() throws NotAvailable {
+    throw ContractErrors.notAvailable("of a run that was left no checkpoint is kept");
+  }
+
+  @Override
+  public void restore(byte[] checkpointFile) throws InvalidState {
+    throw hasEnded("restored");
+  }
+
+  @Override
+  public int renewLease() {
+    return session.limits().leaseSeconds();
+  }
+
+  @Override
+  public void destroy() {
+    destroyed.run();
+  }
+
+  /** Closes its cursors; no new ones can be opened. */
+  void closeCursors() {
+    cursors.close();
+  }
+}

@@ -1,0 +1,27 @@
+package org.mechservice.sim.service.session;
+
+import java.util.concurrent.Executor;
+import org.mechservice.orb.ServiceOrb;
+import org.mechservice.sim.service.contract.Journal;
+import org.mechservice.sim.service.limits.CurrentLimits;
+import org.mechservice.sim.service.results.RunStore;
+
+/**
+ * What the sessions of a host share.
+ *
+ * @param orb serves their objects
+ * @param hostName the host's name at its server
+ * @param limits what the host allows now
+ * @param journal where what happens is written down
+ * @param store where ended runs go
+ * @param callbacks threads that call clients back
+ * @param userCode whether classes of users may be compiled and run here
+ */
+record HostServices(
+    ServiceOrb orb,
+    String hostName,
+    CurrentLimits limits,
+    Journal journal,
+    RunStore store,
+    Executor callbacks,
+    boolean userCode) {}

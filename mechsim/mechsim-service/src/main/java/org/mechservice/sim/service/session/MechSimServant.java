@@ -1,0 +1,452 @@
+package org.mechservice.sim.service.session;
+
+import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.mechservice.idl.Diagnostic;
+import org.mechservice.idl.IMechClient;
+import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.InvalidModel;
+import org.mechservice.idl.InvalidOption;
+import org.mechservice.idl.InvalidState;
+import org.mechservice.idl.JarInfo;
+import org.mechservice.idl.JarInfoHolder;
+import org.mechservice.idl.LimitExceeded;
+import org.mechservice.idl.MAX_WAIT_MILLIS;
+import org.mechservice.idl.MechSimOperations;
+import org.mechservice.idl.ModelFile;
+import org.mechservice.idl.ModelInfo;
+import org.mechservice.idl.NameValue;
+import org.mechservice.idl.NameValueSeqHolder;
+import org.mechservice.idl.NotAvailable;
+import org.mechservice.idl.NotFound;
+import org.mechservice.idl.Parameter;
+import org.mechservice.idl.RoadmapEntry;
+import org.mechservice.idl.RunSetUp;
+import org.mechservice.idl.RuntimeInfo;
+import org.mechservice.idl.ServerFailure;
+import org.mechservice.idl.SimEvent;
+import org.mechservice.idl.SimState;
+import org.mechservice.mechml.SimulationSettings;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.sim.model.BuildOptions;
+import org.mechservice.sim.model.CheckReport;
+import org.mechservice.sim.model.CompiledModel;
+import org.mechservice.sim.model.GeneratedFacts;
+import org.mechservice.sim.model.GeneratedModel;
+import org.mechservice.sim.model.JarImage;
+import org.mechservice.sim.model.ModelFactory;
+import org.mechservice.sim.model.SourceFile;
+import org.mechservice.sim.service.contract.ContractErrors;
+import org.mechservice.sim.service.contract.ContractTypes;
+import org.mechservice.sim.service.library.LoadedModel;
+import org.mechservice.sim.service.library.ModelLibrary;
+import org.mechservice.sim.service.library.ModelWarnings;
+import org.mechservice.sim.service.library.RequestOptions;
+import org.mechservice.sim.service.library.SetUpTimes;
+import org.mechservice.sim.service.library.SimulationRequest;
+import org.mechservice.sim.service.limits.AdmissionControl;
+import org.mechservice.sim.service.limits.HostLimit;
+import org.mechservice.sim.service.results.ResultColumns;
+import org.mechservice.sim.service.results.RunIdentity;
+import org.mechservice.sim.service.run.RunFactory;
+import org.mechservice.sim.service.run.RunPlan;
+import org.mechservice.sim.service.run.RunTask;
+import org.mechservice.sim.service.run.SimulationRun;
+import org.mechservice.sim.user.UserFile;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.simulation.SolverVersion;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Servant of one session: reads a model file, creates simulations and makes JARs of it. */
+final class MechSimServant implements MechSimOperations {
+  private static final Logger LOG = LoggerFactory.getLogger(MechSimServant.class);
+
+  private final Session session;
+  private final ModelLibrary library;
+  private final RunFactory runs;
+  private final AdmissionControl admission;
+  private final Runnable destroyed;
+  private final SetUpTimes times = new SetUpTimes();
+  private volatile Optional<LoadedModel> loaded = Optional.empty();
+
+  /**
+   * @param admission decides whether one more simulation is allowed
+   * @param destroyed called when the client ends the session
+   */
+  MechSimServant(
+      Session session,
+      ModelLibrary library,
+      RunFactory runs,
+      AdmissionControl admission,
+      Runnable destroyed) {
+    this.admission = admission;
+    this.session = session;
+    this.library = library;
+    this.runs = runs;
+    this.destroyed = destroyed;
+  }
+
+  @Override
+  public String sessionId() {
+    return session.id();
+  }
+
+  @Override
+  public String hostName() {
+    return session.host().hostName();
+  }
+
+  @Override
+  public Diagnostic[] loadModel(ModelFile mechml, ModelFile[] userFiles)
+      throws InvalidModel, LimitExceeded {
+    requireAllowedSize(mechml, userFiles);
+    long start = System.nanoTime();
+    try {
+      LoadedModel read =
+          LoadedModel.read(
+              mechml.fileName,
+              mechml.content,
+              Stream.of(userFiles).map(file -> new UserFile(file.fileName, file.content)).toList(),
+              session.host().userCode());
+      times.addTreating(System.nanoTime() - start);
+      loaded = Optional.of(read);
+      generateAhead(read);
+      return ContractTypes.diagnostics(read.warnings());
+    } catch (MechmlException e) {
+      throw ContractErrors.model(e.diagnostics());
+    }
+  }
+
+  private void requireAllowedSize(ModelFile mechml, ModelFile[] userFiles) throws LimitExceeded {
+    long bytes = mechml.content.length;
+    for (ModelFile file : userFiles) {
+      bytes += file.content.length;
+    }
+    long most = session.limits().of(HostLimit.MODEL_BYTES);
+    if (bytes > most) {
+      throw HostLimit.MODEL_BYTES.refusal(
+          most, bytes, "the model has " + bytes + " bytes; this server takes at most " + most);
+    }
+  }
+
+  /** Generates the model with the settings of its file; a later request reports errors. */
+  private void generateAhead(LoadedModel read) {
+    SimulationSettings settings = read.model().settings();
+    try {
+      BuildOptions asInFile = SimulationRequest.asInFile(read.model()).forRun(settings);
+      library.generated(read, asInFile, times);
+    } catch (InvalidOption | IllegalArgumentException e) {
+      LOG.debug("the model cannot be run as its file says", e);
+    }
+  }
+
+  private LoadedModel requireModel() throws InvalidState {
+    return loaded.orElseThrow(
+        () ->
+            ContractErrors.state(SimState.SIM_CREATED, "no model is loaded; call loadModel first"));
+  }
+
+  /**
+   * A parsed request, with the model read as it wants it.
+   *
+   * @param sourcePart index of the source file wanted
+   */
+  private record Parsed(LoadedModel model, SimulationRequest request, int sourcePart) {}
+
+  private Parsed parsed(NameValue[] options) throws InvalidState, InvalidOption, InvalidModel {
+    LoadedModel present = requireModel();
+    RequestOptions given = RequestOptions.of(options);
+    try {
+      LoadedModel model = present.with(given.reading());
+      return new Parsed(
+          model, SimulationRequest.of(given, model.model()), SimulationRequest.sourcePart(given));
+    } catch (MechmlException e) {
+      throw ContractErrors.model(e.diagnostics());
+    }
+  }
+
+  @Override
+  public ModelInfo getModelInfo() throws InvalidState {
+    return requireModel().info();
+  }
+
+  @Override
+  public Parameter[] parameters() throws InvalidState {
+    return requireModel().model().parameters().stream()
+        .map(p -> new Parameter(p.name(), p.unit(), p.value(), p.tunable()))
+        .toArray(Parameter[]::new);
+  }
+
+  @Override
+  public RoadmapEntry[] roadmap() throws InvalidState {
+    return requireModel().roadmap();
+  }
+
+  @Override
+  public String checkReport(boolean asJson) throws InvalidState {
+    CheckReport report = CheckReport.of(requireModel().model());
+    return asJson ? report.json() : report.text();
+  }
+
+  @Override
+  public ModelFile generatedSource(NameValue[] options)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
+    Parsed parsed = parsed(options);
+    GeneratedModel generated =
+        ContractErrors.build(
+            () -> library.generated(parsed.model(), parsed.request().forJar(), times));
+    List<SourceFile> sources = generated.sources();
+    if (parsed.sourcePart() >= sources.size()) {
+      return new ModelFile("", new byte[0]);
+    }
+    SourceFile source = sources.get(parsed.sourcePart());
+    return new ModelFile(
+        source.className().replace('.', '/') + ".java",
+        source.text().getBytes(StandardCharsets.UTF_8));
+  }
+
+  @Override
+  public IMechSimRemote createSimulation(NameValue[] options, @Nullable IMechClient client)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
+    return created(options, client).reference();
+  }
+
+  @Override
+  public RunSetUp prepareSimulation(NameValue[] options, @Nullable IMechClient client)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
+    Created created = created(options, client);
+    try {
+      return new RunSetUp(
+          created.reference(),
+          session.openRows(created.run()),
+          ContractTypes.channels(created.run().columns().variables()),
+          facts(created.formulationReason(), created.warnings()));
+    } catch (LimitExceeded e) {
+      session.destroy(created.run());
+      throw e;
+    }
+  }
+
+  /** Returns the entries of the run report about the set-up that this host knows. */
+  private NameValue[] facts(String formulationReason, Map<String, String> warnings)
+      throws InvalidState {
+    Map<String, String> facts = new LinkedHashMap<>();
+    facts.put("hostName", hostName());
+    facts.put("modelSha256", requireModel().sha256());
+    facts.put("formulationReason", formulationReason);
+    times.asMap().forEach((name, seconds) -> facts.put(name, Double.toString(seconds)));
+    facts.putAll(warnings);
+    return ContractTypes.nameValues(facts);
+  }
+
+  /** A simulation that was created. */
+  private record Created(
+      SimulationRun run,
+      IMechSimRemote reference,
+      String formulationReason,
+      Map<String, String> warnings) {}
+
+  private Created created(NameValue[] options, @Nullable IMechClient client)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
+    admission.requirePlace(session.owner(), session.simulationCount());
+    Parsed parsed = parsed(options);
+    LoadedModel source = parsed.model();
+    SimulationSettings ofFile = source.model().settings();
+    SimulationRequest asked = parsed.request();
+    requireNoWarnings(source, asked);
+    CompiledModel compiled =
+        ContractErrors.build(() -> library.compiled(source, asked.forRun(ofFile), times));
+    requireUserCodeAllowed(compiled, source);
+    RunRequest request =
+        new RunRequest(asked.settings(), asked.columns(), asked.strict(), asked.maxDrift());
+    long memory = session.limits().of(HostLimit.MEMORY);
+    RunTask task = ContractErrors.build(() -> runs.task(compiled, request, memory));
+    ResultColumns columns = ContractErrors.build(() -> runs.columns(task.model(), request));
+    RunPlan plan =
+        new RunPlan(
+            identity(task, source, asked), task, columns, setUp(source, compiled.generated()));
+    SimulationRun run = runs.create(plan, session);
+    IMechSimRemote reference = session.add(run, client);
+    session.said(run, messages(source, compiled.generated(), asked));
+    return new Created(
+        run,
+        reference,
+        compiled.generated().formulationReason(),
+        ModelWarnings.ofSetUp(source, asked.formulation(), asked.settings()));
+  }
+
+  private RunIdentity identity(RunTask task, LoadedModel source, SimulationRequest asked) {
+    return new RunIdentity(
+        UUID.randomUUID().toString(),
+        session.id(),
+        hostName(),
+        session.owner(),
+        task.description().name(),
+        source.fileName(),
+        source.text(),
+        System.currentTimeMillis(),
+        asked.earlierIds());
+  }
+
+  /** Returns the entries of the run report about the set-up. */
+  private Map<String, Object> setUp(LoadedModel source, GeneratedFacts generated) {
+    Map<String, Object> entries = new LinkedHashMap<>();
+    entries.put("modelSha256", source.sha256());
+    entries.put("formulationReason", generated.formulationReason());
+    entries.putAll(times.asMap());
+    entries.remove("t2s"); // a run makes no JAR
+    return entries;
+  }
+
+  /** Refuses a strict request if the reader of the file has warnings. */
+  private static void requireNoWarnings(LoadedModel source, SimulationRequest asked)
+      throws InvalidModel {
+    if (asked.strict() && !source.model().warnings().isEmpty()) {
+      throw ContractErrors.strict(source.model().warnings());
+    }
+  }
+
+  private void requireUserCodeAllowed(CompiledModel compiled, LoadedModel source)
+      throws NotAvailable, InvalidModel {
+    if (compiled.hasUserClasses() && !session.host().userCode()) {
+      throw new NotAvailable(
+          MessageCode.USER_CODE_NOT_ALLOWED.code(),
+          "host "
+              + hostName()
+              + " runs no classes of users, and forces of this model are such classes; run it with"
+              + " --mode local or without --server, or ask the operator to start the server with"
+              + " --allow-user-code");
+    }
+    try {
+      source.userClasses().requireHarmless();
+    } catch (MechmlException e) {
+      throw ContractErrors.model(e.diagnostics());
+    }
+  }
+
+  private static Diagnostic[] messages(
+      LoadedModel source, GeneratedFacts generated, SimulationRequest asked) {
+    Diagnostic[] warnings = ContractTypes.diagnostics(source.model().warnings());
+    Diagnostic[] all = new Diagnostic[warnings.length + 1];
+    System.arraycopy(warnings, 0, all, 0, warnings.length);
+    all[warnings.length] =
+        ContractTypes.information(
+            MessageCode.SERVER_CHOICE.code(),
+            "formulation "
+                + generated.formulation()
+                + " ("
+                + generated.formulationReason()
+                + "), integrator "
+                + asked.settings().integrator());
+    return all;
+  }
+
+  @Override
+  public byte[] compileToJar(NameValue[] options, JarInfoHolder info)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
+    Parsed parsed = parsed(options);
+    return packed(parsed.model(), parsed.request(), info);
+  }
+
+  private byte[] packed(LoadedModel source, SimulationRequest asked, JarInfoHolder info)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
+    requireNoWarnings(source, asked);
+    BuildOptions build = asked.forJar();
+    CompiledModel compiled = ContractErrors.build(() -> library.compiled(source, build, times));
+    long start = System.nanoTime();
+    JarImage jar =
+        asked.standalone()
+            ? ModelFactory.standaloneJar(compiled, source.sha256())
+            : ModelFactory.modelJar(compiled, source.sha256());
+    String runtime = asked.standalone() ? "" : ModelFactory.runtimeJar().sha256();
+    times.addPacking(System.nanoTime() - start);
+    info.value =
+        new JarInfo(
+            jar.fileName(),
+            jar.mainClass(),
+            jar.sha256(),
+            jar.bytes().length,
+            jar.modelBytes(),
+            signature(jar),
+            runtime,
+            ContractTypes.nameValues(jar.manifest()));
+    return jar.bytes();
+  }
+
+  @Override
+  public byte[] prepareJar(NameValue[] options, JarInfoHolder info, NameValueSeqHolder facts)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
+    Parsed parsed = parsed(options);
+    LoadedModel source = parsed.model();
+    SimulationRequest asked = parsed.request();
+    byte[] jar = packed(source, asked, info);
+    facts.value = facts("", ModelWarnings.ofSetUp(source, asked.formulation(), asked.settings()));
+    return jar;
+  }
+
+  /** Returns the detached signature of a JAR; empty without TLS, where the server has no key. */
+  private byte[] signature(JarImage jar) {
+    return session
+        .host()
+        .orb()
+        .identity()
+        .map(own -> own.sign(jar.bytes()))
+        .orElseGet(() -> new byte[0]);
+  }
+
+  @Override
+  public RuntimeInfo getRuntimeInfo() {
+    JarImage jar = ModelFactory.runtimeJar();
+    return new RuntimeInfo(jar.sha256(), jar.bytes().length, signature(jar), SolverVersion.CURRENT);
+  }
+
+  @Override
+  public byte[] fetchRuntime(String sha256) throws NotFound {
+    JarImage jar = ModelFactory.runtimeJar();
+    if (!jar.sha256().equals(sha256)) {
+      throw ContractErrors.notFound(
+          "this server's runtime JAR is " + jar.sha256() + ", not " + sha256);
+    }
+    return jar.bytes();
+  }
+
+  @Override
+  public NameValue[] timings() {
+    Map<String, String> texts = new LinkedHashMap<>();
+    times.asMap().forEach((name, seconds) -> texts.put(name, Double.toString(seconds)));
+    return ContractTypes.nameValues(texts);
+  }
+
+  @Override
+  public SimEvent[] pollEvents(long afterSeqNo, int maxCount, int waitMillis) {
+    try {
+      return session
+          .events()
+          .after(
+              afterSeqNo,
+              (int) Math.min(Integer.toUnsignedLong(maxCount), Integer.MAX_VALUE),
+              Math.min(Integer.toUnsignedLong(waitMillis), MAX_WAIT_MILLIS.value));
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return new SimEvent[0];
+    }
+  }
+
+  @Override
+  public int renewLease() {
+    return session.limits().leaseSeconds();
+  }
+
+  @Override
+  public void destroy() {
+    destroyed.run();
+  }
+}

@@ -1,0 +1,386 @@
+package org.mechservice.sim.service.session;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ThreadFactory;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import org.jspecify.annotations.Nullable;
+import org.mechservice.idl.Diagnostic;
+import org.mechservice.idl.IMechClient;
+import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.LimitExceeded;
+import org.mechservice.idl.MechSim;
+import org.mechservice.idl.MechSimHelper;
+import org.mechservice.idl.MechSimOperations;
+import org.mechservice.idl.MechSimPOATie;
+import org.mechservice.idl.NameValue;
+import org.mechservice.idl.NotFound;
+import org.mechservice.idl.SimDetail;
+import org.mechservice.idl.SimEvent;
+import org.mechservice.idl.SimState;
+import org.mechservice.idl.SimSummary;
+import org.mechservice.orb.ActiveObject;
+import org.mechservice.orb.GuardedServant;
+import org.mechservice.orb.ServiceOrb;
+import org.mechservice.sim.service.contract.ContractErrors;
+import org.mechservice.sim.service.contract.ContractTypes;
+import org.mechservice.sim.service.contract.Journal;
+import org.mechservice.sim.service.contract.JournalEntry;
+import org.mechservice.sim.service.library.ModelLibrary;
+import org.mechservice.sim.service.limits.AdmissionControl;
+import org.mechservice.sim.service.limits.CurrentLimits;
+import org.mechservice.sim.service.limits.HostLimit;
+import org.mechservice.sim.service.limits.HostLimits;
+import org.mechservice.sim.service.results.RunIdentity;
+import org.mechservice.sim.service.results.RunRecord;
+import org.mechservice.sim.service.results.RunStore;
+import org.mechservice.sim.service.run.RunFactory;
+import org.mechservice.sim.service.run.RunQueue;
+import org.mechservice.sim.service.run.SimulationRun;
+import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.catalogue.MessageCode;
+
+/**
+ * The sessions of one host. Its clock ends sessions whose lease is over and runs that have reached
+ * a limit, and reports the progress of runs to their clients, at most ten times a second each. As
+ * many simulations run at once as the host has capacity.
+ */
+public final class SessionTable implements AutoCloseable {
+  private static final long TICK_MILLIS = 100;
+  private static final long EXPIRY_SECONDS = 10;
+
+  /**
+   * Interval of writing rows to disk, s: at most so much of a run is lost if its host is killed.
+   */
+  private static final long HAND_OVER_SECONDS = 1;
+
+  private static final long CLOSING_MILLIS = 5000;
+
+  /** A session with its reference; one that only holds a reopened run has none. */
+  private record Entry(Session session, Optional<MechSim> reference) {}
+
+  private final HostServices host;
+  private final RunQueue queue;
+  private final RunFactory runs;
+  private final ModelLibrary library = new ModelLibrary();
+  private final ExecutorService callbacks;
+  private final ScheduledExecutorService clock =
+      Executors.newSingleThreadScheduledExecutor(named("clock"));
+  private final Map<String, Entry> sessions = new ConcurrentHashMap<>();
+  private final AdmissionControl admission;
+  private final AtomicLong opened = new AtomicLong();
+  private volatile Future<?> handedOver = CompletableFuture.completedFuture(null);
+
+  /**
+   * Opens a table, with the runs an earlier process has left in the folder.
+   *
+   * @param orb serves the sessions
+   * @param hostName the host's name at its server
+   * @param capacity simulations run at once
+   * @param limits what the host allows
+   * @param spool folder in which ended runs outlive the process; empty: they do not
+   * @param solver runs them
+   * @param journal logs the sessions
+   * @param userCode whether classes of users may be compiled and run here
+   * @throws IllegalArgumentException with code S-114 if the folder cannot be used
+   */
+  public SessionTable(
+      ServiceOrb orb,
+      String hostName,
+      int capacity,
+      CurrentLimits limits,
+      Optional<Path> spool,
+      Solver solver,
+      Journal journal,
+      boolean userCode) {
+    RunStore store = new RunStore(spool, limits);
+    callbacks = Executors.newCachedThreadPool(named("callback"));
+    host = new HostServices(orb, hostName, limits, journal, store, callbacks, userCode);
+    queue = new RunQueue(capacity, limits);
+    runs =
+        new RunFactory(
+            solver, queue, store, spool.orElse(Path.of(System.getProperty("java.io.tmpdir", "."))));
+    admission = new AdmissionControl(limits, this::runsOf);
+    var unused =
+        clock.scheduleWithFixedDelay(this::tick, TICK_MILLIS, TICK_MILLIS, TimeUnit.MILLISECONDS);
+    if (store.lasts()) {
+      unused =
+          clock.scheduleWithFixedDelay(
+              this::handOverRows, HAND_OVER_SECONDS, HAND_OVER_SECONDS, TimeUnit.SECONDS);
+    }
+    unused =
+        clock.scheduleWithFixedDelay(
+            () -> store.expire(this::isReopened), EXPIRY_SECONDS, EXPIRY_SECONDS, TimeUnit.SECONDS);
+  }
+
+  /** Writes rows in the disk thread, unless the previous write has not ended. */
+  private void handOverRows() {
+    if (handedOver.isDone()) {
+      handedOver = host.store().soon("", () -> allRuns().forEach(SimulationRun::handOverRows));
+    }
+  }
+
+  private boolean isReopened(String simId) {
+    return allSessions().stream().anyMatch(session -> session.hasReopened(simId));
+  }
+
+  private static ThreadFactory named(String name) {
+    return task -> {
+      Thread thread = new Thread(task, "mechservice-" + name);
+      thread.setDaemon(true);
+      return thread;
+    };
+  }
+
+  private long runsOf(String client) {
+    return allSessions().stream()
+        .filter(session -> session.owner().equals(client))
+        .flatMap(session -> session.runs().stream())
+        .filter(run -> !run.ended())
+        .count();
+  }
+
+  private Collection<Session> allSessions() {
+    return sessions.values().stream().map(Entry::session).toList();
+  }
+
+  /**
+   * Opens a session.
+   *
+   * @param owner name of the client, for administrators
+   * @param client called back; null: none
+   * @throws LimitExceeded if there are too many
+   */
+  public MechSim open(String owner, @Nullable IMechClient client) throws LimitExceeded {
+    synchronized (sessions) {
+      Session session = admitted(owner, client);
+      MechSimServant servant =
+          new MechSimServant(
+              session, library, runs, admission, () -> end(session, "was ended by its client"));
+      ActiveObject object =
+          session.activateSelf(
+              new MechSimPOATie(
+                  GuardedServant.of(MechSimOperations.class, servant, session::renew)));
+      MechSim reference = MechSimHelper.unchecked_narrow(object.reference());
+      sessions.put(session.id(), new Entry(session, Optional.of(reference)));
+      opened.incrementAndGet();
+      log(session, "session-opened", "was opened");
+      return reference;
+    }
+  }
+
+  private Session admitted(String owner, @Nullable IMechClient client) throws LimitExceeded {
+    host.limits().now().requireBelow(HostLimit.SESSIONS, sessions.size());
+    host.limits().now().requireBelow(HostLimit.CONNECTIONS, host.orb().connections());
+    return new Session(owner, client, host);
+  }
+
+  private void log(Session session, String kind, String what) {
+    host.journal()
+        .add(
+            JournalEntry.info(kind, "the session of \"" + session.owner() + "\" " + what)
+                .onHost(host.hostName())
+                .inSession(session.id(), session.owner()));
+  }
+
+  private void end(Session session, String why) {
+    if (sessions.remove(session.id()) != null) {
+      session.end();
+      log(session, "session-ended", why);
+    }
+  }
+
+  private void expire(Session session, String why) {
+    if (sessions.remove(session.id()) != null) {
+      session.expire();
+      log(session, "session-ended", why);
+    }
+  }
+
+  /** Returns a session that is alive. */
+  public Optional<MechSim> find(String sessionId) {
+    Entry found = sessions.get(sessionId);
+    if (found == null) {
+      return Optional.empty();
+    }
+    found.session().renew();
+    return found.reference();
+  }
+
+  /**
+   * Returns a simulation, of a session that is alive or one that has ended and is kept.
+   *
+   * @throws NotFound if there is no such simulation, or no longer
+   * @throws LimitExceeded if there are too many sessions to reopen it
+   */
+  public IMechSimRemote findSimulation(String simId) throws NotFound, LimitExceeded {
+    for (Session session : allSessions()) {
+      Optional<IMechSimRemote> found = session.find(simId);
+      if (found.isPresent()) {
+        session.renew();
+        return found.get();
+      }
+    }
+    RunStore.Kept kept =
+        host.store()
+            .find(simId)
+            .orElseThrow(() -> ContractErrors.notFound("there is no simulation " + simId));
+    synchronized (sessions) {
+      Session session = admitted(kept.run().identity().owner(), null);
+      IMechSimRemote reference =
+          session.reopen(kept, () -> end(session, "was ended by its client"));
+      sessions.put(session.id(), new Entry(session, Optional.empty()));
+      log(session, "session-opened", "was opened to take up simulation " + simId);
+      return reference;
+    }
+  }
+
+  /** Returns how many sessions there are. */
+  public int count() {
+    return sessions.size();
+  }
+
+  /** Returns counts and sizes by name, for operators. */
+  public NameValue[] statistics() {
+    return ContractTypes.nameValues(
+        Map.of(
+            "spoolBytes", Long.toString(host.store().account().used()),
+            "connections", Integer.toString(host.orb().connections()),
+            "sessionsOpened", Long.toString(opened.get()),
+            "completed", Long.toString(host.store().completed()),
+            "failed", Long.toString(host.store().failed()),
+            "cancelled", Long.toString(host.store().cancelled())));
+  }
+
+  /** Returns how many simulations are in one of these states. */
+  public int count(SimState... states) {
+    List<SimState> wanted = List.of(states);
+    return (int) allRuns().stream().filter(run -> wanted.contains(run.state())).count();
+  }
+
+  private List<SimulationRun> allRuns() {
+    return allSessions().stream().flatMap(session -> session.runs().stream()).toList();
+  }
+
+  /** Returns all simulations, also the latest ended ones, as administrators see them. */
+  public List<SimSummary> summaries() {
+    List<SimSummary> summaries = new ArrayList<>();
+    allSessions().forEach(session -> summaries.addAll(session.summaries()));
+    summaries.addAll(host.store().summaries());
+    return summaries;
+  }
+
+  /** Returns everything about a simulation, if there is one. */
+  public Optional<SimDetail> detail(String simId) {
+    for (Session session : allSessions()) {
+      for (SimulationRun run : session.runs()) {
+        if (run.simId().equals(simId)) {
+          long leaseEnd = System.currentTimeMillis() + session.leaseLeftMillis();
+          return Optional.of(detail(run.record(), leaseEnd, session.events().of(simId)));
+        }
+      }
+    }
+    return host.store().known(simId).map(run -> detail(run, 0, List.of()));
+  }
+
+  private SimDetail detail(RunRecord run, long until, List<SimEvent> events) {
+    RunIdentity identity = run.identity();
+    return run.detail(
+        until, library.checkReport(identity.fileName(), identity.modelText()), events);
+  }
+
+  /**
+   * Cancels a simulation on behalf of an administrator.
+   *
+   * @param reason told to the client
+   * @return whether there is such a simulation
+   */
+  public boolean kill(String simId, String reason) {
+    for (Session session : allSessions()) {
+      for (SimulationRun run : session.runs()) {
+        if (run.simId().equals(simId)) {
+          kill(session, run, reason);
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  private void kill(Session session, SimulationRun run, String reason) {
+    String text = "cancelled by the operator: " + reason;
+    session.said(
+        run,
+        new Diagnostic[] {
+          ContractTypes.information(MessageCode.CANCELLED_BY_OPERATOR.code(), text)
+        });
+    run.stop();
+    host.journal()
+        .add(
+            JournalEntry.warning("sim-killed", MessageCode.CANCELLED_BY_OPERATOR.code(), text)
+                .onHost(host.hostName())
+                .inSession(session.id(), session.owner())
+                .ofSimulation(run.simId()));
+  }
+
+  /** Reports to clients and operators that the host is being emptied. */
+  public void announceDraining() {
+    for (Session session : allSessions()) {
+      session.runs().stream().filter(run -> !run.ended()).forEach(session::hostIsDraining);
+    }
+  }
+
+  private void tick() {
+    try {
+      HostLimits limits = host.limits().now();
+      host.orb().allowConnections(limits.connectionsAtAll());
+      for (Session session : allSessions()) {
+        if (session.leaseLeftMillis() < 0) {
+          expire(session, "was not renewed and has ended");
+        } else {
+          session.runs().forEach(run -> check(session, run, limits));
+        }
+      }
+    } catch (RuntimeException e) {
+      GuardedServant.record("the clock of the sessions", e);
+    }
+  }
+
+  private static void check(Session session, SimulationRun run, HostLimits limits) {
+    run.checkLimits(limits);
+    run.reportHold();
+    if (run.hasProgressed()) {
+      session.progressed(run);
+    }
+  }
+
+  /** Ends all sessions and their runs; no thread is left. */
+  @Override
+  public void close() {
+    clock.shutdownNow();
+    allSessions().forEach(session -> expire(session, "has ended with its host"));
+    queue.close();
+    library.close();
+    host.journal().close();
+    try {
+      queue.awaitEnd(CLOSING_MILLIS);
+      callbacks.shutdown();
+      callbacks.awaitTermination(CLOSING_MILLIS, TimeUnit.MILLISECONDS);
+      clock.awaitTermination(CLOSING_MILLIS, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    host.store().close();
+  }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.mechservice.sim.service.contract;
+
+import org.jspecify.annotations.NullMarked;

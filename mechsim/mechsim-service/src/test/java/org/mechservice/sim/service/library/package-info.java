@@ -1,0 +1,4 @@
+@NullMarked
+package org.mechservice.sim.service.library;
+
+import org.jspecify.annotations.NullMarked;

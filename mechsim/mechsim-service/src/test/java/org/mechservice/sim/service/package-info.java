@@ -1,4 +1,0 @@
-@NullMarked
-package org.mechservice.sim.service;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,4 @@
+@NullMarked
+package org.mechservice.sim.service.results;
+
+import org.jspecify.annotations.NullMarked;

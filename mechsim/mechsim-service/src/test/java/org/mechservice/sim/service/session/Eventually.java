@@ -1,0 +1,23 @@
+package org.mechservice.sim.service.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+/** Waits for what happens by itself. */
+final class Eventually {
+  private static final int PATIENCE = 1200;
+  private static final long CHECK_MILLIS = 50;
+
+  /** Something that is to become true. */
+  interface Condition {
+    boolean holds() throws Exception;
+  }
+
+  private Eventually() {}
+
+  static void holds(Condition condition) throws Exception {
+    for (int i = 0; i < PATIENCE && !condition.holds(); i++) {
+      Thread.sleep(CHECK_MILLIS);
+    }
+    assertThat(condition.holds()).isTrue();
+  }
+}
