@@ -270,9 +270,7 @@ final class HostDirectory implements AutoCloseable {
       }
       journal.add(
           JournalEntry.warning(
-                  "host-lost",
-                  MessageCode.HOST_DROPPED.code(),
-                  "host " + host.name() + " dropped: " + why)
+                  "host-lost", MessageCode.HOST_DROPPED, "host " + host.name() + " dropped: " + why)
               .onHost(host.name()));
       runs.goneWith(host.name(), "was lost");
     }

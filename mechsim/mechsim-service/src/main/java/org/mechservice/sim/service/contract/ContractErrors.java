@@ -97,11 +97,11 @@ public final class ContractErrors {
     } catch (ModelBuildException e) {
       String text = withoutCode(e.code(), e);
       switch (e.code()) {
-        case MessageCode.FORMULATION_NOT_AVAILABLE ->
-            throw new InvalidOption(e.code(), text, OPT_FORMULATION.value);
-        case MessageCode.INTEGRATOR_NOT_AVAILABLE ->
-            throw new InvalidOption(e.code(), text, OPT_INTEGRATOR.value);
-        case MessageCode.NO_COMPILER -> throw new ServerFailure(e.code(), text, "");
+        case FORMULATION_NOT_AVAILABLE ->
+            throw new InvalidOption(e.code().code(), text, OPT_FORMULATION.value);
+        case INTEGRATOR_NOT_AVAILABLE ->
+            throw new InvalidOption(e.code().code(), text, OPT_INTEGRATOR.value);
+        case NO_COMPILER -> throw new ServerFailure(e.code().code(), text, "");
         default -> throw invalidModel(e.code(), text);
       }
     } catch (IllegalArgumentException e) {
@@ -109,12 +109,11 @@ public final class ContractErrors {
       if (message.startsWith(MessageCode.COLUMN_GROUP_MISSING + " ")) {
         throw new InvalidOption(
             MessageCode.COLUMN_GROUP_MISSING.code(),
-            withoutCode(MessageCode.COLUMN_GROUP_MISSING.code(), e),
+            withoutCode(MessageCode.COLUMN_GROUP_MISSING, e),
             OPT_COLUMNS.value);
       } else if (message.startsWith(MessageCode.FORCE_CLASS_UNUSABLE + " ")) {
         throw invalidModel(
-            MessageCode.FORCE_CLASS_UNUSABLE.code(),
-            withoutCode(MessageCode.FORCE_CLASS_UNUSABLE.code(), e));
+            MessageCode.FORCE_CLASS_UNUSABLE, withoutCode(MessageCode.FORCE_CLASS_UNUSABLE, e));
       }
       throw e;
     }
@@ -126,20 +125,21 @@ public final class ContractErrors {
    * @param refusal its message begins with S-125 or S-126; any other is thrown as it is
    */
   public static InvalidOption parameter(IllegalArgumentException refusal) {
-    for (String code : List.of(MessageCode.PARAMETER_FIXED, MessageCode.PARAMETER_NOT_A_NUMBER)) {
+    for (MessageCode code :
+        List.of(MessageCode.PARAMETER_FIXED, MessageCode.PARAMETER_NOT_A_NUMBER)) {
       if (String.valueOf(refusal.getMessage()).startsWith(code + " ")) {
-        return new InvalidOption(code, withoutCode(code, refusal), OPT_SET.value);
+        return new InvalidOption(code.code(), withoutCode(code, refusal), OPT_SET.value);
       }
     }
     throw refusal;
   }
 
-  private static InvalidModel invalidModel(String code, String text) {
+  private static InvalidModel invalidModel(MessageCode code, String text) {
     return model(List.of(new Diagnostic(Severity.ERROR, code, text, "", 0, 0, "")));
   }
 
-  private static String withoutCode(String code, RuntimeException e) {
+  private static String withoutCode(MessageCode code, RuntimeException e) {
     String message = String.valueOf(e.getMessage());
-    return message.startsWith(code + " ") ? message.substring(code.length() + 1) : message;
+    return message.startsWith(code + " ") ? message.substring(code.code().length() + 1) : message;
   }
 }

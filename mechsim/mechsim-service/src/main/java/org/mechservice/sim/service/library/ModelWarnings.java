@@ -87,7 +87,7 @@ public final class ModelWarnings {
   private static String text(Diagnostic said) {
     return String.join(
         "\t",
-        said.code(),
+        said.code().code(),
         said.file(),
         String.valueOf(said.line()),
         String.valueOf(said.column()),

@@ -39,15 +39,14 @@ record RunOutcome(Optional<Map<String, Object>> report, Outcome outcome) {
     } else if (thrown instanceof LimitReachedException limit) {
       return failed(atLimit(limit, control));
     } else if (thrown instanceof IllegalArgumentException refusal) {
-      return failed(
-          coded(MessageCode.OPTION_VALUE.code(), String.valueOf(refusal.getMessage()), control));
+      return failed(coded(MessageCode.OPTION_VALUE, String.valueOf(refusal.getMessage()), control));
     } else if (thrown instanceof IOException unkept) {
       return failed(notKept(unkept, control));
     }
     String incident = GuardedServant.record("run " + simId, thrown);
     return failed(
         coded(
-            MessageCode.INTERNAL_SERVER_ERROR.code(),
+            MessageCode.INTERNAL_SERVER_ERROR,
             "the server failed unexpectedly, incident " + incident,
             control));
   }
@@ -71,10 +70,10 @@ record RunOutcome(Optional<Map<String, Object>> report, Outcome outcome) {
   }
 
   /** Takes the code at the start of a solver's message; a message without one gets that given. */
-  private static Failure coded(String code, String message, RunControl control) {
+  private static Failure coded(MessageCode code, String message, RunControl control) {
     boolean hasCode = message.matches("(?s)[MNS]-\\d{3} .*");
     return failure(
-        hasCode ? message.substring(0, 5) : code,
+        hasCode ? MessageCode.find(message.substring(0, 5)).orElse(code) : code,
         hasCode ? message.substring(6) : message,
         control,
         "");
@@ -82,7 +81,7 @@ record RunOutcome(Optional<Map<String, Object>> report, Outcome outcome) {
 
   private static Failure notKept(IOException unkept, RunControl control) {
     return coded(
-        MessageCode.RESULTS_NOT_KEPT.code(),
+        MessageCode.RESULTS_NOT_KEPT,
         "the results cannot be kept: " + unkept.getMessage(),
         control);
   }
@@ -97,7 +96,7 @@ record RunOutcome(Optional<Map<String, Object>> report, Outcome outcome) {
             + "\".");
   }
 
-  private static Failure failure(String code, String text, RunControl control, String advice) {
+  private static Failure failure(MessageCode code, String text, RunControl control, String advice) {
     double time = Double.isNaN(control.time()) ? 0 : control.time();
     return new Failure(code, text, time, control.stepSize(), control.order(), "", advice);
   }

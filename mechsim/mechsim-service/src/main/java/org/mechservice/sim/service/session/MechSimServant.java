@@ -339,7 +339,7 @@ final class MechSimServant implements MechSimOperations {
     System.arraycopy(warnings, 0, all, 0, warnings.length);
     all[warnings.length] =
         ContractTypes.information(
-            MessageCode.SERVER_CHOICE.code(),
+            MessageCode.SERVER_CHOICE,
             "formulation "
                 + generated.formulation()
                 + " ("

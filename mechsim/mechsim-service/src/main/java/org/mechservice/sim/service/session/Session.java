@@ -248,7 +248,7 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
    */
   void hostIsDraining(SimulationRun run) {
     boolean movable = run.canBeSaved();
-    String code = movable ? MessageCode.HOST_DRAINING : MessageCode.RUN_STAYS_ON_DRAINING_HOST;
+    MessageCode code = movable ? MessageCode.HOST_DRAINING : MessageCode.RUN_STAYS_ON_DRAINING_HOST;
     String text =
         "host "
             + host.hostName()
@@ -268,17 +268,18 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
             + "; they are there as long as host "
             + host.hostName()
             + " runs";
-    report(run, "sim-not-kept", Severity.SEV_WARNING, MessageCode.RESULTS_NOT_KEPT.code(), text);
+    report(run, "sim-not-kept", Severity.SEV_WARNING, MessageCode.RESULTS_NOT_KEPT, text);
   }
 
-  private void report(SimulationRun run, String kind, Severity weight, String code, String text) {
+  private void report(
+      SimulationRun run, String kind, Severity weight, MessageCode code, String text) {
     said(run, new Diagnostic[] {ContractTypes.diagnostic(weight, code, text)});
     host.journal()
         .add(
             new JournalEntry(
                 kind,
                 weight,
-                code,
+                code.code(),
                 host.hostName(),
                 id,
                 run.simId(),

@@ -321,14 +321,11 @@ public final class SessionTable implements AutoCloseable {
   private void kill(Session session, SimulationRun run, String reason) {
     String text = "cancelled by the operator: " + reason;
     session.said(
-        run,
-        new Diagnostic[] {
-          ContractTypes.information(MessageCode.CANCELLED_BY_OPERATOR.code(), text)
-        });
+        run, new Diagnostic[] {ContractTypes.information(MessageCode.CANCELLED_BY_OPERATOR, text)});
     run.stop();
     host.journal()
         .add(
-            JournalEntry.warning("sim-killed", MessageCode.CANCELLED_BY_OPERATOR.code(), text)
+            JournalEntry.warning("sim-killed", MessageCode.CANCELLED_BY_OPERATOR, text)
                 .onHost(host.hostName())
                 .inSession(session.id(), session.owner())
                 .ofSimulation(run.simId()));
