@@ -10,7 +10,4 @@
  * must not carry the integrators and formulations its scene does not use. The package depends on
  * nothing.
  */
-@NullMarked
 package org.mechservice.solver.catalogue;
-
-import org.jspecify.annotations.NullMarked;
