@@ -11,9 +11,9 @@ import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.ode.Attempt;
 import org.mechservice.solver.ode.IntegrationFailure;
 import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.TrialOutcome;
 
 /** Says in the words of mechanics why a run could not go on. */
 final class FailureText {
@@ -131,7 +131,7 @@ final class FailureText {
         .toList();
   }
 
-  private static String told(Attempt attempt) {
+  private static String told(TrialOutcome attempt) {
     return switch (attempt) {
       case PASSED -> "accepted";
       case TOO_INACCURATE -> "error too large";
