@@ -6,20 +6,21 @@ import java.util.TreeMap;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.sim.emit.MainClass;
 import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
 /** The main class of a standalone JAR: it joins one model and one integrator. */
 public final class StandaloneMain {
   private static final String INTEGRATION = "org.mechservice.solver.ode.";
 
-  /** Class of each integrator by its name in settings. */
+  /** Class of each integrator, below {@link #INTEGRATION}, by its name in settings. */
   private static final Map<String, String> INTEGRATORS =
       Map.of(
-          "DE", "De",
-          "ode113", "Ode113",
-          "ode15s", "Ode15s",
-          "ode15sR", "Ode15sR",
-          "switching", "Switching");
+          "DE", "adams.De",
+          "ode113", "adams.Ode113",
+          "ode15s", "stiff.Ode15s",
+          "ode15sR", "stiff.Ode15sR",
+          "switching", "switching.Switching");
 
   private StandaloneMain() {}
 
@@ -29,7 +30,7 @@ public final class StandaloneMain {
   static void requireIntegrator(String name) {
     if (!INTEGRATORS.containsKey(name)) {
       throw new ModelBuildException(
-          "S-082",
+          MessageCode.INTEGRATOR_NOT_AVAILABLE,
           "integrator \""
               + name
               + "\" is not in this version; use ode113, DE, ode15s, ode15sR or switching");

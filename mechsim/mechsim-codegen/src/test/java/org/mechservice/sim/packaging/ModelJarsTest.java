@@ -46,7 +46,7 @@ class ModelJarsTest {
   private static final String SHA = "0123456789abcdef".repeat(4);
   private static final String MODEL = "org/mechservice/model/FiveBarPendulum.class";
   private static final String SOLVER = "org/mechservice/solver/";
-  private static final String DE = SOLVER + "ode/De.class";
+  private static final String DE = SOLVER + "ode/adams/De.class";
   private static final Predicate<String> CLASS_FILE = name -> name.endsWith(".class");
 
   private static CompiledModel pendulum(String integrator) {
@@ -153,7 +153,7 @@ class ModelJarsTest {
     assertThat(names)
         .contains(MODEL, "org/mechservice/model/FiveBarPendulumMain.class")
         .contains("org/mechservice/solver/standalone/Standalone.class")
-        .contains("org/mechservice/solver/ode/De.class")
+        .contains("org/mechservice/solver/ode/adams/De.class")
         .noneMatch(name -> name.startsWith("org/mechservice/solver/dynamics/"))
         .noneMatch(name -> name.startsWith("org/mechservice/solver/mechanism/"))
         .noneMatch(name -> name.contains("ode15s") || name.contains("Ode15s"));

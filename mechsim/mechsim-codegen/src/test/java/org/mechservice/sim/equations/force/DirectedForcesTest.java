@@ -34,7 +34,7 @@ import org.mechservice.solver.mechanism.StartRole;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.mechanism.force.SpringDamper;
-import org.mechservice.solver.ode.De;
+import org.mechservice.solver.ode.adams.De;
 import org.mechservice.solver.simulation.ExplicitForm;
 import org.mechservice.solver.simulation.Simulation;
 import org.mechservice.solver.spatial.InertiaTensor;
