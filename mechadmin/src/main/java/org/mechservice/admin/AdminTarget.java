@@ -106,7 +106,7 @@ public record AdminTarget(String server, String host) {
     return new AdminFailure(Reason.NOT_FOUND, "S-130 there is no " + what + known + missing);
   }
 
-  /** Returns what is meant, for people. */
+  /** Returns the name as the operator reads it. */
   @Override
   public String toString() {
     return host.isEmpty()

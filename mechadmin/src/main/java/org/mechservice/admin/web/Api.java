@@ -9,7 +9,7 @@ import org.mechservice.admin.AdminFailure;
 import org.mechservice.admin.AdminJson;
 import org.mechservice.admin.AdminTarget;
 
-/** What the page asks the console for. Everything here needs a right. */
+/** The requests of the page to the console. Every request needs a right. */
 final class Api {
   private static final int STREAMS = 40;
   private static final int LOG_LINES = 1000;

@@ -29,7 +29,7 @@ final class Refused extends RuntimeException {
     return new Refused(status, failure.text());
   }
 
-  /** What was asked cannot be understood. */
+  /** The request cannot be read. */
   static Refused notUnderstood(String what) {
     return new Refused(400, "S-135 the request cannot be used: " + what);
   }

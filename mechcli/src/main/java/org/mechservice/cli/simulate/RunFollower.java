@@ -12,9 +12,9 @@ import org.mechservice.client.run.PreparedRun;
 import org.mechservice.client.run.RunListener;
 import org.mechservice.client.run.RunProgress;
 
-/** What is known of a run while it goes on: told by the server, or asked of the local run. */
+/** Progress and warnings of a run: sent by the server, or read from the local run. */
 final class RunFollower implements RunListener {
-  /** What is said of a run whose host is being emptied. */
+  /** Codes of the messages about a run whose host is being drained. */
   private static final Set<String> OF_MOVES = Set.of("S-116", "S-117");
 
   private final Consumer<String> aloud;
@@ -24,7 +24,7 @@ final class RunFollower implements RunListener {
   private volatile Supplier<Optional<RunProgress>> latest = () -> told;
 
   /**
-   * @param aloud hears at once where the run goes on, and that it has to wait
+   * @param aloud receives at once that the run has moved or has to wait
    */
   RunFollower(Consumer<String> aloud) {
     this.aloud = aloud;
