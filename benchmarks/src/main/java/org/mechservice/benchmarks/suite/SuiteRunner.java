@@ -7,14 +7,14 @@ import java.util.function.Function;
 import org.mechservice.report.measure.Quantiles;
 import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.measure.WarmUpRounds;
-import org.mechservice.solver.ode.De;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.IntegratorSettings;
-import org.mechservice.solver.ode.Ode113;
-import org.mechservice.solver.ode.Ode15s;
-import org.mechservice.solver.ode.Ode15sR;
 import org.mechservice.solver.ode.ResidualIntegrator;
 import org.mechservice.solver.ode.StepResult;
+import org.mechservice.solver.ode.adams.De;
+import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.stiff.Ode15s;
+import org.mechservice.solver.ode.stiff.Ode15sR;
 
 /** Runs the product's integrators on the suite. */
 final class SuiteRunner {
