@@ -3,6 +3,7 @@ package org.mechservice.orb;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.util.Optional;
+import org.mechservice.orb.tls.TlsIdentity;
 
 /**
  * Where a service listens. Plain IIOP is neither encrypted nor does it know who calls, so without

@@ -22,7 +22,7 @@ final class NamingService {
     return new NamingService(
         address,
         NamingContextExtHelper.unchecked_narrow(
-            Answers.inTime(
+            CallTimeouts.inTime(
                 orb, orb.string_to_object("corbaloc:iiop:1.2@" + address + "/NameService"))));
   }
 

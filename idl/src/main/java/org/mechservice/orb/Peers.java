@@ -1,6 +1,10 @@
 package org.mechservice.orb;
 
 import java.util.Optional;
+import org.mechservice.orb.connection.InboundConnections;
+import org.mechservice.orb.connection.OutboundAllowList;
+import org.mechservice.orb.tls.TlsIdentity;
+import org.mechservice.orb.tls.TlsPeers;
 
 /**
  * Whom an ORB is connected with.

@@ -8,6 +8,9 @@ import org.mechservice.idl.API_VERSION;
 import org.mechservice.idl.MechServer;
 import org.mechservice.idl.MechServerHelper;
 import org.mechservice.idl.ServerInfo;
+import org.mechservice.orb.connection.Endpoint;
+import org.mechservice.orb.tls.TlsPeers;
+import org.mechservice.orb.tls.TlsProbe;
 import org.omg.CORBA.COMM_FAILURE;
 import org.omg.CORBA.NO_PERMISSION;
 import org.omg.CORBA.ORB;
@@ -93,7 +96,7 @@ final class ServerLocation {
       throw noConnection(e);
     } catch (TIMEOUT e) {
       throw new ServiceUnreachableException(
-          "S-002 no answer from " + this + " within " + Answers.SECONDS + " s", e);
+          "S-002 no answer from " + this + " within " + CallTimeouts.SECONDS + " s", e);
     } catch (SystemException e) {
       throw new ServiceUnreachableException(
           "S-005 what answers at " + this + " is not a MechService", e);
@@ -145,7 +148,7 @@ final class ServerLocation {
   }
 
   private ServerInfo askOnce() {
-    MechServer server = MechServerHelper.unchecked_narrow(Answers.inTime(orb, connect()));
+    MechServer server = MechServerHelper.unchecked_narrow(CallTimeouts.inTime(orb, connect()));
     try {
       return server.getInfo();
     } catch (COMM_FAILURE e) {

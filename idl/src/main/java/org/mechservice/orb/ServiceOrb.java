@@ -21,6 +21,12 @@ import org.mechservice.idl.MechAdmin;
 import org.mechservice.idl.MechAdminHelper;
 import org.mechservice.idl.MechServer;
 import org.mechservice.idl.ServerInfo;
+import org.mechservice.orb.connection.Endpoint;
+import org.mechservice.orb.connection.OrbField;
+import org.mechservice.orb.connection.OutboundAllowList;
+import org.mechservice.orb.connection.ReplyMemory;
+import org.mechservice.orb.tls.TlsIdentity;
+import org.mechservice.orb.tls.TlsPeers;
 import org.omg.CORBA.INITIALIZE;
 import org.omg.CORBA.ORB;
 import org.omg.CORBA.UserException;
@@ -169,7 +175,8 @@ public final class ServiceOrb implements AutoCloseable {
    */
   public MechAdmin connectAdmin(String url) {
     org.omg.CORBA.Object admin = located(url).object(ServiceKey.ADMIN);
-    return MechAdminHelper.unchecked_narrow(Answers.within(LONGEST_ADMIN_CALL_SECONDS, orb, admin));
+    return MechAdminHelper.unchecked_narrow(
+        CallTimeouts.within(LONGEST_ADMIN_CALL_SECONDS, orb, admin));
   }
 
   /**
@@ -283,7 +290,7 @@ public final class ServiceOrb implements AutoCloseable {
   }
 
   /** Returns the memory for answers to calls from others. */
-  public ReplyRoom replyRoom() {
+  public ReplyMemory replyRoom() {
     return peers.inbound().room();
   }
 

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
+import org.mechservice.orb.connection.Endpoint;
 
 /**
  * Where a server is, as a user writes it: {@code host:port}, {@code host}, {@code

@@ -17,6 +17,7 @@ import org.mechservice.client.MechSession;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.client.failure.RunState;
 import org.mechservice.client.run.RemoteRun;
+import org.mechservice.orb.testing.Eventually;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
 import org.mechservice.sim.host.HostOptions;

@@ -2,7 +2,8 @@ package org.mechservice.server;
 
 import java.nio.file.Path;
 import java.util.Optional;
-import org.mechservice.orb.TlsIdentity;
+import org.mechservice.orb.tls.TlsIdentity;
+import org.mechservice.server.hosts.PlacementPolicy;
 import org.mechservice.sim.host.HostOptions;
 
 /**

@@ -3,7 +3,7 @@ package org.mechservice.client.jar;
 import java.security.PublicKey;
 import java.util.Optional;
 import org.mechservice.client.failure.JarRefusedException;
-import org.mechservice.orb.DetachedSignature;
+import org.mechservice.orb.tls.DetachedSignature;
 
 /**
  * Makes sure that a JAR comes from the host a client is connected with. Over TLS the host has shown

@@ -10,7 +10,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
-import org.mechservice.orb.Role;
+import org.mechservice.orb.tls.Role;
 import org.mechservice.sim.service.contract.FileErrors;
 
 /**

@@ -2,7 +2,7 @@ package org.mechservice.sim.host;
 
 import java.util.List;
 import java.util.Optional;
-import org.mechservice.orb.TlsIdentity;
+import org.mechservice.orb.tls.TlsIdentity;
 
 /**
  * How a host process runs.

@@ -1,0 +1,68 @@
+package org.mechservice.orb.tls;
+
+import java.security.cert.X509Certificate;
+import java.util.Optional;
+import org.mechservice.idl.NotAuthorized;
+
+/**
+ * Who makes the call that this thread works on.
+ *
+ * @param certificate what he has shown; empty: the connection is not encrypted, so he is on this
+ *     machine
+ * @param address where his connection comes from, {@code address:port}; empty: this process
+ */
+public record Caller(Optional<X509Certificate> certificate, String address) {
+  private static final Caller THIS_MACHINE = new Caller(Optional.empty(), "");
+  private static final ThreadLocal<Caller> CURRENT = ThreadLocal.withInitial(() -> THIS_MACHINE);
+
+  /** Returns who makes the call that this thread works on. */
+  public static Caller current() {
+    return CURRENT.get();
+  }
+
+  static void isNow(Caller caller) {
+    CURRENT.set(caller);
+  }
+
+  static Caller inThisProcess() {
+    return THIS_MACHINE;
+  }
+
+  /**
+   * Returns the caller's name.
+   *
+   * @param claimed what he says his name is; believed only where he has shown no certificate
+   */
+  public String name(String claimed) {
+    return certificate.map(TlsIdentity::nameOf).orElse(claimed);
+  }
+
+  /** Returns the role his certificate names; without one, {@code local}. */
+  public String roleName() {
+    return certificate.map(shown -> Role.of(shown).unit()).orElse("local");
+  }
+
+  /** Returns whether the caller may act in a role. Who is on this machine may do everything. */
+  public boolean may(Role role) {
+    return certificate.map(shown -> Role.of(shown).includes(role)).orElse(true);
+  }
+
+  /**
+   * Makes sure that the caller may act in a role.
+   *
+   * @throws NotAuthorized with code S-153 if he may not
+   */
+  public void require(Role role) throws NotAuthorized {
+    if (!may(role)) {
+      throw new NotAuthorized(
+          "S-153",
+          "the certificate of \""
+              + name("")
+              + "\" is no "
+              + role.unit()
+              + "'s; use one that \"mech keys\" made for the "
+              + role.unit()
+              + " role");
+    }
+  }
+}
