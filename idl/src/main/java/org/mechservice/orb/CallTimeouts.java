@@ -7,7 +7,7 @@ import org.omg.CORBA.PolicyError;
 import org.omg.CORBA.SetOverrideType;
 import org.omg.Messaging.RELATIVE_RT_TIMEOUT_POLICY_TYPE;
 
-/** References whose calls come back soon, with an answer or without. */
+/** Makes references whose calls have a timeout. */
 final class CallTimeouts {
   /** Longest wait, s. */
   static final int SECONDS = 5;

@@ -124,7 +124,9 @@ final class ObjectAdapters {
     return endpoint;
   }
 
-  /** Makes a servant callable under a random, unguessable id: who has the reference may call. */
+  /**
+   * Makes a servant callable under a random, unguessable id: the reference is the right to call.
+   */
   ActiveObject activate(Servant servant) throws UserException {
     byte[] id = UUID.randomUUID().toString().getBytes(StandardCharsets.US_ASCII);
     handedOut.activate_object_with_id(id, servant);

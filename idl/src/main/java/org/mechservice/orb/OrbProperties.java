@@ -32,7 +32,7 @@ final class OrbProperties {
 
   private OrbProperties() {}
 
-  /** Properties of a client: it connects where it is told and serves callbacks only. */
+  /** Properties of a client: it connects to any address and serves callbacks only. */
   static Properties client(Peers peers) {
     Properties properties = common(peers);
     peers.tls().ifPresent(tls -> encrypt(properties, 0));

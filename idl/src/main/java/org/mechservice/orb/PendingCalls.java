@@ -7,8 +7,8 @@ import org.jacorb.poa.RequestProcessor;
 import org.jacorb.poa.RequestQueueListener;
 
 /**
- * Counts the calls an object adapter has taken over and not finished: those that wait in its queue
- * and those that a thread of its pool works on.
+ * Counts the pending calls of an object adapter: those that wait in its queue and those that a
+ * thread of its pool works on.
  *
  * <p>The adapter itself keeps the set of the objects that are being called, not the number of
  * calls: when the first of two calls of one object ends, the object leaves the set, and the second

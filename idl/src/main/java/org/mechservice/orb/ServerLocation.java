@@ -18,7 +18,7 @@ import org.omg.CORBA.SystemException;
 import org.omg.CORBA.TIMEOUT;
 import org.omg.CORBA.TRANSIENT;
 
-/** Where a server is said to be, and the check that it is there. */
+/** The address of a server, and the check that a MechService answers there. */
 final class ServerLocation {
   private final ORB orb;
   private final ServiceUrl url;
@@ -67,7 +67,7 @@ final class ServerLocation {
   }
 
   /**
-   * Asks the server who it is, and returns its answer.
+   * Requests the info of the server.
    *
    * @throws ServiceUnreachableException if nobody answers in time, or not a MechService that speaks
    *     this API

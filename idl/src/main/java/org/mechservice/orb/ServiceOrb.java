@@ -50,8 +50,8 @@ import org.slf4j.LoggerFactory;
  *   <li>A <b>host</b> listens on one address and registers at a server.
  * </ul>
  *
- * Servers and hosts connect to nobody but the addresses in {@link #outbound()}. Thread-safe; no
- * thread is left after {@link #close()}.
+ * Servers and hosts connect only to the addresses in {@link #outbound()}. Thread-safe; no thread is
+ * left after {@link #close()}.
  */
 public final class ServiceOrb implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(ServiceOrb.class);
@@ -89,7 +89,7 @@ public final class ServiceOrb implements AutoCloseable {
   /**
    * Starts an ORB for a client. Its callbacks are called one at a time, in order.
    *
-   * @param identity who the client is; empty: its connections are not encrypted
+   * @param identity of the client; empty: its connections are not encrypted
    */
   public static ServiceOrb client(Optional<TlsIdentity> identity) {
     Peers peers = Peers.ofClient(identity);
@@ -125,7 +125,7 @@ public final class ServiceOrb implements AutoCloseable {
     }
   }
 
-  // The ORB's own message says neither the address nor what is wrong with it.
+  // The ORB's own message names neither the address nor the reason.
   private static void requireFree(ListenAddress address) {
     try (ServerSocket probe =
         new ServerSocket(address.port(), 1, InetAddress.getByName(address.host()))) {
@@ -154,7 +154,7 @@ public final class ServiceOrb implements AutoCloseable {
    * A server that answered.
    *
    * @param server its object
-   * @param info what it said of itself
+   * @param info of the server
    */
   public record Connected(MechServer server, ServerInfo info) {}
 
@@ -259,7 +259,7 @@ public final class ServiceOrb implements AutoCloseable {
   }
 
   /**
-   * Makes a servant callable under a random, unguessable id: whoever has the reference may call it.
+   * Makes a servant callable under a random, unguessable id: the reference is the right to call.
    */
   public ActiveObject activate(Servant servant) {
     try {
@@ -300,7 +300,7 @@ public final class ServiceOrb implements AutoCloseable {
   }
 
   /**
-   * Returns where the object behind a reference is said to be.
+   * Returns the endpoint that a reference names.
    *
    * @throws IllegalArgumentException with code S-006 if the reference names no address
    */
@@ -308,7 +308,7 @@ public final class ServiceOrb implements AutoCloseable {
     return Endpoint.of(orb, orb.object_to_string(reference));
   }
 
-  /** Returns who this process is, if its connections are encrypted. */
+  /** Returns the identity of this process, if its connections are encrypted. */
   public Optional<TlsIdentity> identity() {
     return peers.tls().map(TlsPeers::identity);
   }
@@ -323,7 +323,7 @@ public final class ServiceOrb implements AutoCloseable {
     return orb.object_to_string(reference);
   }
 
-  /** Returns the reference that {@link #toIor} of any ORB wrote; nothing is asked for yet. */
+  /** Returns the reference that {@link #toIor} of any ORB wrote, without connecting to it yet. */
   public org.omg.CORBA.Object fromIor(String ior) {
     return orb.string_to_object(ior);
   }

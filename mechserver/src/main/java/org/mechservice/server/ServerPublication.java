@@ -13,7 +13,7 @@ import org.mechservice.sim.service.contract.FileErrors;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The ways besides its address in which a server is found, as long as it serves. */
+/** Publishes the reference of a server in a file and at a naming service, until it is closed. */
 final class ServerPublication implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(ServerPublication.class);
 
@@ -26,7 +26,7 @@ final class ServerPublication implements AutoCloseable {
   }
 
   /**
-   * Makes a published server findable.
+   * Publishes the reference of a server.
    *
    * @param iorFile file its reference is written to
    * @param naming naming service it is bound at
@@ -40,7 +40,7 @@ final class ServerPublication implements AutoCloseable {
     return new ServerPublication(iorFile, unbind);
   }
 
-  /** Who reads the file meanwhile finds the whole reference or none. */
+  /** Replaces the file in one step: a reader finds the whole reference or none. */
   private static void write(Path file, String ior) {
     Path target = file.toAbsolutePath();
     Path growing = target.resolveSibling(target.getFileName() + ".part");

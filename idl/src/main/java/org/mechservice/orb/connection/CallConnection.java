@@ -8,12 +8,12 @@ import org.jacorb.orb.giop.ReplyPlaceholder;
 import org.omg.ETF.Profile;
 
 /**
- * A connection calls go out over, which forgets no call when it is closed.
+ * A connection for calls that forgets no call when it is closed.
  *
- * <p>A connection that is closing first tells those who wait for a reply and then closes. Whoever
- * sends in between is not told; his bytes may still leave, or open the connection anew with nobody
- * to read from it, and he would wait until his patience ends. So a sender looks afterwards whether
- * the connection is closed.
+ * <p>A closing connection first wakes the threads that wait for a reply and then closes. A call
+ * sent between the two is not woken: its bytes may still leave, or open the connection anew without
+ * a reader, and the call would wait until its timeout. So each sender checks afterwards whether the
+ * connection is closed.
  */
 final class CallConnection extends ClientConnection {
   /**
@@ -36,13 +36,13 @@ final class CallConnection extends ClientConnection {
       boolean responseExpected) {
     super.sendRequest(message, reply, requestId, responseExpected);
     if (closedAfterAll()) {
-      close(); // which tells all who wait
+      close(); // wakes all threads that wait
     }
   }
 
   /** Returns whether the connection is closed; one that is just closing is waited for. */
   private boolean closedAfterAll() {
-    getGIOPConnection().getTransport(); // comes back when nobody is closing it
+    getGIOPConnection().getTransport(); // returns when no thread is closing it
     return isClosed();
   }
 }

@@ -20,14 +20,14 @@ import org.jspecify.annotations.Nullable;
 import org.omg.ETF.Profile;
 
 /**
- * The connections calls go out over, kept so that they can be closed from both ends at once.
+ * The connections that calls use, kept so that both ends can close them at once.
  *
  * <p>The ORB's own table locks itself and then the connection when a call fails, and the connection
  * and then itself when the peer has closed it. A client that dies while it is being called back
  * makes both happen at once, the two threads wait for each other, and every other client waits for
- * them. Here what the peer has closed is taken out by whoever uses the table next, so nobody who
- * holds a connection ever waits for the table, and nobody who holds the table closes a connection,
- * which may take long.
+ * them. Here the next use of the table removes connections that the peer has closed. So no thread
+ * that holds a connection waits for the table, and no thread that holds the table closes a
+ * connection, which may take long.
  */
 final class ConnectionTable extends ClientConnectionManager {
   private final ORB orb;
@@ -48,7 +48,7 @@ final class ConnectionTable extends ClientConnectionManager {
     readers = new MessageReceptorPool("client", "ClientMessageReceptor", configuration);
   }
 
-  /** Sets who gets the calls that come over connections opened here. */
+  /** Sets the receiver of calls that arrive over connections opened here. */
   @Override
   public synchronized void setRequestListener(RequestListener listener) {
     callbacks = listener;
@@ -101,7 +101,7 @@ final class ConnectionTable extends ClientConnectionManager {
     connection.close();
   }
 
-  /** Takes over the connection of a peer who wants to be called back over it. */
+  /** Adds the connection of a peer that is called back over it. */
   @Override
   public synchronized void addConnection(GIOPConnection connection, Profile profile) {
     forgetClosed();

@@ -12,9 +12,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The connections others have opened to an ORB. The ORB itself loses sight of those it accepts
- * while it closes: they would stay open, read by nobody, and who opened them would wait for an
- * answer.
+ * The connections that others have opened to an ORB. The ORB itself forgets those that it accepts
+ * while it closes; they would stay open unread, and their peers would wait for an answer. Here all
+ * of them are closed.
  */
 public final class InboundConnections {
   private static final Logger LOG = LoggerFactory.getLogger(InboundConnections.class);

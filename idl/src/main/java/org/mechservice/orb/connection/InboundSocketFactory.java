@@ -120,7 +120,8 @@ public class InboundSocketFactory implements ServerSocketFactory, Configurable {
     }
 
     @Override
-    @SuppressWarnings("UnsynchronizedOverridesSynchronized") // must not wait for who waits for us
+    @SuppressWarnings(
+        "UnsynchronizedOverridesSynchronized") // must not wait for a thread that waits for this one
     public void close() throws IOException {
       connections.remove(this);
       ReplyQueue last = replies();

@@ -8,9 +8,10 @@ import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * The addresses an ORB may connect to. An object reference that somebody sends names any address he
- * likes; a server that calls it would connect there on his behalf. Servers and hosts therefore
- * connect to registered addresses only; callbacks need none, they use the client's own connection.
+ * The addresses an ORB may connect to. An object reference sent by a client can name any address,
+ * and a server that calls it would connect there on the client's behalf. Servers and hosts
+ * therefore connect to registered addresses only; callbacks need none, they use the client's own
+ * connection.
  */
 public final class OutboundAllowList {
   /** The ORB makes its socket factory itself and hands it properties only: this finds the list. */

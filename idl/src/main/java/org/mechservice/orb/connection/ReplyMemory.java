@@ -10,17 +10,17 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The memory an ORB spends on answers that are being made or have not been taken by those who asked
- * for them. A reader who does not read costs a part of it, never a thread, and never all of it:
+ * The memory of an ORB for replies that are being made or are not read yet. A client that does not
+ * read occupies a part of it, never a thread, and never all of it:
  *
  * <ul>
- *   <li>who makes a large answer asks how large it may be ({@link #share}), which is less the more
- *       others wait;
- *   <li>if that does not help, the connection whose reader has taken nothing for longest is closed.
+ *   <li>a servant asks how large its reply may be ({@link #share}); the share shrinks with the
+ *       number of replies that wait;
+ *   <li>if that does not suffice, the connection that has read nothing for longest is closed.
  * </ul>
  */
 public final class ReplyMemory {
-  /** What a thread has taken for the answer it makes. */
+  /** The memory a thread has taken for the reply it makes. */
   private static final ThreadLocal<@Nullable Share> MAKING = new ThreadLocal<>();
 
   /** No answer takes more of what is left, so that there is always something left. */

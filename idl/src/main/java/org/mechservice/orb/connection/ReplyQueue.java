@@ -10,15 +10,14 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What goes out over one connection. Writing to it never waits for the reader at the other end:
- * what he does not take at once is written by a thread that the connection has as long as he is
- * behind.
+ * The output of one connection. Writing never waits for the peer: bytes that the peer does not read
+ * at once are written by a thread of the connection, which ends when the peer has caught up.
  */
 final class ReplyQueue extends OutputStream {
   private static final Logger LOG = LoggerFactory.getLogger(ReplyQueue.class);
   private static final int SLICE_BYTES = 1 << 16;
 
-  /** A reader who has taken nothing for so long is not waited for when the connection closes. */
+  /** Longest wait at closing for a peer that reads nothing, ms. */
   private static final long LAST_BYTES_MILLIS = 1000;
 
   private final Socket socket;

@@ -6,10 +6,10 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * The memory an ORB spends on large messages that are still arriving. It takes memory for a message
- * as soon as its length is announced; many who announce much and send little would take all of it.
- * Who announces more than there is room for takes the place of who has sent nothing for a while, or
- * is refused.
+ * The memory of an ORB for large messages that are still arriving. The ORB takes memory for a
+ * message as soon as its header announces the length; peers that announce much and send little
+ * would take all of it. If the memory does not suffice, the connection that has sent nothing for a
+ * while is closed; if there is none, the new message is refused.
  */
 final class RequestMemory {
   private static final long STALLED_NANOS = 2_000_000_000;

@@ -9,8 +9,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What comes in over one connection that is not encrypted. Reads the headers of messages as they
- * pass (OMG, CORBA 3.0, section 15.4.1), to know of large ones before memory for them is taken.
+ * The input of one connection that is not encrypted. Reads the headers of messages as they pass
+ * (OMG, CORBA 3.0, section 15.4.1), to know of large ones before memory for them is taken.
  */
 final class RequestStream extends InputStream {
   private static final Logger LOG = LoggerFactory.getLogger(RequestStream.class);
@@ -77,7 +77,7 @@ final class RequestStream extends InputStream {
   private void begin() throws IOException {
     ByteOrder order = (header[FLAGS] & 1) == 0 ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN;
     bodyBytes = Math.max(0, ByteBuffer.wrap(header).order(order).getInt(LENGTH));
-    // What is larger than any message may be, the ORB refuses by itself.
+    // LimitedBuffers refuses messages above the largest size.
     if (bodyBytes > LARGE_BYTES && bodyBytes <= LimitedBuffers.MAX_MESSAGE_BYTES) {
       take(bodyBytes);
     }

@@ -5,17 +5,17 @@ import java.util.Optional;
 import org.mechservice.idl.NotAuthorized;
 
 /**
- * Who makes the call that this thread works on.
+ * The caller of the operation that this thread executes.
  *
- * @param certificate what he has shown; empty: the connection is not encrypted, so he is on this
- *     machine
- * @param address where his connection comes from, {@code address:port}; empty: this process
+ * @param certificate of the caller; empty: the connection is not encrypted, so the caller is on
+ *     this machine
+ * @param address of the other end of the connection, {@code address:port}; empty: this process
  */
 public record Caller(Optional<X509Certificate> certificate, String address) {
   private static final Caller THIS_MACHINE = new Caller(Optional.empty(), "");
   private static final ThreadLocal<Caller> CURRENT = ThreadLocal.withInitial(() -> THIS_MACHINE);
 
-  /** Returns who makes the call that this thread works on. */
+  /** Returns the caller of the operation that this thread executes. */
   public static Caller current() {
     return CURRENT.get();
   }
@@ -31,18 +31,18 @@ public record Caller(Optional<X509Certificate> certificate, String address) {
   /**
    * Returns the caller's name.
    *
-   * @param claimed what he says his name is; believed only where he has shown no certificate
+   * @param claimed the name that the caller gives; used only without a certificate
    */
   public String name(String claimed) {
     return certificate.map(TlsIdentity::nameOf).orElse(claimed);
   }
 
-  /** Returns the role his certificate names; without one, {@code local}. */
+  /** Returns the role in the certificate; {@code local} without a certificate. */
   public String roleName() {
     return certificate.map(shown -> Role.of(shown).unit()).orElse("local");
   }
 
-  /** Returns whether the caller may act in a role. Who is on this machine may do everything. */
+  /** Returns whether the caller may act in a role. A caller on this machine may do everything. */
   public boolean may(Role role) {
     return certificate.map(shown -> Role.of(shown).includes(role)).orElse(true);
   }
@@ -50,7 +50,7 @@ public record Caller(Optional<X509Certificate> certificate, String address) {
   /**
    * Makes sure that the caller may act in a role.
    *
-   * @throws NotAuthorized with code S-153 if he may not
+   * @throws NotAuthorized with code S-153 if the caller may not
    */
   public void require(Role role) throws NotAuthorized {
     if (!may(role)) {

@@ -18,8 +18,8 @@ import org.omg.PortableInterceptor.ServerRequestInfo;
 import org.omg.PortableInterceptor.ServerRequestInterceptor;
 
 /**
- * Notes before each call who makes it, for {@link Caller#current}; the ORB runs interceptors and
- * servant in one thread.
+ * Sets {@link Caller#current} before each call; the ORB runs interceptors and servant in one
+ * thread.
  *
  * <p>Made by the ORB from its properties, hence public.
  */

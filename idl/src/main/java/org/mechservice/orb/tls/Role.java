@@ -26,8 +26,8 @@ public enum Role {
   }
 
   /**
-   * Returns whether who has this role may act in another: administrators see what monitors see, and
-   * all but monitors may run simulations.
+   * Returns whether this role includes another: administrators see what monitors see, and all but
+   * monitors may run simulations.
    */
   public boolean includes(Role other) {
     return switch (other) {

@@ -17,8 +17,8 @@ import javax.net.ssl.TrustManagerFactory;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who a process is on the network, and whom it believes: a key with its certificate, and the
- * authority that signs those of all others. Kept in a folder that {@code mech keys} makes, with
+ * The identity of a process on the network: its key with the certificate, and the authority that
+ * signs the certificates of all others. Stored in a folder that {@code mech keys} makes, with
  * {@code identity.p12}, {@code trust.p12} and {@code password}.
  */
 public final class TlsIdentity {

@@ -10,7 +10,7 @@ import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
 import org.mechservice.orb.connection.Endpoint;
 
-/** The encrypted side of an ORB's connections: who it is itself, and what the others have shown. */
+/** The TLS side of an ORB's connections: its own identity, and the certificates of its peers. */
 public final class TlsPeers {
   /** The ORB makes its socket factories itself and hands them properties only: this finds these. */
   private static final Map<String, TlsPeers> BY_ID = new ConcurrentHashMap<>();
@@ -46,7 +46,7 @@ public final class TlsPeers {
     BY_ID.remove(id);
   }
 
-  /** Notes a name under which somebody was asked for; the ORB itself only knows his address. */
+  /** Records the name that a user wrote for an address; the ORB itself knows the address only. */
   public void calledBy(String name) throws UnknownHostException {
     for (InetAddress address : InetAddress.getAllByName(name)) {
       names
@@ -55,12 +55,12 @@ public final class TlsPeers {
     }
   }
 
-  /** Returns the names under which an address was asked for. */
+  /** Returns the names that users wrote for an address. */
   Set<String> namesOf(String address) {
     return names.getOrDefault(address, Set.of());
   }
 
-  /** Notes what somebody has shown, who was found to be whom he should be. */
+  /** Records the verified certificate of a peer. */
   void accepted(String address, int port, X509Certificate certificate) {
     shown.put(address + ":" + port, certificate);
     refused.remove(address + ":" + port);

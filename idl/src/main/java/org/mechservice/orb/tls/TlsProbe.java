@@ -13,8 +13,8 @@ import javax.net.ssl.X509TrustManager;
 import org.mechservice.orb.connection.Endpoint;
 
 /**
- * Finds out whether whoever listens at an address speaks TLS, so that a refusal can say so. It
- * believes nobody: the attempt ends as soon as a certificate is shown.
+ * Finds out whether the process at an address speaks TLS, for the text of a refusal. It trusts no
+ * certificate: the attempt ends as soon as one is shown.
  */
 public final class TlsProbe implements X509TrustManager {
   private static final int MILLIS = 2000;

@@ -8,7 +8,7 @@ import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.tls.Caller;
 import org.mechservice.orb.tls.Role;
 
-/** Which role an operation needs. Whoever lacks it is refused, and the journal is told. */
+/** The role that each operation requires. A caller without it is refused and logged. */
 public final class AccessRights implements GuardedServant.Gate {
   /** Everything about administration that changes nothing. */
   private static final Set<String> LOOKING =
@@ -22,7 +22,7 @@ public final class AccessRights implements GuardedServant.Gate {
           "getLimits",
           "getPlacement");
 
-  /** What a client is told before he has done anything. */
+  /** Operations that clients call before they have a session. */
   private static final Set<String> ASKING = Set.of("getInfo", "limits");
 
   private final Set<String> lesser;

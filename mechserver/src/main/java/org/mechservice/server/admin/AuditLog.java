@@ -15,8 +15,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Who did what, as one JSON object per line: the events of the server and all its hosts, appended
- * to a file and on it before anything else happens.
+ * The audit log, one JSON object per line: the events of the server and all its hosts, appended to
+ * a file and on it before anything else happens.
  */
 public final class AuditLog implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(AuditLog.class);

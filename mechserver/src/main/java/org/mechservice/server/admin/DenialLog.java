@@ -13,8 +13,8 @@ import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.sim.service.contract.JournalEntry;
 
 /**
- * Writes down who was refused what. Every action is written down; a question that the same caller
- * asks again and again, as a console left open does, once in a while with how often it was.
+ * Logs refused calls. Each refused action is logged. A query that the same caller repeats, such as
+ * an open console does, is logged once a minute with the number of its repetitions.
  */
 public final class DenialLog {
   private static final long QUIET_NANOS = Duration.ofMinutes(1).toNanos();
@@ -43,12 +43,12 @@ public final class DenialLog {
     this.journal = journal;
   }
 
-  /** Writes down that an action was refused. */
+  /** Logs a refused action. */
   void ofAction(Caller caller, String operation, Object[] arguments, NotAuthorized refusal) {
     tell(caller, operation + "(" + shown(arguments) + ")", "", refusal);
   }
 
-  /** Writes down that a question was refused, unless that was written down a moment ago. */
+  /** Logs a refused query, unless it was logged less than a minute ago. */
   void ofQuestion(Caller caller, String operation, NotAuthorized refusal) {
     String key = caller.name("") + " " + caller.address().replaceFirst(":\\d+$", "") + operation;
     long before;
@@ -93,7 +93,7 @@ public final class DenialLog {
     return String.join(", ", words);
   }
 
-  /** What strangers send does not make lines of its own in a log. */
+  /** Removes control characters, so that a caller cannot add lines to the log. */
   private static String clean(String text) {
     String plain = text.replaceAll("\\p{Cntrl}", "?");
     return plain.length() <= LONGEST_ARGUMENT

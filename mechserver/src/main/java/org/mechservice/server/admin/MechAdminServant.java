@@ -107,7 +107,7 @@ public final class MechAdminServant implements MechAdminOperations {
         .toArray(SimSummary[]::new);
   }
 
-  /** What is gone or does not answer is shown as it was known last. */
+  /** Shows the last known state of hosts that are gone or do not answer. */
   @Override
   public SimDetail showSimulation(String simId) throws NotFound {
     Optional<SimDetail> now = askHostOf(simId, host -> host.showSimulation(simId));
@@ -169,7 +169,7 @@ public final class MechAdminServant implements MechAdminOperations {
         .orElseThrow(() -> silent(hostName));
   }
 
-  /** Who is silent is not waited for. */
+  /** Does not wait for silent hosts. */
   private <T> HostCalls.Answer<T> ask(RegisteredHost host, HostCalls.Question<T> question)
       throws NotFound {
     if (!host.reachable()) {

@@ -42,7 +42,7 @@ public final class MetricsEndpoint implements AutoCloseable {
    *
    * @param port 0: any free one
    * @param metrics writes the figures
-   * @param health says how the service is
+   * @param health returns the state of the service
    * @throws PortInUseException if the port is taken
    */
   public static MetricsEndpoint open(int port, Supplier<String> metrics, Supplier<Health> health) {

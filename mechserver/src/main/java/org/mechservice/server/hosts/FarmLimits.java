@@ -8,8 +8,8 @@ import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.limits.HostLimits;
 
 /**
- * The limits of a server and of all its hosts. What an operator sets for all of them also holds for
- * hosts that join later, which otherwise have limits of their own.
+ * The limits of a server and of all its hosts. A limit that an operator sets for all of them also
+ * applies to hosts that join later, which otherwise have limits of their own.
  */
 public final class FarmLimits {
   private final CurrentLimits own;

@@ -22,17 +22,17 @@ import org.omg.CORBA.TRANSIENT;
 import org.omg.CORBA.UserException;
 
 /**
- * Calls to hosts that come back in time, whatever the host does: a call that takes too long is left
- * to its own thread, which the ORB's timeout ends.
+ * Calls to hosts with a bounded wait. A call that takes too long keeps its own thread, until the
+ * ORB's timeout ends it.
  */
 public final class HostCalls implements AutoCloseable {
-  /** Something a host is asked. */
+  /** A call to a host. */
   public interface Question<T> {
     T ask(MechSimHostOperations host) throws UserException;
   }
 
   /**
-   * What came of a call.
+   * The result of a call.
    *
    * @param value the answer; empty if there was none
    * @param refusal the exception of the contract the host answered with, if it did
@@ -79,16 +79,16 @@ public final class HostCalls implements AutoCloseable {
     }
   }
 
-  /** Returns what is said of a host that has not answered for so long. */
+  /** Returns the reason of a host that has not answered in time. */
   static String late(Duration wait) {
     return "no answer within " + wait.toMillis() * 1e-3 + " s";
   }
 
   /**
-   * Asks a host without waiting for it.
+   * Calls a host without waiting for the answer.
    *
-   * @param then told in a thread of this what came of it
-   * @return done when {@code then} has been told
+   * @param then receives the answer, in a thread of this object
+   * @return done when {@code then} has returned
    */
   <T> Future<?> begin(
       RegisteredHost host, Question<T> question, BiConsumer<RegisteredHost, Answer<T>> then) {
@@ -112,7 +112,7 @@ public final class HostCalls implements AutoCloseable {
   /**
    * Asks many hosts at once until one has an answer.
    *
-   * @param failed told of those that gave none at all
+   * @param failed receives the hosts that gave no answer
    */
   <T> Optional<T> askUntilOneAnswers(
       List<RegisteredHost> hosts,

@@ -97,13 +97,13 @@ public final class HostDirectory implements AutoCloseable {
     return hosts.values().stream().sorted(Comparator.comparing(RegisteredHost::name)).toList();
   }
 
-  /** What a host tells when it is asked how it is. */
+  /** The state of a host as it reports it. */
   private record News(
       HostLoad load, List<ServiceEvent> events, Optional<SimSummary[]> runs, long askedAt) {}
 
   /**
-   * Asks all hosts for their load, what happened and their runs, and waits for a moment. A host
-   * that owes an answer already is not waited for: of it, what it said last is known.
+   * Requests load, events and runs of all hosts, and waits a short time for the answers. A host
+   * that already owes an answer is skipped: its last known state stays.
    */
   public void refresh() {
     List<Future<?>> asked = new ArrayList<>();
@@ -123,7 +123,7 @@ public final class HostDirectory implements AutoCloseable {
     try {
       answer.get(Math.max(0, deadline - System.nanoTime()), TimeUnit.NANOSECONDS);
     } catch (TimeoutException e) {
-      // What it said last will do.
+      // The last known state stays.
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } catch (ExecutionException e) {
@@ -175,7 +175,7 @@ public final class HostDirectory implements AutoCloseable {
   }
 
   private void takeOver(RegisteredHost host, News news) {
-    synchronized (host) { // two may have asked at once
+    synchronized (host) { // two threads may have called at once
       if (host.isDropped()) {
         return;
       }
@@ -190,7 +190,7 @@ public final class HostDirectory implements AutoCloseable {
     }
   }
 
-  /** Reads what became of some runs while their host can still be asked. */
+  /** Fetches the details of some runs while their host answers. */
   private void readOn(RegisteredHost host) throws UserException {
     for (String simId : runs.unread(host.name(), READ_AT_ONCE)) {
       try {
@@ -209,7 +209,7 @@ public final class HostDirectory implements AutoCloseable {
         (host, answer) -> failed(host, answer.failure(), answer.connectionLost()));
   }
 
-  /** Tells all hosts something at once; those that do not answer now hear of it later. */
+  /** Calls all hosts at once; hosts that do not answer are called again when they do. */
   void tellAll(HostCalls.Question<Boolean> message) {
     List<Future<?>> told = new ArrayList<>();
     for (RegisteredHost host : all()) {
@@ -248,7 +248,7 @@ public final class HostDirectory implements AutoCloseable {
     }
   }
 
-  /** Returns what silent hosts there are, for people who look for something; empty: none. */
+  /** Returns a text that names the silent hosts, for error messages; empty: none. */
   public String silentHosts() {
     List<String> silent =
         all().stream().filter(host -> !host.reachable()).map(RegisteredHost::name).toList();

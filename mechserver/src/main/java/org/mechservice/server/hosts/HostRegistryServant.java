@@ -23,7 +23,7 @@ import org.omg.CORBA.OBJECT_NOT_EXIST;
 
 /**
  * Registers hosts. A host is called back at the address it names before it is taken in; without TLS
- * only hosts of the server's own machine are taken, as nothing tells who others are.
+ * only hosts of the server's own machine are accepted, because others are not identified.
  */
 public final class HostRegistryServant implements HostRegistryOperations {
   /** How often a host that registers is called before it is taken for silent. */

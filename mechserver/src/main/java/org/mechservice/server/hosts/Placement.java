@@ -15,7 +15,7 @@ import org.mechservice.idl.ServerFailure;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.omg.CORBA.UserException;
 
-/** Chooses the host of a session, by what is known of the hosts' load: it asks none but the one. */
+/** Chooses the host of a session by the last known load, and calls only the chosen host. */
 public final class Placement {
   private static final Comparator<RegisteredHost> MOST_FREE_FIRST =
       Comparator.comparingInt(RegisteredHost::freePlaces)

@@ -40,7 +40,7 @@ public final class RegisteredHost {
   private volatile Runnable farewell = () -> {};
 
   /**
-   * @param host how it is asked
+   * @param host reference for calls
    * @param own whether it is the server's own process
    * @param endpoint where it is
    */
@@ -77,7 +77,7 @@ public final class RegisteredHost {
     return endpoint;
   }
 
-  /** Notes that it is asked something; returns when, by {@link System#nanoTime}. */
+  /** Records the start of a call; returns its time, by {@link System#nanoTime}. */
   synchronized long asked() {
     long now = System.nanoTime();
     unanswered.addLast(now);
@@ -90,8 +90,8 @@ public final class RegisteredHost {
   }
 
   /**
-   * Returns whether a question has been waiting for so long, and nothing was said meanwhile: one
-   * that hangs, or whose answer is still on its way, does not make silent who answers others.
+   * Returns whether a call has waited for so long, and no other call was answered meanwhile: one
+   * hanging call does not make a host silent that answers others.
    */
   synchronized boolean owesAnAnswer(Duration since) {
     Long oldest = unanswered.peekFirst();
@@ -102,12 +102,12 @@ public final class RegisteredHost {
     return Math.min(now - oldest, now - heardAt) >= since.toNanos();
   }
 
-  /** Notes what it must be told as soon as it answers again. */
+  /** Adds a call to be made as soon as the host answers again. */
   synchronized void mustHear(HostCalls.Question<?> later) {
     owed.addLast(later);
   }
 
-  /** Returns what it must be told, once. */
+  /** Removes and returns the calls to be made. */
   synchronized List<HostCalls.Question<?>> hearsNow() {
     List<HostCalls.Question<?>> all = List.copyOf(owed);
     owed.clear();
@@ -129,10 +129,10 @@ public final class RegisteredHost {
   }
 
   /**
-   * Notes what the host said of its load. A dropped host stays dropped: what it said to a question
-   * asked before no longer counts.
+   * Records the load that the host has reported. A dropped host stays dropped: an answer to an
+   * earlier call is ignored.
    *
-   * @param askedAt when it was asked, by {@link System#nanoTime}
+   * @param askedAt when the call began, by {@link System#nanoTime}
    */
   synchronized void answered(HostLoad said, long askedAt) {
     if (dropped) {
@@ -145,13 +145,13 @@ public final class RegisteredHost {
     lastSeen = System.currentTimeMillis();
     answeredAt = lastSeen;
     heardAt = System.nanoTime();
-    // Sessions placed before are in what it said.
+    // The reported load includes sessions placed before.
     while (!placedAt.isEmpty() && placedAt.peekFirst() - askedAt < 0) {
       placedAt.removeFirst();
     }
   }
 
-  /** Notes that the host was told whether it is being emptied, which its load does not show yet. */
+  /** Records a drain or undrain call that the reported load does not show yet. */
   public synchronized void toldDraining(boolean drain) {
     drainingSaidAt = System.nanoTime();
     load = draining(load, drain);
@@ -168,22 +168,22 @@ public final class RegisteredHost {
         load.statistics);
   }
 
-  /** Notes that a session was placed there, which the load does not show yet. */
+  /** Records a session placed on the host that the reported load does not show yet. */
   synchronized void placed() {
     placedAt.addLast(System.nanoTime());
   }
 
-  /** Returns the number of the last event taken over from it. */
+  /** Returns the number of the last event received from it. */
   synchronized long lastEvent() {
     return lastEvent;
   }
 
-  /** Notes up to which event all were taken over. */
+  /** Records the number of the last event received. */
   synchronized void tookOver(long event) {
     lastEvent = event;
   }
 
-  /** Notes that the host did not answer. */
+  /** Records that the host did not answer. */
   synchronized void silent(String why) {
     if (!dropped) {
       reachable = false;
@@ -205,7 +205,7 @@ public final class RegisteredHost {
     return dropped;
   }
 
-  /** Notes that the host was dropped, for good. */
+  /** Marks the host as dropped, permanently. */
   synchronized void dropped(String why) {
     dropped = true;
     reachable = false;

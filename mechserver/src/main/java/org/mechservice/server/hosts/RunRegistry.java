@@ -24,9 +24,8 @@ import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.sim.service.contract.JournalEntry;
 
 /**
- * What a server knows of the runs of its hosts, by what they told last. It is what administrators
- * are shown of a host that does not answer, and all that is left of the runs of one that is gone.
- * Thread-safe.
+ * The last known state of all runs of a server's hosts. Administrators see it for hosts that do not
+ * answer; for hosts that are gone it is the only record of their runs. Thread-safe.
  */
 public final class RunRegistry {
   /** Runs of hosts that are gone. */
@@ -40,10 +39,10 @@ public final class RunRegistry {
   private static final class Page {
     private Map<String, SimSummary> runs = new LinkedHashMap<>();
 
-    /** Runs of which more should be known, as something has just become of them. */
+    /** Runs whose state has changed and whose details are not fetched yet. */
     private final Set<String> unread = new LinkedHashSet<>();
 
-    /** When the host was asked for what is here; {@link System#nanoTime}. */
+    /** When the list was requested from the host, by {@link System#nanoTime}. */
     private long askedAt = Long.MIN_VALUE;
 
     private long listedAt;
@@ -77,7 +76,7 @@ public final class RunRegistry {
     return pages.computeIfAbsent(hostName, unused -> new Page());
   }
 
-  /** Notes what happened on a host. */
+  /** Applies an event of a host. */
   synchronized void follow(ServiceEvent event) {
     Optional<SimState> state = stateAfter(event.kind);
     if (state.isEmpty()) {
@@ -160,10 +159,10 @@ public final class RunRegistry {
   }
 
   /**
-   * Returns whether a host should be asked for its runs.
+   * Returns whether the list of a host is out of date.
    *
-   * @param running how many go on there
-   * @param longest how old what is known of those that go on may become, ns
+   * @param running number of runs in progress there
+   * @param longest oldest acceptable list while runs are in progress, ns
    */
   synchronized boolean outdated(String hostName, int running, long longest) {
     Page page = page(hostName);
@@ -172,10 +171,10 @@ public final class RunRegistry {
   }
 
   /**
-   * Takes over the runs a host has listed.
+   * Replaces the runs of a host by those it has listed.
    *
-   * @param askedAt when it was asked, by {@link System#nanoTime}; what was asked for before what is
-   *     known already is left out
+   * @param askedAt when the list was requested, by {@link System#nanoTime}; a list requested before
+   *     the present one is ignored
    */
   synchronized void listed(String hostName, SimSummary[] runs, long askedAt) {
     Page page = page(hostName);
@@ -192,7 +191,7 @@ public final class RunRegistry {
     }
   }
 
-  /** Returns runs of a host of which more should be known, at most so many. */
+  /** Returns runs of a host whose details should be fetched, at most so many. */
   synchronized List<String> unread(String hostName, int most) {
     Set<String> unread = page(hostName).unread;
     List<String> some = unread.stream().limit(most).toList();
@@ -200,19 +199,19 @@ public final class RunRegistry {
     return some;
   }
 
-  /** Notes all there is to know of a run. */
+  /** Records the details of a run. */
   public synchronized void read(SimDetail detail) {
     if (detail.modelText.length() > LONGEST_MODEL) {
       detail.modelText = "";
     }
-    details.remove(detail.summary.simId); // what is read again is the latest
+    details.remove(detail.summary.simId); // moves it to the end
     details.put(detail.summary.simId, detail);
   }
 
   /**
    * Keeps the runs of a host that is gone: those that had ended as they were, the others as failed.
    *
-   * @param how what became of the host, such as {@code was lost}
+   * @param how the end of the host as a verb, such as {@code was lost}
    */
   synchronized void goneWith(String hostName, String how) {
     Page page = pages.remove(hostName);
@@ -244,16 +243,16 @@ public final class RunRegistry {
     return lost;
   }
 
-  /** Returns the runs of a host as it told last, oldest first. */
+  /** Returns the last known runs of a host, oldest first. */
   public synchronized List<SimSummary> of(String hostName) {
     Page page = pages.get(hostName);
     return page == null ? List.of() : List.copyOf(page.runs.values());
   }
 
   /**
-   * Returns the runs of a host that does not answer, as it told last.
+   * Returns the last known runs of a host that does not answer.
    *
-   * @param why said of each
+   * @param why the host does not answer; added to the text of each run
    */
   public synchronized List<SimSummary> of(String hostName, String why) {
     return of(hostName).stream().map(run -> copy(run, why + "; last known: " + run.text)).toList();

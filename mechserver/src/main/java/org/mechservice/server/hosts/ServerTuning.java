@@ -6,10 +6,10 @@ import java.time.Duration;
  * What of a server only tests set otherwise.
  *
  * @param hostLease how long a host is kept without a renewal
- * @param hostCheck how often hosts are asked for their load and what happened
- * @param hostAnswer a host that has not answered for so long is silent
- * @param hostWait how long an administrator waits for what a host has to say now; then he is told
- *     what it said last
+ * @param hostCheck interval of requesting load and events of hosts
+ * @param hostAnswer time without an answer after which a host is silent
+ * @param hostWait longest wait of an administrator for the present state of a host; after it the
+ *     last known state is shown
  */
 public record ServerTuning(
     Duration hostLease, Duration hostCheck, Duration hostAnswer, Duration hostWait) {

@@ -166,7 +166,7 @@ final class Authority {
     }
   }
 
-  /** What a certificate says beside names and key. */
+  /** The extensions of a certificate. */
   private static final class Extensions {
     private record Entry(ASN1ObjectIdentifier type, boolean critical, ASN1Encodable value) {}
 

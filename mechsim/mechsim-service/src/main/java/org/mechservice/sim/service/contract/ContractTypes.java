@@ -11,7 +11,7 @@ import org.mechservice.idl.StepTried;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Variable;
 
-/** What the modules know, in the types of the contract. */
+/** Converts diagnostics, columns, failures and maps to the types of the contract. */
 public final class ContractTypes {
   private ContractTypes() {}
 

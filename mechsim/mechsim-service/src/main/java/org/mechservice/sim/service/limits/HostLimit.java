@@ -6,13 +6,13 @@ import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MAX_MECHML_BYTES;
 
 /**
- * What an operator can bound, each with its name, unit, value if he does not, and the page of the
- * error catalogue that a refusal points to.
+ * The limits of a host, each with its name, unit, default and the code of the error catalogue for
+ * its refusals.
  */
 public enum HostLimit {
   /** A client renews at a third of it, so two renewals may be lost. */
   LEASE("lease", "s", 120, 1, "S-010", "a session lives this long without a call"),
-  /** Together with the next keeps one client from taking all memory. */
+  /** This and the next limit keep one client from taking all memory. */
   SESSIONS("sessions", "1", 200, 0, "S-100", "sessions on one host at once"),
   SIMULATIONS("simulations", "1", 64, 0, "S-101", "simulations of one session at once"),
   CLIENT_RUNS("clientRuns", "1", 64, 0, "S-102", "runs of one client on one host at once"),
@@ -28,7 +28,7 @@ public enum HostLimit {
   CPU_TIME("cpuTime", "s", HostLimits.UNLIMITED, 1, "S-109", "processor time of one run"),
   MEMORY("memory", "B", HostLimits.UNLIMITED, 1, "S-110", "memory of one host, or of one worker"),
   CONNECTIONS("connections", "1", 280, 1, "S-111", "connections to one process at once"),
-  /** A week, so that who went home on Friday finds his results on Monday. */
+  /** A week, so that results of Friday are there on Monday. */
   RETENTION("retention", "s", 7 * 86_400, 0, "S-010", "an ended run is kept this long");
 
   private final String label;
@@ -83,9 +83,9 @@ public enum HostLimit {
   /**
    * Returns a refusal.
    *
-   * @param value what is allowed
-   * @param requested what was asked for
-   * @param message what was asked for, and what to do
+   * @param value value allowed
+   * @param requested value requested
+   * @param message the request, and advice
    */
   public LimitExceeded refusal(long value, long requested, String message) {
     return new LimitExceeded(code, message, label, value, requested);

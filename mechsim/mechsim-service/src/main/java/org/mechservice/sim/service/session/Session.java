@@ -68,7 +68,7 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
       SimulationServant servant, ActiveObject object, @Nullable IMechClient listener) {}
 
   /**
-   * @param client called back; null: nobody
+   * @param client called back; null: none
    */
   Session(String owner, @Nullable IMechClient client, HostServices host) {
     this.owner = owner;
