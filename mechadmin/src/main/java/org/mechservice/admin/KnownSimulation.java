@@ -107,7 +107,7 @@ public record KnownSimulation(String server, SimSummary summary) {
               + PlainText.of(id)
               + "; write more of it");
     } else if (found.isEmpty()) {
-      throw Place.notFound("simulation " + PlainText.of(id), List.of(), readings);
+      throw AdminTarget.notFound("simulation " + PlainText.of(id), List.of(), readings);
     }
     return found.get(0);
   }

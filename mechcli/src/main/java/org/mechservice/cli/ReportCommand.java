@@ -6,6 +6,11 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.cli.shell.MechVersion;
+import org.mechservice.cli.shell.ServerOption;
+import org.mechservice.cli.shell.ServiceConnection;
+import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.MechSession;
 import org.mechservice.report.ModelReport;
 import org.mechservice.report.ProgressLine;
@@ -24,7 +29,7 @@ import picocli.CommandLine.Spec;
     name = "report",
     description = "Measures error against run time of every method that fits a model.",
     mixinStandardHelpOptions = true,
-    versionProvider = Mech.Version.class)
+    versionProvider = MechVersion.class)
 final class ReportCommand implements Callable<Integer> {
   @Parameters(paramLabel = "MODEL.xml", arity = "0..*", description = "Models in MechML.")
   private List<Path> models = List.of();
@@ -79,14 +84,14 @@ final class ReportCommand implements Callable<Integer> {
   }
 
   private void reportModels(Path folder) throws IOException, InterruptedException {
-    try (Service service = Service.open(server)) {
+    try (ServiceConnection service = ServiceConnection.open(server)) {
       for (Path model : models) {
         report(service, model, folder);
       }
     }
   }
 
-  private void report(Service service, Path model, Path folder)
+  private void report(ServiceConnection service, Path model, Path folder)
       throws IOException, InterruptedException {
     PrintWriter err = spec.commandLine().getErr();
     Effort effort = quick ? Effort.QUICK : Effort.FULL;

@@ -4,11 +4,16 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.cli.shell.MechVersion;
+import org.mechservice.cli.shell.ServerOption;
+import org.mechservice.cli.shell.ServiceConnection;
+import org.mechservice.cli.shell.UsageException;
 import org.mechservice.report.ProgressLine;
 import org.mechservice.report.stability.CaseOutcome;
 import org.mechservice.report.stability.ExtremeCase;
 import org.mechservice.report.stability.StabilityReport;
-import org.mechservice.report.stability.TimeBudget;
+import org.mechservice.report.stability.SuiteTimeBudget;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -22,7 +27,7 @@ import picocli.CommandLine.Spec;
         "Runs the suite of stiff and extreme scenes with every method that fits. Models of your"
             + " own: mech report.",
     mixinStandardHelpOptions = true,
-    versionProvider = Mech.Version.class)
+    versionProvider = MechVersion.class)
 final class StabilityCommand implements Callable<Integer> {
   @Option(
       names = {"-o", "--output"},
@@ -82,12 +87,12 @@ final class StabilityCommand implements Callable<Integer> {
   private int suite() throws IOException {
     Path page = folder.resolve("stability.html");
     List<CaseOutcome> outcomes;
-    try (Service service = Service.open(server);
+    try (ServiceConnection service = ServiceConnection.open(server);
         ProgressLine line = new ProgressLine(spec.commandLine().getErr())) {
       outcomes =
           new StabilityReport(
                   service.connection()::openSession,
-                  new TimeBudget(limitSeconds, budgetSeconds),
+                  new SuiteTimeBudget(limitSeconds, budgetSeconds),
                   line)
               .write(page, wantedCases());
     }

@@ -32,7 +32,7 @@ public final class AdminWeb implements AutoCloseable {
   private final HttpServer http;
   private final ExecutorService threads;
   private final LiveView view;
-  private final AuditLog audit;
+  private final AdminAuditLog audit;
   private final Api api;
   private final PageFiles files = new PageFiles();
   private final ErrorPages errors = new ErrorPages();
@@ -52,7 +52,7 @@ public final class AdminWeb implements AutoCloseable {
   public AdminWeb(AdminConsole console, int port, AccessTokens tokens, Optional<Path> auditFile)
       throws IOException {
     this.tokens = tokens;
-    audit = new AuditLog(auditFile);
+    audit = new AdminAuditLog(auditFile);
     http = bound(port);
     names = Set.of("127.0.0.1:" + port(), "localhost:" + port(), "[::1]:" + port());
     view = new LiveView(console);

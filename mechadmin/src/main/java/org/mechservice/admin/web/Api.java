@@ -7,7 +7,7 @@ import java.util.concurrent.Semaphore;
 import org.mechservice.admin.AdminConsole;
 import org.mechservice.admin.AdminFailure;
 import org.mechservice.admin.AdminJson;
-import org.mechservice.admin.Place;
+import org.mechservice.admin.AdminTarget;
 
 /** What the page asks the console for. Everything here needs a right. */
 final class Api {
@@ -17,10 +17,10 @@ final class Api {
   private final AdminConsole console;
   private final AccessTokens tokens;
   private final Streams streams;
-  private final AuditLog audit;
+  private final AdminAuditLog audit;
   private final Semaphore freeStreams = new Semaphore(STREAMS);
 
-  Api(AdminConsole console, AccessTokens tokens, Streams streams, AuditLog audit) {
+  Api(AdminConsole console, AccessTokens tokens, Streams streams, AdminAuditLog audit) {
     this.console = console;
     this.tokens = tokens;
     this.streams = streams;
@@ -86,18 +86,18 @@ final class Api {
     }
   }
 
-  private static Place place(Request request) {
-    return new Place(request.parameter("server"), request.parameter("host"));
+  private static AdminTarget place(Request request) {
+    return new AdminTarget(request.parameter("server"), request.parameter("host"));
   }
 
-  private JsonObject logs(Place place) {
+  private JsonObject logs(AdminTarget place) {
     return AdminJson.named(
         "lines",
         AdminJson.list(
             console.logs(place.server(), place.host(), 0, LOG_LINES), AdminJson::logLine));
   }
 
-  private JsonObject limits(Place place) {
+  private JsonObject limits(AdminTarget place) {
     JsonObject json = AdminJson.limits(place, console.limits(place.server(), place.host()));
     if (place.host().isEmpty()) {
       json.addProperty("placement", console.placement(place.server()));

@@ -34,6 +34,10 @@ public final class ModelCompiler {
           "org.mechservice.solver.compact",
           "org.mechservice.solver.force",
           "org.mechservice.solver.ode",
+          "org.mechservice.solver.ode.adams",
+          "org.mechservice.solver.ode.events",
+          "org.mechservice.solver.ode.stiff",
+          "org.mechservice.solver.ode.switching",
           "org.mechservice.solver.standalone");
 
   private ModelCompiler() {}

@@ -9,17 +9,17 @@ import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
 /** The main class of a standalone JAR: it joins one model and one integrator. */
-final class StandaloneMain {
+public final class StandaloneMain {
   private static final String INTEGRATION = "org.mechservice.solver.ode.";
 
-  /** Class of each integrator by its name in settings. */
+  /** Class of each integrator, below {@link #INTEGRATION}, by its name in settings. */
   private static final Map<String, String> INTEGRATORS =
       Map.of(
-          "DE", "De",
-          "ode113", "Ode113",
-          "ode15s", "Ode15s",
-          "ode15sR", "Ode15sR",
-          "switching", "Switching");
+          "DE", "adams.De",
+          "ode113", "adams.Ode113",
+          "ode15s", "stiff.Ode15s",
+          "ode15sR", "stiff.Ode15sR",
+          "switching", "switching.Switching");
 
   private StandaloneMain() {}
 
@@ -37,20 +37,20 @@ final class StandaloneMain {
   }
 
   /** Returns the fully qualified name of the main class of a model. */
-  static String className(GeneratedFacts model) {
+  public static String className(GeneratedFacts model) {
     return model.className() + "Main";
   }
 
   /** Returns the model's classes with the main class, by binary name. */
-  static SortedMap<String, byte[]> classFiles(CompiledModel model) {
+  public static SortedMap<String, byte[]> classFiles(CompiledModel model) {
     SortedMap<String, byte[]> classes = new TreeMap<>(model.classFiles());
     classes.put(className(model.generated()), main(model));
     return classes;
   }
 
   private static byte[] main(CompiledModel model) {
-    String built = BuiltColumns.labels(BuiltColumns.of(model));
-    String shown = BuiltColumns.labels(BuiltColumns.shown(model));
+    String built = ModelColumns.labels(ModelColumns.of(model));
+    String shown = ModelColumns.labels(ModelColumns.shown(model));
     String name = className(model.generated());
     if (!(model.source().settings().task() instanceof SimulationTask.Dynamic)) {
       return MainClass.ofAnalysis(name, model.generated().className(), built, shown);

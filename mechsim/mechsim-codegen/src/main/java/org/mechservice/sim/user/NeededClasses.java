@@ -8,8 +8,8 @@ import java.util.Deque;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.mechservice.sim.compile.ReachableClasses;
 import org.mechservice.sim.compile.SolverClasses;
-import org.mechservice.sim.jar.ReachableClasses;
 import org.mechservice.solver.api.UserForce;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 

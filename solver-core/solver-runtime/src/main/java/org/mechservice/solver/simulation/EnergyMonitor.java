@@ -4,7 +4,7 @@ import java.util.OptionalDouble;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.PowerInput;
-import org.mechservice.solver.ode.StateTransfer;
+import org.mechservice.solver.ode.SavedState;
 
 /**
  * Watches the mechanical energy at the output times: less the work put in, it must stay what it
@@ -123,7 +123,7 @@ final class EnergyMonitor {
   }
 
   /** Carries what was observed over. */
-  void transfer(StateTransfer state) {
+  void transfer(SavedState state) {
     started = state.flag(started);
     initialTotal = state.number(initialTotal);
     initialPotential = state.number(initialPotential);

@@ -10,9 +10,9 @@ import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.RunSettings;
-import org.mechservice.solver.ode.Attempt;
 import org.mechservice.solver.ode.IntegrationFailure;
 import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.TrialOutcome;
 
 /** Says in the words of mechanics why a run could not go on. */
 final class FailureText {
@@ -55,8 +55,8 @@ final class FailureText {
               Math.ulp(failure.time()) > COARSE
                   ? "Times this large lie too far apart for steps: begin the run near t = 0."
                   : motion
-                      + "The motion is singular or very stiff there; take ode15s, loosen the tolerances,"
-                      + " or check the values that act on this joint.");
+                      + "The motion is singular or very stiff there; take ode15s, loosen the"
+                      + " tolerances, or check the values that act on this joint.");
       case TOLERANCE_TOO_TIGHT ->
           failure(
               "N-004",
@@ -118,8 +118,8 @@ final class FailureText {
               failure,
               state(model, failure.worstComponent()),
               motion
-                  + "Lower the stiffness or frequency that acts on this joint, give it damping and take"
-                  + " ode15s, allow longer steps, or end the run earlier.");
+                  + "Lower the stiffness or frequency that acts on this joint, give it damping and"
+                  + " take ode15s, allow longer steps, or end the run earlier.");
     };
   }
 
@@ -130,7 +130,7 @@ final class FailureText {
         .toList();
   }
 
-  private static String told(Attempt attempt) {
+  private static String told(TrialOutcome attempt) {
     return switch (attempt) {
       case PASSED -> "accepted";
       case TOO_INACCURATE -> "error too large";

@@ -8,7 +8,7 @@ import org.mechservice.solver.api.MomentumBalance;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.RunNotes.Note;
 import org.mechservice.solver.ode.Integrator;
-import org.mechservice.solver.ode.StateTransfer;
+import org.mechservice.solver.ode.SavedState;
 
 /** What is noted in a run: by its model, its rows, its events and its method. */
 final class NotesOfRun {
@@ -58,7 +58,7 @@ final class NotesOfRun {
   }
 
   /** Carries the model's notes over. */
-  void transfer(StateTransfer state) {
+  void transfer(SavedState state) {
     List<Note> noted = ofModel();
     int count = state.integer(noted.size());
     for (int i = 0; i < count; i++) {

@@ -13,12 +13,12 @@ import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.WatchedModel;
-import org.mechservice.solver.ode.De;
 import org.mechservice.solver.ode.IntegratorFactory;
-import org.mechservice.solver.ode.Ode113;
-import org.mechservice.solver.ode.Ode15s;
-import org.mechservice.solver.ode.Ode15sR;
-import org.mechservice.solver.ode.Switching;
+import org.mechservice.solver.ode.adams.De;
+import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.stiff.Ode15s;
+import org.mechservice.solver.ode.stiff.Ode15sR;
+import org.mechservice.solver.ode.switching.Switching;
 
 /**
  * The solver of the runtime JAR: holds every integrator and takes the one a run names, with the

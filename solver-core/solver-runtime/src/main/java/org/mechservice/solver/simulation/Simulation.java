@@ -25,7 +25,7 @@ import org.mechservice.solver.ode.IntegrationStatistics;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.IntegratorFactory;
 import org.mechservice.solver.ode.IntegratorSettings;
-import org.mechservice.solver.ode.StateTransfer;
+import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.StepResult;
 
 /**
@@ -236,7 +236,7 @@ public final class Simulation implements Solver {
     }
 
     /** Carries the run between two steps over. */
-    private void transfer(StateTransfer state) {
+    private void transfer(SavedState state) {
       timeReached = state.number(timeReached);
       nextRow = state.integer(nextRow);
       steps = state.integer(steps);

@@ -11,11 +11,11 @@ import org.mechservice.solver.api.ModelEvents;
 import org.mechservice.solver.api.ModelEvents.Action;
 import org.mechservice.solver.api.MomentumBalance;
 import org.mechservice.solver.api.RunNotes.Note;
-import org.mechservice.solver.ode.EventFunctions;
-import org.mechservice.solver.ode.EventIntegration;
 import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.SavedSystem;
-import org.mechservice.solver.ode.StateTransfer;
+import org.mechservice.solver.ode.events.EventFunctions;
+import org.mechservice.solver.ode.events.EventIntegration;
 
 /** The events of a model in a run: they are looked for, done and remembered. */
 final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem {
@@ -290,7 +290,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   }
 
   @Override
-  public void transfer(StateTransfer state) {
+  public void transfer(SavedState state) {
     for (String name : names) {
       state.require("event", name);
     }

@@ -34,14 +34,15 @@ import org.mechservice.idl.SimEvent;
 import org.mechservice.idl.SimState;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.sim.check.CheckReport;
 import org.mechservice.sim.model.BuildOptions;
-import org.mechservice.sim.model.CheckReport;
 import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.model.GeneratedFacts;
 import org.mechservice.sim.model.GeneratedModel;
-import org.mechservice.sim.model.JarImage;
-import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.model.SourceFile;
+import org.mechservice.sim.packaging.JarImage;
+import org.mechservice.sim.packaging.ModelJars;
+import org.mechservice.sim.packaging.RuntimeJar;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.contract.ContractTypes;
 import org.mechservice.sim.service.library.LoadedModel;
@@ -363,9 +364,9 @@ final class MechSimServant implements MechSimOperations {
     long start = System.nanoTime();
     JarImage jar =
         asked.standalone()
-            ? ModelFactory.standaloneJar(compiled, source.sha256())
-            : ModelFactory.modelJar(compiled, source.sha256());
-    String runtime = asked.standalone() ? "" : ModelFactory.runtimeJar().sha256();
+            ? ModelJars.standalone(compiled, source.sha256())
+            : ModelJars.model(compiled, source.sha256());
+    String runtime = asked.standalone() ? "" : RuntimeJar.current().sha256();
     times.addPacking(System.nanoTime() - start);
     info.value =
         new JarInfo(
@@ -403,13 +404,13 @@ final class MechSimServant implements MechSimOperations {
 
   @Override
   public RuntimeInfo getRuntimeInfo() {
-    JarImage jar = ModelFactory.runtimeJar();
+    JarImage jar = RuntimeJar.current();
     return new RuntimeInfo(jar.sha256(), jar.bytes().length, signature(jar), SolverVersion.CURRENT);
   }
 
   @Override
   public byte[] fetchRuntime(String sha256) throws NotFound {
-    JarImage jar = ModelFactory.runtimeJar();
+    JarImage jar = RuntimeJar.current();
     if (!jar.sha256().equals(sha256)) {
       throw ContractErrors.notFound(
           "this server's runtime JAR is " + jar.sha256() + ", not " + sha256);
