@@ -27,6 +27,7 @@ import org.mechservice.orb.connection.OutboundAllowList;
 import org.mechservice.orb.connection.ReplyMemory;
 import org.mechservice.orb.tls.TlsIdentity;
 import org.mechservice.orb.tls.TlsPeers;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.INITIALIZE;
 import org.omg.CORBA.ORB;
 import org.omg.CORBA.UserException;
@@ -214,7 +215,13 @@ public final class ServiceOrb implements AutoCloseable {
       }
     } catch (UnknownHostException e) {
       throw new ServiceUnreachableException(
-          "S-002 no server at " + host + ":" + port + ": no such host; check the name", e);
+          MessageCode.NO_SERVER_ANSWERS
+              + " no server at "
+              + host
+              + ":"
+              + port
+              + ": no such host; check the name",
+          e);
     }
   }
 
@@ -360,7 +367,7 @@ public final class ServiceOrb implements AutoCloseable {
     try {
       SELECTOR.get(((org.jacorb.orb.ORB) orb).getSelectorManager()).close();
     } catch (IOException e) {
-      LOG.warn("S-048 a selector does not close: {}", e.toString());
+      LOG.warn(MessageCode.UNCLEAN_CLOSE + " a selector does not close: {}", e.toString());
     }
   }
 

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.mechservice.admin.AdminFailure.Reason;
 import org.mechservice.idl.HostStatus;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * A server or one of its hosts.
@@ -40,7 +41,8 @@ public record AdminTarget(String server, String host) {
     } else if (found.size() > 1) {
       throw new AdminFailure(
           Reason.NOT_USABLE,
-          "S-131 "
+          MessageCode.AMBIGUOUS_NAME
+              + " "
               + PlainText.of(name)
               + " may be "
               + found.stream().map(AdminTarget::toString).collect(Collectors.joining(" or "))
@@ -103,7 +105,9 @@ public record AdminTarget(String server, String host) {
             .toList();
     String known = there.isEmpty() ? "" : "; there are " + String.join(", ", there);
     String missing = silent.isEmpty() ? "" : "; no answer from " + String.join(", ", silent);
-    return new AdminFailure(Reason.NOT_FOUND, "S-130 there is no " + what + known + missing);
+    return new AdminFailure(
+        Reason.NOT_FOUND,
+        MessageCode.NOTHING_OF_THAT_NAME + " there is no " + what + known + missing);
   }
 
   /** Returns what is meant, for people. */

@@ -20,6 +20,7 @@ import org.mechservice.cli.shell.UsageReport;
 import org.mechservice.cli.simulate.FetchCommand;
 import org.mechservice.cli.simulate.SimulateCommand;
 import org.mechservice.cli.sweep.SweepCommand;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 
@@ -66,7 +67,7 @@ public final class Mech {
   }
 
   private static int unwritten(String why, int status) {
-    System.err.println("S-042 standard output cannot be written: " + why);
+    System.err.println(MessageCode.FILE_UNUSABLE + " standard output cannot be written: " + why);
     return status == ExitStatus.DONE ? ExitStatus.BAD_INPUT : status;
   }
 

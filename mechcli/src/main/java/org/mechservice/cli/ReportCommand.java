@@ -17,6 +17,7 @@ import org.mechservice.report.ProgressLine;
 import org.mechservice.report.measure.Effort;
 import org.mechservice.report.measure.MeasurementFile;
 import org.mechservice.report.measure.Rerun;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -62,11 +63,15 @@ final class ReportCommand implements Callable<Integer> {
       return compare();
     }
     if (models.isEmpty()) {
-      throw new UsageException("S-041 report: name a model, or --compare with two files");
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE + " report: name a model, or --compare with two files");
     }
     Path folder =
         output.orElseThrow(
-            () -> new UsageException("S-041 report: name the folder for the pages, -o DIR"));
+            () ->
+                new UsageException(
+                    MessageCode.OPTION_UNUSABLE
+                        + " report: name the folder for the pages, -o DIR"));
     reportModels(folder);
     return ExitStatus.DONE;
   }
@@ -74,7 +79,8 @@ final class ReportCommand implements Callable<Integer> {
   private int compare() throws IOException {
     for (Path runs : compared) {
       if (MeasurementFile.read(runs).isEmpty()) {
-        throw new UsageException("S-041 --compare: " + runs + " has no runs of a report");
+        throw new UsageException(
+            MessageCode.OPTION_UNUSABLE + " --compare: " + runs + " has no runs of a report");
       }
     }
     Rerun rerun = Rerun.of(compared.get(0), compared.get(1));

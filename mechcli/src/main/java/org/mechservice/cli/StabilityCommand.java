@@ -14,6 +14,7 @@ import org.mechservice.report.stability.CaseOutcome;
 import org.mechservice.report.stability.ExtremeCase;
 import org.mechservice.report.stability.StabilityReport;
 import org.mechservice.report.stability.SuiteTimeBudget;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -69,7 +70,12 @@ final class StabilityCommand implements Callable<Integer> {
   private static void requirePositive(String option, double seconds) {
     if (!(seconds > 0)) {
       throw new UsageException(
-          "S-041 " + option + " is " + seconds + "; it is a time in seconds, more than 0");
+          MessageCode.OPTION_UNUSABLE
+              + " "
+              + option
+              + " is "
+              + seconds
+              + "; it is a time in seconds, more than 0");
     }
   }
 
@@ -78,7 +84,8 @@ final class StabilityCommand implements Callable<Integer> {
     for (String name : cases) {
       if (suite.stream().noneMatch(one -> one.name().equals(name))) {
         String known = String.join(", ", suite.stream().map(ExtremeCase::name).toList());
-        throw new UsageException("S-041 --case is \"" + name + "\"; there are " + known);
+        throw new UsageException(
+            MessageCode.OPTION_UNUSABLE + " --case is \"" + name + "\"; there are " + known);
       }
     }
     return suite.stream().filter(one -> cases.isEmpty() || cases.contains(one.name())).toList();

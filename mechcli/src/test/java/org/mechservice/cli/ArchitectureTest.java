@@ -33,7 +33,7 @@ class ArchitectureTest {
   /** The packages of each artifact. */
   private static final Map<String, List<String>> PACKAGES =
       Map.ofEntries(
-          entry("solver-api", List.of("solver.api", "solver.text")),
+          entry("solver-api", List.of("solver.api", "solver.catalogue", "solver.text")),
           entry("solver-ode", List.of("solver.linear", "solver.ode")),
           entry(
               "solver-mechanics",
@@ -89,13 +89,13 @@ class ArchitectureTest {
     "solver-mechanics, solver-api solver-ode",
     "solver-runtime, solver-api solver-ode solver-mechanics",
     "mechml, solver-api solver-ode solver-mechanics",
-    "idl, ''",
+    "idl, solver-api",
     "mechsim-codegen, mechml solver-runtime solver-api solver-ode solver-mechanics",
     "mechsim-service,"
         + " mechsim-codegen idl mechml solver-runtime solver-api solver-ode solver-mechanics",
-    "mechserver, mechsim-service idl",
+    "mechserver, mechsim-service idl solver-api",
     "mechclient, idl solver-api",
-    "mechadmin, idl",
+    "mechadmin, idl solver-api",
     "mechreport, mechclient solver-runtime solver-api solver-ode",
   })
   @ParameterizedTest

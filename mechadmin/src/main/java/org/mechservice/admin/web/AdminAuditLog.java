@@ -13,6 +13,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
 import org.mechservice.admin.PlainText;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -87,7 +88,8 @@ final class AdminAuditLog implements AutoCloseable {
       out.write(entry + "\n");
       out.flush();
     } catch (IOException e) {
-      LOG.error("S-137 the audit log cannot be written: {}", e.toString());
+      LOG.error(
+          MessageCode.CONSOLE_AUDIT_LOG + " the audit log cannot be written: {}", e.toString());
     }
   }
 

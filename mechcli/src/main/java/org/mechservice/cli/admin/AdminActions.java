@@ -18,6 +18,7 @@ import org.mechservice.admin.TextTable;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.idl.Limit;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -59,7 +60,10 @@ final class AdminActions {
       }
       throw new AdminFailure(
           Reason.NOT_USABLE,
-          "S-131 " + String.join(", ", console.servers()) + " are asked; say which one is meant");
+          MessageCode.AMBIGUOUS_NAME
+              + " "
+              + String.join(", ", console.servers())
+              + " are asked; say which one is meant");
     }
   }
 
@@ -203,7 +207,11 @@ final class AdminActions {
         return Long.parseLong(text);
       } catch (NumberFormatException e) {
         throw new UsageException(
-            "S-041 " + limit + " takes a whole number or unlimited, not " + text);
+            MessageCode.OPTION_UNUSABLE
+                + " "
+                + limit
+                + " takes a whole number or unlimited, not "
+                + text);
       }
     }
 

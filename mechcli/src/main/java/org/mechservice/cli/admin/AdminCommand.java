@@ -26,6 +26,7 @@ import org.mechservice.cli.shell.TlsOption;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.idl.LogLine;
 import org.mechservice.idl.SimDetail;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -107,7 +108,8 @@ public final class AdminCommand implements Callable<Integer> {
   /** Opens a console. */
   AdminConsole open() {
     if (timeout < 1) {
-      throw new UsageException("S-041 --timeout is " + timeout + "; it must be 1 or more");
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE + " --timeout is " + timeout + "; it must be 1 or more");
     }
     return new AdminConsole(servers(), Duration.ofSeconds(timeout), tls.identity());
   }
@@ -235,7 +237,8 @@ public final class AdminCommand implements Callable<Integer> {
       throws Exception {
     if (state != null && !KnownSimulation.states().contains(state)) {
       throw new UsageException(
-          "S-041 --state takes "
+          MessageCode.OPTION_UNUSABLE
+              + " --state takes "
               + String.join(" or ", KnownSimulation.states())
               + ", not "
               + state);
@@ -302,7 +305,8 @@ public final class AdminCommand implements Callable<Integer> {
           int lines)
       throws Exception {
     if (lines < 1) {
-      throw new UsageException("S-041 --lines is " + lines + "; it must be 1 or more");
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE + " --lines is " + lines + "; it must be 1 or more");
     }
     return console(
         (console, out) -> {

@@ -8,6 +8,7 @@ import org.mechservice.admin.AdminConsole;
 import org.mechservice.admin.watch.Watch;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.UsageException;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ParentCommand;
 
@@ -32,7 +33,8 @@ final class AdminWatchCommand implements Callable<Integer> {
       return TerminalBuilder.builder().system(true).dumb(false).build();
     } catch (IllegalStateException e) {
       throw new UsageException(
-          "S-139 watch needs a terminal; for scripts there is mech admin status --json");
+          MessageCode.WATCH_NEEDS_TERMINAL
+              + " watch needs a terminal; for scripts there is mech admin status --json");
     }
   }
 }

@@ -18,6 +18,7 @@ import org.mechservice.client.GeneratedSource;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.client.jar.BuiltJar;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -109,7 +110,8 @@ public final class BuildCommand implements Callable<Integer> {
   private static void writeSource(GeneratedSource source, Path folder) throws IOException {
     Path file = folder.resolve(source.fileName()).normalize();
     if (!file.startsWith(folder.normalize())) {
-      throw new UsageException("S-046 the server names a source file outside the folder: " + file);
+      throw new UsageException(
+          MessageCode.OUTPUT_PLACE + " the server names a source file outside the folder: " + file);
     }
     Files.createDirectories(file.resolveSibling("."));
     OutputFile.write(file, source.text().getBytes(StandardCharsets.UTF_8));

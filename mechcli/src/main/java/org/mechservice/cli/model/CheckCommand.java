@@ -9,6 +9,7 @@ import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.ServerOption;
 import org.mechservice.cli.shell.ServiceConnection;
 import org.mechservice.client.MechSession;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -63,7 +64,8 @@ public final class CheckCommand implements Callable<Integer> {
     spec.commandLine()
         .getErr()
         .println(
-            "S-164 the model has "
+            MessageCode.WARNINGS_REFUSED
+                + " the model has "
                 + (warnings == 1 ? "1 warning" : warnings + " warnings")
                 + ", and --strict was given");
     return ExitStatus.BAD_INPUT;

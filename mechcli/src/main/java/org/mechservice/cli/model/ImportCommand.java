@@ -12,6 +12,7 @@ import org.mechservice.cli.shell.ServerOption;
 import org.mechservice.cli.shell.ServiceConnection;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.ImportedModel;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -53,7 +54,8 @@ public final class ImportCommand implements Callable<Integer> {
       int lost = imported.lost();
       if (strict && lost > 0) {
         throw new UsageException(
-            "S-127 "
+            MessageCode.IMPORT_WOULD_LOSE
+                + " "
                 + robot
                 + (lost == 1 ? " has one thing" : " has " + lost + " things")
                 + " that MechML does not have, listed above; nothing was written. Leave out"

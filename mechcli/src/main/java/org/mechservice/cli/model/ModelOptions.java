@@ -9,6 +9,7 @@ import java.util.stream.Stream;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Option;
 
 /**
@@ -98,7 +99,8 @@ public final class ModelOptions {
       }
     }
     throw new UsageException(
-        "S-041 --columns: \""
+        MessageCode.OPTION_UNUSABLE
+            + " --columns: \""
             + name
             + "\" is no column group; there are "
             + Stream.of(ColumnGroup.values())

@@ -3,6 +3,7 @@ package org.mechservice.cli.model;
 import java.util.List;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.SimulationOptions;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Option;
 
 /** The values that parameters of the file are set to. */
@@ -25,7 +26,8 @@ public final class ParameterOption {
     for (int i = 0; i < names.size(); i++) {
       String name = names.get(i);
       if (names.indexOf(name) < i) {
-        throw new UsageException("S-041 --set names parameter \"" + name + "\" twice");
+        throw new UsageException(
+            MessageCode.OPTION_UNUSABLE + " --set names parameter \"" + name + "\" twice");
       }
       String assignment = assignments.get(i);
       all = all.parameter(name, assignment.substring(assignment.indexOf('=') + 1).strip());
@@ -37,7 +39,8 @@ public final class ParameterOption {
     int equals = assignment.indexOf('=');
     if (equals < 1) {
       throw new UsageException(
-          "S-041 --set takes PARAMETER=VALUE, such as --set length=0.5, not \""
+          MessageCode.OPTION_UNUSABLE
+              + " --set takes PARAMETER=VALUE, such as --set length=0.5, not \""
               + assignment
               + "\"");
     }

@@ -13,6 +13,7 @@ import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.orb.tls.DetachedSignature;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -60,7 +61,8 @@ public final class VerifyCommand implements Callable<Integer> {
       spec.commandLine()
           .getErr()
           .println(
-              "S-154 "
+              MessageCode.JAR_SIGNATURE
+                  + " "
                   + jar
                   + " is not what the holder of "
                   + key
@@ -78,7 +80,8 @@ public final class VerifyCommand implements Callable<Integer> {
       return (X509Certificate) CertificateFactory.getInstance("X.509").generateCertificate(in);
     } catch (CertificateException e) {
       throw new UsageException(
-          "S-150 "
+          MessageCode.CERTIFICATES_UNUSABLE
+              + " "
               + key
               + " is no certificate; name the identity.crt of the machine that built it");
     }

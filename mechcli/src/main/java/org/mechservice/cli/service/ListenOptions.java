@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.mechservice.cli.shell.UsageException;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Option;
 
 /** Where a process listens. */
@@ -38,7 +39,12 @@ public final class ListenOptions {
       return usable(port.orElse(otherwise));
     } else if (port.isPresent()) {
       throw new UsageException(
-          "S-041 --port " + port.get() + ": --listen " + listen + " already names a port");
+          MessageCode.OPTION_UNUSABLE
+              + " --port "
+              + port.get()
+              + ": --listen "
+              + listen
+              + " already names a port");
     }
     return usable(Integer.parseInt(withPort.group(2)));
   }
@@ -51,7 +57,8 @@ public final class ListenOptions {
   public static int usable(int port) {
     if (port < 0 || port > HIGHEST_PORT) {
       throw new UsageException(
-          "S-041 "
+          MessageCode.OPTION_UNUSABLE
+              + " "
               + port
               + " is no port; there are ports from 0 (any free one) to "
               + HIGHEST_PORT);

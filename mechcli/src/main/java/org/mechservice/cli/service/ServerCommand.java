@@ -10,6 +10,7 @@ import org.mechservice.cli.shell.UsageException;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
 import org.mechservice.server.hosts.PlacementPolicy;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -80,7 +81,8 @@ public final class ServerCommand implements Callable<Integer> {
   @Override
   public Integer call() throws InterruptedException {
     if (capacity < 0) {
-      throw new UsageException("S-041 --capacity is " + capacity + "; it must be 0 or more");
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE + " --capacity is " + capacity + "; it must be 0 or more");
     }
     ServerSettings settings =
         new ServerSettings(
@@ -106,7 +108,8 @@ public final class ServerCommand implements Callable<Integer> {
         .orElseThrow(
             () ->
                 new UsageException(
-                    "S-041 --placement is \""
+                    MessageCode.OPTION_UNUSABLE
+                        + " --placement is \""
                         + placement
                         + "\"; there are "
                         + PlacementPolicy.labels()));

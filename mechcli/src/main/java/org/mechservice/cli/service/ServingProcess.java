@@ -1,6 +1,7 @@
 package org.mechservice.cli.service;
 
 import org.mechservice.cli.shell.LogSetup;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -37,7 +38,7 @@ public final class ServingProcess {
     try {
       process.close();
     } catch (Exception e) {
-      LOG.warn("S-048 the process did not close in order: {}", e.toString());
+      LOG.warn(MessageCode.UNCLEAN_CLOSE + " the process did not close in order: {}", e.toString());
     }
   }
 

@@ -8,6 +8,7 @@ import org.mechservice.cli.shell.TlsOption;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.sim.host.HostSettings;
 import org.mechservice.sim.host.SimHostProcess;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -55,7 +56,8 @@ public final class SimhostCommand implements Callable<Integer> {
   @Override
   public Integer call() throws InterruptedException {
     if (capacity < 1) {
-      throw new UsageException("S-041 --capacity is " + capacity + "; it must be 1 or more");
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE + " --capacity is " + capacity + "; it must be 1 or more");
     }
     HostSettings settings =
         new HostSettings(

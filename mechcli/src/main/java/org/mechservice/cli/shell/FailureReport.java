@@ -12,6 +12,7 @@ import org.mechservice.client.failure.InvalidOptionException;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.orb.PortInUseException;
 import org.mechservice.orb.ServiceUnreachableException;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import picocli.CommandLine;
@@ -56,7 +57,8 @@ public final class FailureReport {
     }
     INCIDENTS.error("internal error", failure);
     err.println(
-        "S-050 internal error ("
+        MessageCode.INTERNAL_ERROR
+            + " internal error ("
             + failure.getClass().getSimpleName()
             + "); run again with MECH_LOG=mech.log and report what that file says");
     return ExitStatus.SIMULATION_FAILED;
@@ -83,12 +85,12 @@ public final class FailureReport {
     if (CODED.matcher(text).matches()) {
       return text;
     } else if (failure instanceof NoSuchFileException missing) {
-      return "S-042 there is no file " + missing.getFile();
+      return MessageCode.FILE_UNUSABLE + " there is no file " + missing.getFile();
     } else if (failure instanceof FileSystemException broken) {
       String reason = broken.getReason();
       String why = reason == null ? "it is not accessible" : reason;
-      return "S-042 " + broken.getFile() + " cannot be used: " + why;
+      return MessageCode.FILE_UNUSABLE + " " + broken.getFile() + " cannot be used: " + why;
     }
-    return "S-042 " + text;
+    return MessageCode.FILE_UNUSABLE + " " + text;
   }
 }

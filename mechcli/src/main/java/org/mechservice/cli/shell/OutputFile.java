@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.UUID;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Writes whole files; one that cannot be completed is not seen under its name. */
 public final class OutputFile {
@@ -30,7 +31,8 @@ public final class OutputFile {
     } catch (FileSystemException e) {
       throw e;
     } catch (IOException e) {
-      throw new IOException("S-042 " + target + " cannot be written: " + e.getMessage(), e);
+      throw new IOException(
+          MessageCode.FILE_UNUSABLE + " " + target + " cannot be written: " + e.getMessage(), e);
     } finally {
       Files.deleteIfExists(growing);
     }
@@ -46,11 +48,14 @@ public final class OutputFile {
     Path file = target.toAbsolutePath();
     Path folder = file.getParent();
     if (folder == null || Files.isDirectory(file)) {
-      throw new UsageException("S-046 " + target + " is a folder; name a file");
+      throw new UsageException(
+          MessageCode.OUTPUT_PLACE + " " + target + " is a folder; name a file");
     } else if (Files.exists(file) && !Files.isRegularFile(file)) {
-      throw new UsageException("S-046 " + target + " is a device; name a file");
+      throw new UsageException(
+          MessageCode.OUTPUT_PLACE + " " + target + " is a device; name a file");
     } else if (!Files.isDirectory(folder)) {
-      throw new UsageException("S-046 there is no folder " + folder + " for " + target);
+      throw new UsageException(
+          MessageCode.OUTPUT_PLACE + " there is no folder " + folder + " for " + target);
     }
   }
 }

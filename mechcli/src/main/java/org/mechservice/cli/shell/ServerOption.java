@@ -2,6 +2,7 @@ package org.mechservice.cli.shell;
 
 import java.util.Optional;
 import org.mechservice.orb.tls.TlsIdentity;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
@@ -25,7 +26,8 @@ public final class ServerOption {
    */
   public String address() {
     if (address.isPresent() && address.get().isBlank()) {
-      throw new UsageException("S-041 --server lacks its value; leave it out to run here");
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE + " --server lacks its value; leave it out to run here");
     }
     return address.orElse("");
   }

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine;
 import picocli.CommandLine.MissingParameterException;
 import picocli.CommandLine.Model.ArgSpec;
@@ -33,9 +34,11 @@ public final class UsageReport {
     if (wrong instanceof UnmatchedArgumentException unmatched) {
       return unknown(unmatched);
     } else if (wrong instanceof MissingParameterException missing) {
-      return "S-041 " + missing(missing);
+      return MessageCode.OPTION_UNUSABLE + " " + missing(missing);
     }
-    return "S-041 " + badValue(wrong).orElseGet(() -> String.valueOf(wrong.getMessage()));
+    return MessageCode.OPTION_UNUSABLE
+        + " "
+        + badValue(wrong).orElseGet(() -> String.valueOf(wrong.getMessage()));
   }
 
   private static String unknown(UnmatchedArgumentException unmatched) {
@@ -46,7 +49,12 @@ public final class UsageReport {
         nearest.isEmpty() ? "" : "; did you mean " + nearest.get(0).split("[= ]", 2)[0] + "?";
     boolean namesCommand = !unmatched.getCommandLine().getSubcommands().isEmpty();
     String kind = namesCommand ? "command" : "word";
-    return "S-040 unknown " + (word.startsWith("-") ? "option" : kind) + " " + word + hint;
+    return MessageCode.UNKNOWN_OPTION
+        + " unknown "
+        + (word.startsWith("-") ? "option" : kind)
+        + " "
+        + word
+        + hint;
   }
 
   private static String missing(MissingParameterException missing) {

@@ -5,6 +5,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.client.run.PreparedRun;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -41,7 +42,8 @@ public final class CancelOnInterrupt implements AutoCloseable {
     try {
       cancel.get().run();
       if (!finished.await(LONGEST_WAIT_SECONDS, TimeUnit.SECONDS)) {
-        LOG.warn("S-045 the run did not stop within {} s", LONGEST_WAIT_SECONDS);
+        LOG.warn(
+            MessageCode.RUN_STOPPED + " the run did not stop within {} s", LONGEST_WAIT_SECONDS);
       }
     } catch (ServiceException e) {
       LOG.warn("{}", e.getMessage());

@@ -10,6 +10,7 @@ import org.mechservice.cli.shell.FailureReport;
 import org.mechservice.cli.shell.OutputFile;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.run.CheckpointStore;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Option;
 
 /** Where checkpoints of a run go, how often, and which one it goes on from. */
@@ -33,7 +34,8 @@ final class CheckpointOptions {
   private Optional<Path> resume = Optional.empty();
 
   private static final double SECONDS_BETWEEN = 60;
-  private static final String WITHOUT = "S-075 the run goes on without a new checkpoint: ";
+  private static final String WITHOUT =
+      MessageCode.CHECKPOINT_NOT_KEPT + " the run goes on without a new checkpoint: ";
 
   /**
    * Checks the options before anything is computed.
@@ -45,16 +47,21 @@ final class CheckpointOptions {
   void requireUsable(List<Path> out) {
     checkpoint.ifPresent(OutputFile::requireUsable);
     if (every.isPresent() && checkpoint.isEmpty()) {
-      throw new UsageException("S-073 --every needs --checkpoint FILE to say where they go");
+      throw new UsageException(
+          MessageCode.CHECKPOINT_OPTIONS + " --every needs --checkpoint FILE to say where they go");
     }
     if (every.isPresent() && !(every.get() >= 0 && Double.isFinite(every.get()))) {
       throw new UsageException(
-          "S-073 --every " + every.get() + ": a time in s, not negative, is needed");
+          MessageCode.CHECKPOINT_OPTIONS
+              + " --every "
+              + every.get()
+              + ": a time in s, not negative, is needed");
     }
     for (Path file : out) {
       if (resume.isPresent() && Files.exists(file)) {
         throw new UsageException(
-            "S-074 --out "
+            MessageCode.ROWS_WOULD_BE_LOST
+                + " --out "
                 + file
                 + " exists; a run that is resumed puts out the rows after the checkpoint only and"
                 + " would replace those before it. Name another file");

@@ -12,6 +12,7 @@ import org.mechservice.client.failure.ServiceException;
 import org.mechservice.client.jar.JarCache;
 import org.mechservice.client.run.ReattachedRun;
 import org.mechservice.client.run.RunResult;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -45,7 +46,9 @@ public final class FetchCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     ResultFiles.requireUsableNames(results.files());
     if (server.address().isEmpty()) {
-      throw new UsageException("S-041 fetch: name the server that has the run with --server URL");
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE
+              + " fetch: name the server that has the run with --server URL");
     }
     try (MechConnection connection =
             MechConnection.open(server.address(), JarCache.ofUser(), server.identity());
@@ -59,7 +62,8 @@ public final class FetchCommand implements Callable<Integer> {
     PrintWriter err = spec.commandLine().getErr();
     if (!run.id().equals(id)) {
       err.println(
-          "S-117 run "
+          MessageCode.RUN_MOVED
+              + " run "
               + id
               + " has moved and is "
               + run.id()

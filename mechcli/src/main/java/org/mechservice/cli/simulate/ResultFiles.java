@@ -12,6 +12,7 @@ import java.util.stream.Collectors;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.ResultFile;
 
 /** The files that take the rows of one run; there may be none. */
@@ -35,10 +36,15 @@ public final class ResultFiles implements ResultSink, AutoCloseable {
     Set<Path> seen = new HashSet<>();
     for (Path target : targets) {
       if (!target.toString().toLowerCase(Locale.ROOT).endsWith(".csv")) {
-        throw new UsageException("S-044 --out " + target + ": results are written to .csv files");
+        throw new UsageException(
+            MessageCode.RESULT_FILE_NAME
+                + " --out "
+                + target
+                + ": results are written to .csv files");
       }
       if (!seen.add(target.toAbsolutePath().normalize())) {
-        throw new UsageException("S-044 --out " + target + " is given twice");
+        throw new UsageException(
+            MessageCode.RESULT_FILE_NAME + " --out " + target + " is given twice");
       }
     }
   }

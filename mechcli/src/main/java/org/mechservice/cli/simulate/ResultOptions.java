@@ -9,6 +9,7 @@ import java.util.Map;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.client.run.RunResult;
 import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.JsonText;
 import org.mechservice.solver.text.ReportText;
 import picocli.CommandLine.Model.CommandSpec;
@@ -76,7 +77,12 @@ final class ResultOptions {
       err.println(failed.failure().message() + files.whereRowsAre());
       return ExitStatus.SIMULATION_FAILED;
     } else if (outcome instanceof Outcome.Stopped) {
-      err.println("S-045 the run was stopped at " + files.reached() + "." + files.whereRowsAre());
+      err.println(
+          MessageCode.RUN_STOPPED
+              + " the run was stopped at "
+              + files.reached()
+              + "."
+              + files.whereRowsAre());
       return ExitStatus.INTERRUPTED;
     }
     return ExitStatus.DONE;

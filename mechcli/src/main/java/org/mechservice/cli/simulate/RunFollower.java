@@ -11,11 +11,13 @@ import org.mechservice.client.run.LocalRun;
 import org.mechservice.client.run.PreparedRun;
 import org.mechservice.client.run.RunListener;
 import org.mechservice.client.run.RunProgress;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** What is known of a run while it goes on: told by the server, or asked of the local run. */
 final class RunFollower implements RunListener {
   /** What is said of a run whose host is being emptied. */
-  private static final Set<String> OF_MOVES = Set.of("S-116", "S-117");
+  private static final Set<String> OF_MOVES =
+      Set.of(MessageCode.RUN_STAYS_ON_DRAINING_HOST.code(), MessageCode.RUN_MOVED.code());
 
   private final Consumer<String> aloud;
   private final List<ModelMessage> warnings = new CopyOnWriteArrayList<>();

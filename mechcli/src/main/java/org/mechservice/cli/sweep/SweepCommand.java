@@ -40,6 +40,7 @@ import org.mechservice.client.sweep.SweepRow;
 import org.mechservice.client.sweep.UnknownParameterException;
 import org.mechservice.report.ProgressLine;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -124,7 +125,8 @@ public final class SweepCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException, InterruptedException {
     if (atOnce < 1) {
-      throw new UsageException("S-041 --at-once is " + atOnce + "; it must be 1 or more");
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE + " --at-once is " + atOnce + "; it must be 1 or more");
     }
     SweepGrid grid = grid();
     SimulationOptions options = run.addTo(method.addTo(SimulationOptions.asInFile()));
@@ -187,7 +189,7 @@ public final class SweepCommand implements Callable<Integer> {
         }
         lost = Optional.of(e);
       } catch (UnknownParameterException e) {
-        throw new UsageException("S-016 " + e.getMessage());
+        throw new UsageException(MessageCode.MODEL_FILE_UNUSABLE + " " + e.getMessage());
       }
       write(rows.values());
       if (rows.size() == grid.size() && journal.isPresent()) {
@@ -273,7 +275,7 @@ public final class SweepCommand implements Callable<Integer> {
       err()
           .println(
               lost.map(why -> why.getMessage() + "; " + so)
-                  .orElse("S-045 stopped on request: " + so));
+                  .orElse(MessageCode.RUN_STOPPED + " stopped on request: " + so));
       return lost.isPresent() ? ExitStatus.SERVER : ExitStatus.INTERRUPTED;
     } else if (failed > 0) {
       SweepRow first =

@@ -19,6 +19,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.sweep.SweepRow;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * The finished points of a sweep, one JSON object a line behind one that says which sweep it is. A
@@ -50,7 +51,8 @@ final class SweepJournal implements AutoCloseable {
       boolean ours = lines.isEmpty() || lines.get(0).equals(sweep.toString());
       if (!ours && lines.size() > 1) {
         throw new UsageException(
-            "S-165 "
+            MessageCode.WRONG_SWEEP_JOURNAL
+                + " "
                 + file
                 + " has points of another sweep; delete it, or choose another file with --out");
       }

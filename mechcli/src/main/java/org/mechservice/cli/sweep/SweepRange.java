@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.sweep.SweptParameter;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Reads what a parameter of a sweep is set to: {@code P=A:B:N} or {@code P=1,2,5}. */
 final class SweepRange {
@@ -68,6 +69,7 @@ final class SweepRange {
   }
 
   private static UsageException refused(String text, String why) {
-    return new UsageException("S-041 --set " + text + ": " + why + "; " + FORMS);
+    return new UsageException(
+        MessageCode.OPTION_UNUSABLE + " --set " + text + ": " + why + "; " + FORMS);
   }
 }

@@ -14,6 +14,7 @@ import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.sweep.SweepGrid;
 import org.mechservice.client.sweep.SweepRow;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.ShortestDecimal;
 
 /**
@@ -41,7 +42,8 @@ final class SweepTable {
     for (String name : wanted.isEmpty() ? names : wanted) {
       if (!names.contains(name)) {
         throw new UsageException(
-            "S-041 --take: the runs put out no column \""
+            MessageCode.OPTION_UNUSABLE
+                + " --take: the runs put out no column \""
                 + name
                 + "\"; there are "
                 + String.join(", ", names)
@@ -60,7 +62,8 @@ final class SweepTable {
     for (String figure : figures) {
       if (!report.containsKey(figure)) {
         throw new UsageException(
-            "S-041 --figures: the run report has no \""
+            MessageCode.OPTION_UNUSABLE
+                + " --figures: the run report has no \""
                 + figure
                 + "\"; there are "
                 + String.join(", ", report.keySet()));

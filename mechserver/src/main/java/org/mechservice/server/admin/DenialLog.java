@@ -11,6 +11,7 @@ import org.mechservice.idl.NotAuthorized;
 import org.mechservice.orb.tls.Caller;
 import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.sim.service.contract.JournalEntry;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Logs refused calls. Each refused action is logged. A query that the same caller repeats, such as
@@ -73,7 +74,8 @@ public final class DenialLog {
     String text =
         "\"" + name + "\" (" + caller.roleName() + ") at " + caller.address() + " was refused ";
     journal.add(
-        JournalEntry.warning("denied", refusal.code, text + what + often + ": " + refusal.text)
+        JournalEntry.warning(
+                "denied", MessageCode.of(refusal.code), text + what + often + ": " + refusal.text)
             .inSession("", name));
   }
 

@@ -12,6 +12,7 @@ import java.util.function.Supplier;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.PortInUseException;
 import org.mechservice.server.hosts.HostCalls;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Figures for a monitoring system, over HTTP on this machine's loopback interface: {@code /metrics}
@@ -81,7 +82,12 @@ public final class MetricsEndpoint implements AutoCloseable {
     try {
       return content.get();
     } catch (RuntimeException e) {
-      return new Health(false, "S-001 incident " + GuardedServant.record("metrics", e) + "\n");
+      return new Health(
+          false,
+          MessageCode.INTERNAL_SERVER_ERROR
+              + " incident "
+              + GuardedServant.record("metrics", e)
+              + "\n");
     }
   }
 

@@ -22,6 +22,7 @@ import org.mechservice.idl.SimSummary;
 import org.mechservice.idl.StepTried;
 import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.sim.service.contract.JournalEntry;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * The last known state of all runs of a server's hosts. Administrators see it for hosts that do not
@@ -33,7 +34,7 @@ public final class RunRegistry {
 
   private static final int DETAILS_KEPT = 500;
   private static final int LONGEST_MODEL = 1 << 18;
-  private static final String LOST = "S-113";
+  private static final String LOST = MessageCode.SIMULATION_LOST.code();
 
   /** Of one host. */
   private static final class Page {

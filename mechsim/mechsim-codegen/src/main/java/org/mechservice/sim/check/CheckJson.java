@@ -76,12 +76,15 @@ final class CheckJson {
   private JsonArray warnings() {
     JsonArray warnings = new JsonArray();
     for (Diagnostic said : report.model().warnings()) {
-      warnings.add(warning(said.code(), said.message(), said.file(), said.line()));
+      warnings.add(warning(said.code().code(), said.message(), said.file(), said.line()));
     }
     for (Finding finding : report.findings()) {
       warnings.add(
           warning(
-              finding.code(), finding.text(), finding.origin().file(), finding.origin().line()));
+              finding.code().code(),
+              finding.text(),
+              finding.origin().file(),
+              finding.origin().line()));
     }
     return warnings;
   }

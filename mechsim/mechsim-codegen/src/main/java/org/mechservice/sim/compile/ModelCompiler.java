@@ -11,6 +11,7 @@ import javax.tools.Diagnostic;
 import javax.tools.JavaFileObject;
 import org.mechservice.sim.emit.bytes.MethodSizes;
 import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Compiles generated classes in memory, against nothing but the JDK and the solver's interfaces.
@@ -91,7 +92,7 @@ public final class ModelCompiler {
       String code = String.valueOf(diagnostic.getCode());
       if (code.contains("limit.")) {
         return new ModelBuildException(
-            "S-085",
+            MessageCode.MODEL_CLASS_TOO_LARGE,
             "the generated class "
                 + className
                 + " is too large for a class file ("

@@ -20,6 +20,7 @@ import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.StartRole;
@@ -87,7 +88,7 @@ final class ModelAssembly {
         new ClosedMechanism(mechanism, choice.formulation(), options.settings());
     if (!closed.isAssembled()) {
       throw new ModelBuildException(
-          "S-092",
+          MessageCode.LOOPS_OPEN_AT_START,
           closed.findings().stream()
               .filter(finding -> !finding.kind().isWarning())
               .map(finding -> finding.note().text())

@@ -6,6 +6,7 @@ import java.util.TreeMap;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.sim.emit.MainClass;
 import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
 /** The main class of a standalone JAR: it joins one model and one integrator. */
@@ -29,7 +30,7 @@ public final class StandaloneMain {
   static void requireIntegrator(String name) {
     if (!INTEGRATORS.containsKey(name)) {
       throw new ModelBuildException(
-          "S-082",
+          MessageCode.INTEGRATOR_NOT_AVAILABLE,
           "integrator \""
               + name
               + "\" is not in this version; use ode113, DE, ode15s, ode15sR or switching");

@@ -13,9 +13,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.diagnosis.Diagnostic;
-import org.mechservice.mechml.diagnosis.Severity;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.model.Scenes;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.Severity;
 
 class CheckReportTest {
   @Test
@@ -104,9 +105,10 @@ class CheckReportTest {
   void whatTheReaderNoticedComesFirst() {
     MechmlModel plain = Scenes.model(Scenes.pendulum());
     Diagnostic noticed =
-        new Diagnostic(Severity.WARNING, "M-099", "odd", "p.xml", 3, 4, "MechML/MBSmodel");
+        new Diagnostic(
+            Severity.WARNING, MessageCode.MORE_MESSAGES, "odd", "p.xml", 3, 4, "MechML/MBSmodel");
     MechmlModel model = new MechmlModel(plain.mechanism(), plain.settings(), List.of(noticed));
-    assertThat(CheckReport.of(model).warnings()).containsExactly("p.xml:3:4: M-099 odd");
+    assertThat(CheckReport.of(model).warnings()).containsExactly("p.xml:3:4: M-019 odd");
   }
 
   private static CheckReport example(String file) throws Exception {

@@ -7,6 +7,7 @@ import org.mechservice.solver.api.DependentStates;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelState;
 import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.SavedState;
 
 /** Leaves checkpoints on the way of a run, and takes one up that fits the run to the bit. */
@@ -29,7 +30,8 @@ final class CheckpointWriter {
     boolean asked = store.saved().isPresent() || Double.isFinite(store.secondsBetween());
     if (asked && !canBeSaved(model)) {
       throw new IllegalArgumentException(
-          "S-072 model \""
+          MessageCode.MODEL_CANNOT_BE_SAVED
+              + " model \""
               + model.description().name()
               + "\" does not tell the state of its loops, so a run of it cannot be saved; run it"
               + " without checkpoints");
@@ -54,7 +56,7 @@ final class CheckpointWriter {
     try {
       SavedState.restore(saved, state -> transfer(state, run));
     } catch (IllegalArgumentException e) {
-      throw new IllegalArgumentException("S-071 " + e.getMessage(), e);
+      throw new IllegalArgumentException(MessageCode.CHECKPOINT_UNUSABLE + " " + e.getMessage(), e);
     }
   }
 

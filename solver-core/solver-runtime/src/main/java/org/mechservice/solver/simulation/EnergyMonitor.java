@@ -4,6 +4,7 @@ import java.util.OptionalDouble;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.PowerInput;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.SavedState;
 
 /**
@@ -47,7 +48,8 @@ final class EnergyMonitor {
   /** Returns the refusal to watch a model's energy balance. */
   static IllegalArgumentException unbalanced(Model model, String why) {
     return new IllegalArgumentException(
-        "S-166 model \""
+        MessageCode.ENERGY_BALANCE_NOT_WATCHED
+            + " model \""
             + model.description().name()
             + "\" "
             + why

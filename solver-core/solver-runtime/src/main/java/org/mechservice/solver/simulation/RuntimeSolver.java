@@ -13,6 +13,7 @@ import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.IntegratorFactory;
 import org.mechservice.solver.ode.adams.De;
 import org.mechservice.solver.ode.adams.Ode113;
@@ -74,7 +75,8 @@ public final class RuntimeSolver implements Solver {
       case "switching" -> Switching::new;
       default ->
           throw new IllegalArgumentException(
-              "S-063 integrator \""
+              MessageCode.INTEGRATOR_UNKNOWN
+                  + " integrator \""
                   + name
                   + "\" is unknown; there are ode113, DE, ode15s, ode15sR and switching");
     };

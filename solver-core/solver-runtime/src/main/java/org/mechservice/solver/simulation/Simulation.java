@@ -21,6 +21,7 @@ import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.IntegrationStatistics;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.IntegratorFactory;
@@ -183,7 +184,8 @@ public final class Simulation implements Solver {
                 Long.MAX_VALUE,
                 control::stopRequested));
       } catch (IllegalArgumentException e) {
-        throw new IllegalArgumentException("S-066 " + e.getMessage(), e);
+        throw new IllegalArgumentException(
+            MessageCode.INTEGRATOR_SETTINGS + " " + e.getMessage(), e);
       }
     }
 

@@ -61,6 +61,7 @@ import org.mechservice.sim.service.run.RunTask;
 import org.mechservice.sim.service.run.SimulationRun;
 import org.mechservice.sim.user.UserFile;
 import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.simulation.SolverVersion;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -318,7 +319,7 @@ final class MechSimServant implements MechSimOperations {
       throws NotAvailable, InvalidModel {
     if (compiled.hasUserClasses() && !session.host().userCode()) {
       throw new NotAvailable(
-          "S-120",
+          MessageCode.USER_CODE_NOT_ALLOWED.code(),
           "host "
               + hostName()
               + " runs no classes of users, and forces of this model are such classes; run it with"
@@ -339,7 +340,7 @@ final class MechSimServant implements MechSimOperations {
     System.arraycopy(warnings, 0, all, 0, warnings.length);
     all[warnings.length] =
         ContractTypes.information(
-            "S-017",
+            MessageCode.SERVER_CHOICE,
             "formulation "
                 + generated.formulation()
                 + " ("
