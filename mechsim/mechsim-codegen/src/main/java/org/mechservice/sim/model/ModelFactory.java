@@ -95,4 +95,9 @@ public final class ModelFactory {
   public static JarImage runtimeJar() {
     return RuntimeJar.current();
   }
+
+  /** Returns the SHA-256 of {@link #runtimeJar}, which need not be read for it. */
+  public static String runtimeSha256() {
+    return RuntimeJar.sha256();
+  }
 }

@@ -37,6 +37,7 @@ final class RuntimeJarTest {
   void sameSolverGivesTheSameBytes() {
     assertThat(RuntimeJar.make().bytes()).isEqualTo(MADE.bytes());
     assertThat(ModelFactory.runtimeJar()).isSameAs(ModelFactory.runtimeJar());
+    assertThat(ModelFactory.runtimeSha256()).isEqualTo(MADE.sha256());
   }
 
   @Test

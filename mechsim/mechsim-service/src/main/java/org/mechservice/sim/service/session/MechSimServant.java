@@ -365,7 +365,7 @@ final class MechSimServant implements MechSimOperations {
         asked.standalone()
             ? ModelFactory.standaloneJar(compiled, source.sha256())
             : ModelFactory.modelJar(compiled, source.sha256());
-    String runtime = asked.standalone() ? "" : ModelFactory.runtimeJar().sha256();
+    String runtime = asked.standalone() ? "" : ModelFactory.runtimeSha256();
     times.addPacking(System.nanoTime() - start);
     info.value =
         new JarInfo(
