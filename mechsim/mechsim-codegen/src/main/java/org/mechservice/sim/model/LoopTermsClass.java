@@ -55,7 +55,12 @@ final class LoopTermsClass {
             ? Optional.of(PoseEquations.derive(links))
             : Optional.empty(),
         ofResidual,
-        notes(choice, loops, equations, ofResidual, LeftOut.of(model, links, options, equations)));
+        notes(
+            choice,
+            loops,
+            equations,
+            ofResidual,
+            Omissions.unneeded(model, links, options, equations)));
   }
 
   /** How forces of users change is added by their classes. */
@@ -82,7 +87,7 @@ final class LoopTermsClass {
     ofResidual.ifPresent(
         programs ->
             notes.add(programs.residual().operationCount() + " give the residual of the tree."));
-    notes.add(LeftOut.sentence(leftOut));
+    notes.add(Omissions.sentence(leftOut));
     return notes;
   }
 }

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import org.mechservice.solver.api.Defects.Defect;
 import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.mechanism.PrescribedMotion;
@@ -129,7 +130,7 @@ final class PrescribedMotions {
 
   private static Defect defect(String part, double t) {
     return new Defect(
-        "N-003",
+        MessageCode.STEP_TOO_SMALL,
         part,
         String.format(
             Locale.ROOT,

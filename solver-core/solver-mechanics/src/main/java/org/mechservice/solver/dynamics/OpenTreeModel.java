@@ -15,6 +15,7 @@ import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.FormulaCheck;
 import org.mechservice.solver.force.TriedStates;
@@ -75,7 +76,8 @@ public abstract class OpenTreeModel
               ? "use DSR, RR or RR-JF"
               : "choose how they are closed: projection or penalty";
       throw new IllegalArgumentException(
-          "S-081 "
+          MessageCode.FORMULATION_NOT_AVAILABLE
+              + " "
               + formulation
               + " without closure is for open chains; the scene closes loops at "
               + String.join(", ", closures)

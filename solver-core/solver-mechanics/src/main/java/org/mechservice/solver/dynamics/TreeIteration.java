@@ -2,6 +2,7 @@ package org.mechservice.solver.dynamics;
 
 import java.util.List;
 import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.spatial.EulerParameters;
@@ -104,7 +105,9 @@ public final class TreeIteration {
         dense
             + " iteration matrices lost digits when eliminated along the tree and were factored"
             + " with interchanges instead.";
-    return dense == 0 ? List.of() : List.of(new RunNotes.Note("N-009", 0, false, text));
+    return dense == 0
+        ? List.of()
+        : List.of(new RunNotes.Note(MessageCode.DENSE_FACTORISATION, 0, false, text));
   }
 
   /** Returns the n × n matrix formed last. */

@@ -1,6 +1,7 @@
 package org.mechservice.solver.force;
 
 import java.util.List;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 
 /**
@@ -65,7 +66,7 @@ final class SpringDamperLaw implements FrameLaw {
     spring.evaluate(0, 0);
     if (Math.abs(spring.tension()) > NO_TENSION * spring.scale()) {
       return force.fail(
-          "N-031",
+          MessageCode.FORCE_WITHOUT_DIRECTION,
           "Its two points coincide, so its tension of " + spring.tension() + " N has no direction.",
           "Move one of the points, or use a bushing, which needs no direction.");
     }

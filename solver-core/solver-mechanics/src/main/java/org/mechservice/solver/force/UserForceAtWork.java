@@ -9,6 +9,7 @@ import org.mechservice.solver.api.ForceBlocks;
 import org.mechservice.solver.api.ForceDeclaration.Reads;
 import org.mechservice.solver.api.UserForce;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -181,7 +182,7 @@ final class UserForceAtWork extends AppliedForce implements ForceBlocks {
 
   private boolean thrown(Throwable failure) {
     return fail(
-        "N-033",
+        MessageCode.USER_FORCE_FAILED,
         "Its class threw " + failure + ".",
         "Correct the class; in a state it cannot handle it may give forces that are not finite.");
   }

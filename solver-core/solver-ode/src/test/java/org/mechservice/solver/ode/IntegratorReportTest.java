@@ -13,8 +13,14 @@ import java.util.Locale;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
+import org.mechservice.solver.ode.adams.De;
+import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.suite.ResidualProblem;
+import org.mechservice.solver.ode.suite.ResidualRun;
+import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.SuiteProblem;
+import org.mechservice.solver.ode.switching.Switching;
 
 /** Writes docs/reports/integrators.md: what the integrators cost and deliver on their suite. */
 @Tag("soak")

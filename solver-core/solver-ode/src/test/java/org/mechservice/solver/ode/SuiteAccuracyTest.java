@@ -7,8 +7,13 @@ import org.apache.commons.math3.ode.FirstOrderDifferentialEquations;
 import org.apache.commons.math3.ode.nonstiff.DormandPrince853Integrator;
 import org.junit.jupiter.api.Test;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
+import org.mechservice.solver.ode.adams.De;
+import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.suite.Reference;
 import org.mechservice.solver.ode.suite.ResidualProblem;
+import org.mechservice.solver.ode.suite.ResidualRun;
+import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.SixLinkChain;
 import org.mechservice.solver.ode.suite.SuiteProblem;
 

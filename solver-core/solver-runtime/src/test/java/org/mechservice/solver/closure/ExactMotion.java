@@ -5,9 +5,9 @@ import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.closure.JumpingLoops.Law;
 import org.mechservice.solver.closure.JumpingLoops.Side;
 import org.mechservice.solver.ode.IntegratorSettings;
-import org.mechservice.solver.ode.Ode113;
 import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.StepResult;
+import org.mechservice.solver.ode.adams.Ode113;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
 /** The motion of a loop from any of its states, far more accurate than a run to be judged. */

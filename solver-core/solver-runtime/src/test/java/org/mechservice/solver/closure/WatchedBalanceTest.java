@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
 import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.scenes.SharedScene;
 
 /** The energy balance of mechanisms with loops, watched while they run. */
@@ -33,7 +34,8 @@ class WatchedBalanceTest {
   @Test
   void boundBelowTheAccuracyOfTheRunEndsIt() {
     SceneRun watched = SceneRun.watched(model("fourbar_redundant", "DSR", "ode113"), 1e-15);
-    assertThat(((Outcome.Failed) watched.report.outcome()).failure().code()).isEqualTo("N-016");
+    assertThat(((Outcome.Failed) watched.report.outcome()).failure().code())
+        .isEqualTo(MessageCode.ENERGY_DRIFT);
     assertThat(watched.rows).isNotEmpty();
   }
 
