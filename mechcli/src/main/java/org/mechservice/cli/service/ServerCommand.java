@@ -17,7 +17,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** {@code mech server}: serves until it is told to end. */
+/** {@code mech server}: serves until a signal ends it. */
 @Command(
     name = "server",
     description = "Serves simulations; prints its URL when it is ready.",

@@ -6,7 +6,7 @@ import org.mechservice.orb.TlsIdentity;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
 
-/** Who this process is on the network. */
+/** The certificate of this process, for TLS. */
 public final class TlsOption {
   @Option(
       names = "--tls",

@@ -37,7 +37,7 @@ class AdminCommandTest {
 
   /** No test lasts until then. */
   private static final SimulationOptions ENDLESS =
-      SimulationOptions.asInFile().endTime(1e9).outputStep(1e5);
+      SimulationOptions.asInFile().endTime(1e8).outputStep(1e4);
 
   private static final MechServerProcess SERVER =
       MechServerProcess.start(new ServerSettings("lab", "127.0.0.1", 0, 0));
