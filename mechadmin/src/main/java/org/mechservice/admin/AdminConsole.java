@@ -17,7 +17,7 @@ import org.mechservice.idl.ServerStatus;
 import org.mechservice.idl.ServiceEvent;
 import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimSummary;
-import org.mechservice.orb.TlsIdentity;
+import org.mechservice.orb.tls.TlsIdentity;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.IntHolder;
 

@@ -1,7 +1,7 @@
 package org.mechservice.cli.shell;
 
 import java.util.Optional;
-import org.mechservice.orb.TlsIdentity;
+import org.mechservice.orb.tls.TlsIdentity;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;

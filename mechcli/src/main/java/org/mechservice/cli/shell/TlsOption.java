@@ -2,7 +2,7 @@ package org.mechservice.cli.shell;
 
 import java.nio.file.Path;
 import java.util.Optional;
-import org.mechservice.orb.TlsIdentity;
+import org.mechservice.orb.tls.TlsIdentity;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
 

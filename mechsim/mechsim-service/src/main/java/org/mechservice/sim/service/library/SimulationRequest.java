@@ -124,9 +124,9 @@ public record SimulationRequest(
   }
 
   /**
-   * Reads which class of a model is asked for, from 0.
+   * Returns the index of the source file requested, from 0.
    *
-   * @throws InvalidOption if it is no such number
+   * @throws InvalidOption if it is not a number from 0 to 999
    */
   public static int sourcePart(RequestOptions given) throws InvalidOption {
     String text = given.text(OPT_SOURCE_PART.value, "0");
