@@ -20,7 +20,7 @@ public sealed interface AdminAction {
   /** Calls the server. */
   void perform(MechAdmin admin) throws UserException;
 
-  /** Returns what is done, for people. */
+  /** Returns the action in words. */
   String summary();
 
   /** Returns the words that do it after {@code mech admin --server ADDRESS}. */
@@ -49,7 +49,7 @@ public sealed interface AdminAction {
    * Ends a simulation.
    *
    * @param simId its full id
-   * @param reason what its owner is told
+   * @param reason the reason that its owner receives
    */
   record StopSimulation(String simId, String reason) implements AdminAction {
     @Override

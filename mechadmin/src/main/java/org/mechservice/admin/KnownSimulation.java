@@ -14,7 +14,7 @@ import org.mechservice.solver.catalogue.MessageCode;
  * A simulation and the server it is known by.
  *
  * @param server address of the server
- * @param summary what the server says of it
+ * @param summary the server's summary of it
  */
 public record KnownSimulation(String server, SimSummary summary) {
   /** So much of an id tells simulations apart in practice, and is quick to type. */

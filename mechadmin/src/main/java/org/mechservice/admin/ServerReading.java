@@ -7,7 +7,7 @@ import org.mechservice.idl.SimSummary;
 
 /** What asking one server gave. */
 public sealed interface ServerReading {
-  /** Returns the address that was asked. */
+  /** Returns the address of the server. */
   String address();
 
   /** Returns what people call the server: its name, or its address while it is silent. */
@@ -16,7 +16,7 @@ public sealed interface ServerReading {
   /**
    * The server answered.
    *
-   * @param address the address that was asked
+   * @param address the server's address
    * @param status the server as a whole
    * @param hosts the hosts it knows
    * @param simulations what waits, runs, or ended lately, oldest first
@@ -38,7 +38,7 @@ public sealed interface ServerReading {
   /**
    * The server did not answer, or only that it does not answer to us.
    *
-   * @param address the address that was asked
+   * @param address the server's address
    * @param why what happened instead, with its code
    * @param refused whether it answers, but not to us
    */

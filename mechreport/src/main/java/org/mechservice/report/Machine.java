@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.mechservice.solver.simulation.SolverVersion;
 
-/** Where and with what was measured. */
+/** The machine and the versions of a measurement. */
 public final class Machine {
   private static final Path PROCESSORS = Path.of("/proc/cpuinfo");
 

@@ -30,7 +30,7 @@ final class Refused extends RuntimeException {
     return new Refused(status, failure.text());
   }
 
-  /** What was asked cannot be understood. */
+  /** The request cannot be read. */
   static Refused notUnderstood(String what) {
     return new Refused(400, MessageCode.REQUEST_UNUSABLE + " the request cannot be used: " + what);
   }

@@ -142,7 +142,7 @@ public final class AdminCommand implements Callable<Integer> {
     return readings.stream().anyMatch(ServerReading.Answering.class::isInstance);
   }
 
-  /** What is shown of all servers, in both forms. */
+  /** A table of all servers, as text and as JSON. */
   private interface Shown {
     JsonElement json(List<ServerReading> readings);
 

@@ -20,7 +20,7 @@ import picocli.CommandLine.ParseResult;
 
 /** Turns what went wrong into one message with a code, and into an exit status. */
 public final class FailureReport {
-  /** Only a log file that the user asked for takes the details of an internal error. */
+  /** The details of an internal error go to the log file only, if the user named one. */
   private static final Logger INCIDENTS = LoggerFactory.getLogger("incident");
 
   private static final Pattern CODED = Pattern.compile("(?s).*\\b[MNS]-\\d{3}\\b.*");

@@ -72,7 +72,8 @@ final class CheckpointOptions {
   /**
    * Returns the files as the run needs them.
    *
-   * @param told what cannot be written; the run goes on, and the checkpoint before stays
+   * @param told receives the message if a checkpoint cannot be written; the run continues, and the
+   *     previous checkpoint stays
    * @throws IOException if the checkpoint to go on from cannot be read
    */
   CheckpointStore open(Consumer<String> told) throws IOException {

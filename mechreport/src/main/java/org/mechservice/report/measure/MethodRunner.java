@@ -32,7 +32,7 @@ public final class MethodRunner implements AutoCloseable {
 
   private static final long LOOK_MILLIS = 20;
 
-  /** What the cause of a run begins with that used its time up. */
+  /** Beginning of the cause of a run that was stopped for its time. */
   static final String NOT_FINISHED = "not finished within ";
 
   private final Reference reference;

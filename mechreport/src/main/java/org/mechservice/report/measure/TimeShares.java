@@ -194,7 +194,7 @@ public record TimeShares(Map<Part, Double> parts, double tolerance) {
       return shares;
     }
 
-    /** Most of what a watched call costs lies outside of what it measures of itself. */
+    /** Most of the cost of a timed call lies outside the interval that it measures. */
     private double costOfWatching() {
       int trials = 20_000;
       Model watched = watched();

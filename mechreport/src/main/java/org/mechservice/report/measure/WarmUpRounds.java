@@ -23,8 +23,8 @@ public final class WarmUpRounds {
    *
    * @param round runs every point once; returns what that took, s
    * @param blockSeconds time of rounds that are compared with those before them, s
-   * @param progress hears of every round
-   * @param thenSeconds what is to come afterwards, s
+   * @param progress is called for every round
+   * @param thenSeconds estimated time of the work after the warm-up, s
    */
   public static void until(
       DoubleSupplier round, double blockSeconds, ReportProgress progress, double thenSeconds) {

@@ -77,12 +77,6 @@ public record IntegratorSettings(
      */
     STANDARD,
     /**
-     * Like the standard mode, but implicit methods hold every step of an explicit problem to the
-     * tolerances, as the published program does, and save evaluations and factorisations, and steps
-     * near the imaginary axis.
-     */
-    TUNED,
-    /**
      * Like the standard mode, and with a 20th of the tolerances or less in every error test, so
      * that as a rule the solution at the end has the digits asked for but one.
      */

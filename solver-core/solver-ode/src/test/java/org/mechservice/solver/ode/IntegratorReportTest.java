@@ -29,7 +29,7 @@ class IntegratorReportTest {
 
   /** What the page says of each target; kept by hand, with the tests that prove it. */
   private static final Path STANDING =
-      Path.of("src", "test", "resources", "org", "mechservice", "solver", "integration")
+      Path.of("src", "test", "resources", "org", "mechservice", "solver", "ode")
           .resolve("targets.md");
 
   private static final int LEAST_DIGITS = 3;

@@ -38,10 +38,4 @@ record IterationRules(
    * another hundredth, at larger errors on all five.
    */
   static final IterationRules TRUSTING_RESIDUALS = new IterationRules(0.25, 20, true, 0);
-
-  /**
-   * Measured on the stiff problems of the suite: on the average a sixth fewer evaluations at the
-   * same error, a fifth fewer factorisations.
-   */
-  static final IterationRules SPARING = new IterationRules(0.3, 20, true, 0.1);
 }

@@ -15,7 +15,7 @@ import org.mechservice.solver.ode.newton.StepEquations;
  * oscillation loses. Where the fastest motion is a decay, it takes its errors with it, and where it
  * is a growth, it makes the first ones the largest: nothing is held back.
  *
- * <p>The published programs do not do so, and the tuned mode spares it.
+ * <p>The published programs do not do so.
  */
 final class ErrorAllowance {
   private static final double RESOLVED_PART = 0.01;
@@ -29,7 +29,7 @@ final class ErrorAllowance {
 
   /** What steps may err by in a mode. */
   static ErrorAllowance of(Mode mode) {
-    return new ErrorAllowance(mode == Mode.FAITHFUL || mode == Mode.TUNED);
+    return new ErrorAllowance(mode == Mode.FAITHFUL);
   }
 
   /** For a method that is at work only where its steps are beyond the fastest motion. */
