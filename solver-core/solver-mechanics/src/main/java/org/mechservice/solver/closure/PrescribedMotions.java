@@ -1,5 +1,6 @@
 package org.mechservice.solver.closure;
 
+import org.mechservice.solver.closure.equations.PrescribedPairMotion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -19,7 +20,7 @@ import org.mechservice.solver.mechanism.closure.JointClosure;
  * however short it is, and the state that an error test names is one that had to follow. Allocates
  * freely.
  */
-final class PrescribedMotions {
+public final class PrescribedMotions {
   /** Accelerations below this, in SI units, are not those of a motion that comes to its end. */
   private static final double LARGE = 1e6;
 
@@ -48,7 +49,7 @@ final class PrescribedMotions {
    * @param y state [q; v] there; not modified
    * @param tried the last steps
    */
-  static Optional<Defect> breakOff(
+  public static Optional<Defect> breakOff(
       ClosedTree work, double t, double[] y, List<Failure.Step> tried) {
     return new PrescribedMotions(work, y).search(t, tried);
   }
@@ -82,7 +83,7 @@ final class PrescribedMotions {
   }
 
   private boolean breaksOff(List<Expression> coordinates, double t) {
-    MotionOfTime motion = new MotionOfTime(coordinates, work.loops.parameters());
+    PrescribedPairMotion motion = new PrescribedPairMotion(coordinates, work.loops.parameters());
     double[] here = new double[motion.count()];
     motion.evaluate(t);
     for (int i = 0; i < here.length; i++) {

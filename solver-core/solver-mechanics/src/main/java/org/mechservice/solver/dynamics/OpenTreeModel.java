@@ -1,5 +1,6 @@
 package org.mechservice.solver.dynamics;
 
+import org.mechservice.solver.dynamics.tree.PivotCheck;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -16,9 +17,9 @@ import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.force.ForceSet;
-import org.mechservice.solver.force.FormulaCheck;
-import org.mechservice.solver.force.TriedStates;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.formula.FormulaCheck;
+import org.mechservice.solver.force.formula.SampleStates;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
@@ -177,7 +178,7 @@ public abstract class OpenTreeModel
     return FormulaCheck.of(motion)
         .flatMap(
             check ->
-                TriedStates.search(
+                SampleStates.search(
                     check.lines(),
                     (time, state) -> {
                       motion.sweep(time, state);

@@ -1,5 +1,12 @@
 package org.mechservice.solver.dynamics;
 
+import org.mechservice.solver.dynamics.recursion.CompositeInertias;
+import org.mechservice.solver.dynamics.recursion.LinkInertias;
+import org.mechservice.solver.dynamics.recursion.MassiveRods;
+import org.mechservice.solver.dynamics.recursion.NewtonEuler;
+import org.mechservice.solver.dynamics.tree.PivotCheck;
+import org.mechservice.solver.dynamics.tree.TreeMatrix;
+import org.mechservice.solver.dynamics.tree.TreePattern;
 import static org.mechservice.solver.spatial.Blocks.dot;
 
 import java.util.Arrays;

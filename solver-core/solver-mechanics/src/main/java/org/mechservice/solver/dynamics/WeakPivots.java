@@ -1,5 +1,6 @@
 package org.mechservice.solver.dynamics;
 
+import org.mechservice.solver.dynamics.tree.PivotCheck;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.ExplicitModel;

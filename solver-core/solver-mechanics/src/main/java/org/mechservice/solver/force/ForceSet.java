@@ -1,5 +1,9 @@
 package org.mechservice.solver.force;
 
+import org.mechservice.solver.force.applied.AppliedForce;
+import org.mechservice.solver.force.applied.Couplings;
+import org.mechservice.solver.force.applied.ForceJacobian;
+import org.mechservice.solver.force.user.UserForceSource;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.Defects.Defect;

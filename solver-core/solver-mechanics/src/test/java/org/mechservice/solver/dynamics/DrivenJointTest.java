@@ -1,5 +1,6 @@
 package org.mechservice.solver.dynamics;
 
+import org.mechservice.solver.dynamics.recursion.ArticulatedBody;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;

@@ -1,5 +1,6 @@
 package org.mechservice.solver.force;
 
+import org.mechservice.solver.force.applied.NoJacobian;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 

@@ -14,7 +14,7 @@ import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.api.WatchedModel;
 import org.mechservice.solver.compact.CompactModel;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 
 /**
  * Small motions of a mechanism about its start or an equilibrium, as a table: one row per mode with

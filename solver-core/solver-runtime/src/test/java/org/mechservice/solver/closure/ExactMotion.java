@@ -1,5 +1,6 @@
 package org.mechservice.solver.closure;
 
+import org.mechservice.solver.closure.model.ProjectionModel;
 import java.util.List;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.closure.JumpingLoops.Law;

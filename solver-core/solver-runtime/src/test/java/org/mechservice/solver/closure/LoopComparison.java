@@ -1,5 +1,8 @@
 package org.mechservice.solver.closure;
 
+import org.mechservice.solver.closure.model.LoopModel;
+import org.mechservice.solver.closure.assembly.LoopFinding;
+import org.mechservice.solver.closure.model.LinearisedProjectionModel;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;

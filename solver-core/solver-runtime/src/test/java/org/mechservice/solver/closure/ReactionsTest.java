@@ -1,5 +1,8 @@
 package org.mechservice.solver.closure;
 
+import org.mechservice.solver.closure.model.LoopModel;
+import org.mechservice.solver.closure.equations.LoopEquations;
+import org.mechservice.solver.closure.model.ProjectionModel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 import static org.mechservice.solver.api.JointType.C;

@@ -1,5 +1,6 @@
 package org.mechservice.solver.closure;
 
+import org.mechservice.solver.closure.model.ProjectionModel;
 import java.util.Arrays;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.RunSettings;
