@@ -2,13 +2,13 @@ package org.mechservice.benchmarks;
 
 import org.hipparchus.ode.nonstiff.AdamsMoultonIntegrator;
 import org.hipparchus.ode.nonstiff.DormandPrince853Integrator;
-import org.mechservice.solver.ode.De;
 import org.mechservice.solver.ode.IntegratorFactory;
 import org.mechservice.solver.ode.IntegratorSettings;
-import org.mechservice.solver.ode.Ode113;
-import org.mechservice.solver.ode.Ode15s;
-import org.mechservice.solver.ode.Switching;
+import org.mechservice.solver.ode.adams.De;
+import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.suite.SuiteProblem;
+import org.mechservice.solver.ode.switching.Switching;
 
 /** The integrators that are compared: ours, and those of Hipparchus that fit the same problems. */
 public enum ComparedIntegrator {

@@ -15,6 +15,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.function.DoubleSupplier;
 import java.util.stream.Collectors;
+import org.apache.commons.math3.stat.StatUtils;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.compile.ModelCompiler;
 import org.mechservice.sim.model.BuildOptions;
@@ -252,7 +253,8 @@ public final class FirstEvaluations {
     double[] medians = new double[runs.get(0).length];
     for (int i = 0; i < medians.length; i++) {
       int column = i;
-      medians[i] = runs.stream().mapToDouble(run -> run[column]).sorted().toArray()[count / 2];
+      medians[i] =
+          StatUtils.percentile(runs.stream().mapToDouble(run -> run[column]).toArray(), 50);
     }
     return medians;
   }

@@ -1,14 +1,14 @@
 package org.mechservice.benchmarks;
 
-import org.mechservice.solver.ode.De;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.IntegratorFactory;
 import org.mechservice.solver.ode.IntegratorSettings;
-import org.mechservice.solver.ode.Ode113;
-import org.mechservice.solver.ode.Ode15s;
 import org.mechservice.solver.ode.StepResult;
-import org.mechservice.solver.ode.Switching;
+import org.mechservice.solver.ode.adams.De;
+import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.suite.SuiteProblem;
+import org.mechservice.solver.ode.switching.Switching;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;

@@ -3,6 +3,7 @@ package org.mechservice.orb;
 import java.security.cert.X509Certificate;
 import java.util.Optional;
 import org.mechservice.idl.NotAuthorized;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Who makes the call that this thread works on.
@@ -55,7 +56,7 @@ public record Caller(Optional<X509Certificate> certificate, String address) {
   public void require(Role role) throws NotAuthorized {
     if (!may(role)) {
       throw new NotAuthorized(
-          "S-153",
+          MessageCode.CERTIFICATE_NOT_ALLOWED.code(),
           "the certificate of \""
               + name("")
               + "\" is no "

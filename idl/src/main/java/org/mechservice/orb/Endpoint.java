@@ -3,6 +3,7 @@ package org.mechservice.orb;
 import org.jacorb.orb.ParsedIOR;
 import org.jacorb.orb.iiop.IIOPAddress;
 import org.jacorb.orb.iiop.IIOPProfile;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.ORB;
 import org.omg.ETF.Profile;
 
@@ -27,9 +28,10 @@ public record Endpoint(String host, int port) {
       }
     } catch (RuntimeException e) {
       // The ORB's decoder answers damaged bytes with whatever happens to break.
-      throw new IllegalArgumentException("S-006 the IOR is damaged", e);
+      throw new IllegalArgumentException(MessageCode.SERVER_ADDRESS + " the IOR is damaged", e);
     }
-    throw new IllegalArgumentException("S-006 the IOR names no address that can be connected to");
+    throw new IllegalArgumentException(
+        MessageCode.SERVER_ADDRESS + " the IOR names no address that can be connected to");
   }
 
   private static int port(IIOPProfile profile, IIOPAddress plain) {

@@ -9,6 +9,7 @@ import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.ServerFailure;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.INTERNAL;
 import org.omg.CORBA.NO_PERMISSION;
 import org.omg.CORBA.SystemException;
@@ -136,11 +137,11 @@ public final class GuardedServant implements InvocationHandler {
     String incident = record(method.getName(), thrown);
     if (Arrays.asList(method.getExceptionTypes()).contains(ServerFailure.class)) {
       return new ServerFailure(
-          "S-001",
+          MessageCode.INTERNAL_SERVER_ERROR.code(),
           "the server failed unexpectedly; its log has the details under incident " + incident,
           incident);
     }
-    throw new INTERNAL("S-001 incident " + incident);
+    throw new INTERNAL(MessageCode.INTERNAL_SERVER_ERROR + " incident " + incident);
   }
 
   /**
@@ -151,7 +152,7 @@ public final class GuardedServant implements InvocationHandler {
    */
   public static String record(String where, Throwable thrown) {
     String incident = UUID.randomUUID().toString().substring(0, 8);
-    LOG.error("S-001 incident {} in {}", incident, where, thrown);
+    LOG.error(MessageCode.INTERNAL_SERVER_ERROR + " incident {} in {}", incident, where, thrown);
     return incident;
   }
 }

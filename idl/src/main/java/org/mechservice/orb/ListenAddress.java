@@ -3,6 +3,7 @@ package org.mechservice.orb;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.util.Optional;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Where a service listens. Plain IIOP is neither encrypted nor does it know who calls, so without
@@ -23,19 +24,24 @@ public record ListenAddress(String host, int port, Optional<TlsIdentity> tls) {
   public ListenAddress {
     if (port < 0 || port > HIGHEST_PORT) {
       throw new IllegalArgumentException(
-          "S-004 cannot listen on port " + port + ": a port is a number from 0 to 65535");
+          MessageCode.LISTEN_ADDRESS
+              + " cannot listen on port "
+              + port
+              + ": a port is a number from 0 to 65535");
     }
     InetAddress address = addressOf(host);
     if (tls.isEmpty() && !address.isLoopbackAddress()) {
       throw new IllegalArgumentException(
-          "S-004 cannot listen on "
+          MessageCode.LISTEN_ADDRESS
+              + " cannot listen on "
               + host
               + ": other machines could connect without encryption or identity. Make certificates"
               + " with \"mech keys\" and name them with --tls, or listen on 127.0.0.1");
     }
     if (address.isAnyLocalAddress()) {
       throw new IllegalArgumentException(
-          "S-004 cannot listen on "
+          MessageCode.LISTEN_ADDRESS
+              + " cannot listen on "
               + host
               + ", which stands for every address of this machine: references need the one address"
               + " at which clients reach it");
@@ -52,7 +58,11 @@ public record ListenAddress(String host, int port, Optional<TlsIdentity> tls) {
       return InetAddress.getByName(host.isEmpty() ? "0.0.0.0" : host);
     } catch (UnknownHostException e) {
       throw new IllegalArgumentException(
-          "S-004 cannot listen on " + host + ": no such host; use 127.0.0.1", e);
+          MessageCode.LISTEN_ADDRESS
+              + " cannot listen on "
+              + host
+              + ": no such host; use 127.0.0.1",
+          e);
     }
   }
 

@@ -1,5 +1,6 @@
 package org.mechservice.orb;
 
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.ORB;
 import org.omg.CORBA.SystemException;
 import org.omg.CORBA.UserException;
@@ -73,6 +74,6 @@ final class NamingService {
 
   private ServiceUnreachableException unusable(String why, Exception cause) {
     return new ServiceUnreachableException(
-        "S-020 the naming service at " + address + ": " + why, cause);
+        MessageCode.NAMING_SERVICE + " the naming service at " + address + ": " + why, cause);
   }
 }

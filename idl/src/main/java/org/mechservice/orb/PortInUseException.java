@@ -1,5 +1,7 @@
 package org.mechservice.orb;
 
+import org.mechservice.solver.catalogue.MessageCode;
+
 /** The address to listen on is taken or not this machine's; the message carries code S-003. */
 public final class PortInUseException extends RuntimeException {
   private static final long serialVersionUID = 1L;
@@ -10,7 +12,8 @@ public final class PortInUseException extends RuntimeException {
    */
   public PortInUseException(String address, Throwable cause) {
     super(
-        "S-003 cannot listen on "
+        MessageCode.PORT_IN_USE
+            + " cannot listen on "
             + address
             + ": "
             + cause.getMessage()

@@ -8,6 +8,7 @@ import org.mechservice.idl.API_VERSION;
 import org.mechservice.idl.MechServer;
 import org.mechservice.idl.MechServerHelper;
 import org.mechservice.idl.ServerInfo;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.COMM_FAILURE;
 import org.omg.CORBA.NO_PERMISSION;
 import org.omg.CORBA.ORB;
@@ -75,7 +76,8 @@ final class ServerLocation {
       throw new ServiceUnreachableException(
           String.format(
               Locale.ROOT,
-              "S-005 the server at %s speaks API %s, this client %s; use the client of server"
+              MessageCode.WRONG_SERVER_VERSION
+                  + " the server at %s speaks API %s, this client %s; use the client of server"
                   + " version %s",
               this,
               info.apiVersion,
@@ -93,10 +95,17 @@ final class ServerLocation {
       throw noConnection(e);
     } catch (TIMEOUT e) {
       throw new ServiceUnreachableException(
-          "S-002 no answer from " + this + " within " + Answers.SECONDS + " s", e);
+          MessageCode.NO_SERVER_ANSWERS
+              + " no answer from "
+              + this
+              + " within "
+              + Answers.SECONDS
+              + " s",
+          e);
     } catch (SystemException e) {
       throw new ServiceUnreachableException(
-          "S-005 what answers at " + this + " is not a MechService", e);
+          MessageCode.WRONG_SERVER_VERSION + " what answers at " + this + " is not a MechService",
+          e);
     }
   }
 
@@ -106,29 +115,41 @@ final class ServerLocation {
     if (mixed && TlsProbe.speaksTls(endpoint) != tls.isPresent()) {
       return new ServiceUnreachableException(
           tls.isPresent()
-              ? "S-151 this process uses TLS and the server at "
+              ? MessageCode.TLS_MISMATCH
+                  + " this process uses TLS and the server at "
                   + this
                   + " does not; give both certificates with --tls FOLDER, or neither"
-              : "S-151 the server at "
+              : MessageCode.TLS_MISMATCH
+                  + " the server at "
                   + this
                   + " uses TLS and this process does not; name your certificates with --tls FOLDER",
           e);
     } else if (refusal.isPresent()) {
       return new ServiceUnreachableException(
-          "S-152 no trust between this process and the server at " + this + ": " + refusal.get(),
+          MessageCode.NO_TRUST
+              + " no trust between this process and the server at "
+              + this
+              + ": "
+              + refusal.get(),
           e);
     } else if (e instanceof TRANSIENT) {
       return new ServiceUnreachableException(
-          "S-002 no server answers at " + this + "; is it running, and is the address right?", e);
+          MessageCode.NO_SERVER_ANSWERS
+              + " no server answers at "
+              + this
+              + "; is it running, and is the address right?",
+          e);
     } else if (e instanceof NO_PERMISSION) {
       return new ServiceUnreachableException(
-          "S-151 one of this process and the server at "
+          MessageCode.TLS_MISMATCH
+              + " one of this process and the server at "
               + this
               + " uses TLS and the other does not; give both certificates with --tls",
           e);
     }
     return new ServiceUnreachableException(
-        "S-005 what answers at "
+        MessageCode.WRONG_SERVER_VERSION
+            + " what answers at "
             + this
             + " is not a MechService, or it is just closing"
             + (tls.isPresent() ? ", or it does not accept this process's certificate" : ""),

@@ -21,6 +21,7 @@ import org.mechservice.idl.MechAdmin;
 import org.mechservice.idl.MechAdminHelper;
 import org.mechservice.idl.MechServer;
 import org.mechservice.idl.ServerInfo;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.INITIALIZE;
 import org.omg.CORBA.ORB;
 import org.omg.CORBA.UserException;
@@ -207,7 +208,13 @@ public final class ServiceOrb implements AutoCloseable {
       }
     } catch (UnknownHostException e) {
       throw new ServiceUnreachableException(
-          "S-002 no server at " + host + ":" + port + ": no such host; check the name", e);
+          MessageCode.NO_SERVER_ANSWERS
+              + " no server at "
+              + host
+              + ":"
+              + port
+              + ": no such host; check the name",
+          e);
     }
   }
 
@@ -353,7 +360,7 @@ public final class ServiceOrb implements AutoCloseable {
     try {
       SELECTOR.get(((org.jacorb.orb.ORB) orb).getSelectorManager()).close();
     } catch (IOException e) {
-      LOG.warn("S-048 a selector does not close: {}", e.toString());
+      LOG.warn(MessageCode.UNCLEAN_CLOSE + " a selector does not close: {}", e.toString());
     }
   }
 

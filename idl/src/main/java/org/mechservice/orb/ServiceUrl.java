@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Where a server is, as a user writes it: {@code host:port}, {@code host}, {@code
@@ -123,7 +124,8 @@ final class ServiceUrl {
 
   private static IllegalArgumentException notAUrl(String written, @Nullable Throwable cause) {
     return new IllegalArgumentException(
-        "S-006 \""
+        MessageCode.SERVER_ADDRESS
+            + " \""
             + written
             + "\" is not the address of a server; write HOST:PORT,"
             + " corbaloc:iiop:1.2@HOST:PORT/MechServer, corbaname:iiop:1.2@HOST:PORT#MechServer,"
@@ -144,13 +146,15 @@ final class ServiceUrl {
   void requireFits(boolean encrypted) {
     if (scheme == Scheme.ENCRYPTED && !encrypted) {
       throw new IllegalArgumentException(
-          "S-151 "
+          MessageCode.TLS_MISMATCH
+              + " "
               + written
               + " is encrypted, and this process has no certificate; give it one"
               + " with --tls FOLDER");
     } else if (scheme == Scheme.PLAIN && encrypted) {
       throw new IllegalArgumentException(
-          "S-151 "
+          MessageCode.TLS_MISMATCH
+              + " "
               + written
               + " is not encrypted, and this process has been told to use TLS; write"
               + " HOST:PORT or corbaloc:ssliop:1.2@HOST:PORT/MechServer, or leave --tls out");

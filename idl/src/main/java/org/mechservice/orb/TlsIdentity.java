@@ -15,6 +15,7 @@ import javax.net.ssl.KeyManagerFactory;
 import javax.net.ssl.SSLContext;
 import javax.net.ssl.TrustManagerFactory;
 import org.jspecify.annotations.Nullable;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Who a process is on the network, and whom it believes: a key with its certificate, and the
@@ -68,7 +69,12 @@ public final class TlsIdentity {
 
   private static IllegalArgumentException unusable(Path folder, String why, Exception cause) {
     return new IllegalArgumentException(
-        "S-150 the certificates in " + folder + " cannot be used: " + why, cause);
+        MessageCode.CERTIFICATES_UNUSABLE
+            + " the certificates in "
+            + folder
+            + " cannot be used: "
+            + why,
+        cause);
   }
 
   private static KeyStore store(Path file, char[] password)

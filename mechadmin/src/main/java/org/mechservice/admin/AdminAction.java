@@ -7,6 +7,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.mechservice.idl.Limit;
 import org.mechservice.idl.MechAdmin;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.COMM_FAILURE;
 import org.omg.CORBA.TRANSIENT;
 import org.omg.CORBA.UserException;
@@ -120,7 +121,10 @@ public sealed interface AdminAction {
     public Shutdown {
       if (graceSeconds < 0) {
         throw new IllegalArgumentException(
-            "S-135 a grace of " + graceSeconds + " s makes no sense; write 0 or more");
+            MessageCode.REQUEST_UNUSABLE
+                + " a grace of "
+                + graceSeconds
+                + " s makes no sense; write 0 or more");
       }
     }
 

@@ -18,6 +18,7 @@ import org.mechservice.idl.ServiceEvent;
 import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.TlsIdentity;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.IntHolder;
 
 /**
@@ -187,7 +188,10 @@ public final class AdminConsole implements AutoCloseable {
     if (!servers.contains(server)) {
       throw new AdminFailure(
           Reason.NOT_FOUND,
-          "S-130 " + PlainText.of(server) + " is none of the servers of this console");
+          MessageCode.NOTHING_OF_THAT_NAME
+              + " "
+              + PlainText.of(server)
+              + " is none of the servers of this console");
     }
     return server;
   }

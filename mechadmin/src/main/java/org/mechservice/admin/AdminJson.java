@@ -215,7 +215,7 @@ public final class AdminJson {
   }
 
   /** Returns the limits of a server or host. */
-  public static JsonObject limits(Place place, List<Limit> limits) {
+  public static JsonObject limits(AdminTarget place, List<Limit> limits) {
     JsonObject json = new JsonObject();
     json.addProperty("server", place.server());
     json.addProperty("host", place.host());

@@ -8,6 +8,7 @@ import java.util.Map;
 import org.mechservice.admin.AdminFailure.Reason;
 import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * A simulation and the server it is known by.
@@ -82,7 +83,8 @@ public record KnownSimulation(String server, SimSummary summary) {
   }
 
   private boolean notUpToDate() {
-    return summary.text.startsWith("S-113 ") || summary.text.contains("is silent since");
+    return summary.text.startsWith(MessageCode.SIMULATION_LOST + " ")
+        || summary.text.contains("is silent since");
   }
 
   /**
@@ -101,13 +103,14 @@ public record KnownSimulation(String server, SimSummary summary) {
     if (found.size() > 1) {
       throw new AdminFailure(
           Reason.NOT_USABLE,
-          "S-131 "
+          MessageCode.AMBIGUOUS_NAME
+              + " "
               + found.size()
               + " simulations have an id that begins with "
               + PlainText.of(id)
               + "; write more of it");
     } else if (found.isEmpty()) {
-      throw Place.notFound("simulation " + PlainText.of(id), List.of(), readings);
+      throw AdminTarget.notFound("simulation " + PlainText.of(id), List.of(), readings);
     }
     return found.get(0);
   }

@@ -19,6 +19,7 @@ import org.mechservice.idl.NotFound;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.ServiceUnreachableException;
 import org.mechservice.orb.TlsIdentity;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.COMM_FAILURE;
 import org.omg.CORBA.INTERNAL;
 import org.omg.CORBA.NO_PERMISSION;
@@ -117,7 +118,8 @@ final class ServerCalls implements AutoCloseable {
 
   private static AdminFailure late(String address) {
     return new AdminFailure(
-        Reason.NO_ANSWER, "S-032 the server at " + address + " did not answer in time");
+        Reason.NO_ANSWER,
+        MessageCode.SERVER_TIMEOUT + " the server at " + address + " did not answer in time");
   }
 
   private static AdminFailure failure(String address, @Nullable Throwable thrown) {
@@ -142,15 +144,21 @@ final class ServerCalls implements AutoCloseable {
       return late(address);
     } else if (failure instanceof NO_PERMISSION) {
       return new AdminFailure(
-          Reason.NOT_ALLOWED, "S-034 the server at " + address + " refuses access");
+          Reason.NOT_ALLOWED,
+          MessageCode.ACCESS_REFUSED + " the server at " + address + " refuses access");
     } else if (failure instanceof INTERNAL
-        && String.valueOf(failure.getMessage()).contains("S-001")) {
+        && String.valueOf(failure.getMessage())
+            .contains(MessageCode.INTERNAL_SERVER_ERROR.code())) {
       return new AdminFailure(
           Reason.NO_ANSWER,
-          "S-001 the server at " + address + " failed unexpectedly; its log says why");
+          MessageCode.INTERNAL_SERVER_ERROR
+              + " the server at "
+              + address
+              + " failed unexpectedly; its log says why");
     }
     return new AdminFailure(
-        Reason.NO_ANSWER, "S-031 the connection to the server at " + address + " is lost");
+        Reason.NO_ANSWER,
+        MessageCode.CONNECTION_LOST + " the connection to the server at " + address + " is lost");
   }
 
   @Override

@@ -65,34 +65,34 @@ class NamesTest {
 
   @Test
   void serverIsMeantByItsNameOrAddress() {
-    assertThat(Place.named(readings, "west")).isEqualTo(new Place("b:1", ""));
-    assertThat(Place.named(readings, "c:1")).isEqualTo(new Place("c:1", ""));
-    assertThat(Place.named(readings, "server:d:1")).isEqualTo(new Place("d:1", ""));
+    assertThat(AdminTarget.named(readings, "west")).isEqualTo(new AdminTarget("b:1", ""));
+    assertThat(AdminTarget.named(readings, "c:1")).isEqualTo(new AdminTarget("c:1", ""));
+    assertThat(AdminTarget.named(readings, "server:d:1")).isEqualTo(new AdminTarget("d:1", ""));
   }
 
   @Test
   void hostOfSeveralServersIsOneHost() {
-    assertThat(Place.named(readings, "shared")).isEqualTo(new Place("a:1", "shared"));
+    assertThat(AdminTarget.named(readings, "shared")).isEqualTo(new AdminTarget("a:1", "shared"));
   }
 
   @Test
   void nameOfServerAndHostMustBeToldApart() {
-    assertThatThrownBy(() -> Place.named(readings, "lab"))
+    assertThatThrownBy(() -> AdminTarget.named(readings, "lab"))
         .hasMessage(
             "S-131 lab may be the server at a:1 or host lab of the server at a:1;"
                 + " write host:NAME or server:NAME, and name one server with --server");
-    assertThat(Place.named(readings, "server:lab")).isEqualTo(new Place("a:1", ""));
-    assertThat(Place.named(readings, "host:lab")).isEqualTo(new Place("a:1", "lab"));
+    assertThat(AdminTarget.named(readings, "server:lab")).isEqualTo(new AdminTarget("a:1", ""));
+    assertThat(AdminTarget.named(readings, "host:lab")).isEqualTo(new AdminTarget("a:1", "lab"));
   }
 
   @Test
   void hostsOfOneNameAtTwoServersMustBeToldApart() {
-    assertThatThrownBy(() -> Place.named(readings, "twin")).hasMessageStartingWith("S-131 ");
+    assertThatThrownBy(() -> AdminTarget.named(readings, "twin")).hasMessageStartingWith("S-131 ");
   }
 
   @Test
   void unknownNameGetsTheKnownOnesAndWhoWasSilent() {
-    assertThatThrownBy(() -> Place.named(readings, "no\u001b[2J"))
+    assertThatThrownBy(() -> AdminTarget.named(readings, "no\u001b[2J"))
         .hasMessage(
             "S-130 there is no server or host no?[2J;"
                 + " there are lab, shared, west, twin, east, d:1; no answer from d:1");

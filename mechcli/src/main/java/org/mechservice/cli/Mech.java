@@ -4,10 +4,25 @@ import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import org.mechservice.solver.simulation.SolverVersion;
+import org.mechservice.cli.admin.AdminCommand;
+import org.mechservice.cli.model.BuildCommand;
+import org.mechservice.cli.model.CheckCommand;
+import org.mechservice.cli.model.ImportCommand;
+import org.mechservice.cli.model.VerifyCommand;
+import org.mechservice.cli.service.KeysCommand;
+import org.mechservice.cli.service.ServerCommand;
+import org.mechservice.cli.service.SimhostCommand;
+import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.cli.shell.FailureReport;
+import org.mechservice.cli.shell.MechVersion;
+import org.mechservice.cli.shell.StandardOutput;
+import org.mechservice.cli.shell.UsageReport;
+import org.mechservice.cli.simulate.FetchCommand;
+import org.mechservice.cli.simulate.SimulateCommand;
+import org.mechservice.cli.sweep.SweepCommand;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.IVersionProvider;
 
 /** The {@code mech} command. */
 @Command(
@@ -15,7 +30,7 @@ import picocli.CommandLine.IVersionProvider;
     description = "Simulates multibody systems written in MechML.",
     synopsisSubcommandLabel = "COMMAND",
     mixinStandardHelpOptions = true,
-    versionProvider = Mech.Version.class,
+    versionProvider = MechVersion.class,
     exitCodeListHeading = "%nExit status:%n",
     exitCodeList = {
       "0:done",
@@ -48,11 +63,11 @@ public final class Mech {
   public static void main(String[] arguments) {
     StandardOutput out = StandardOutput.ofProcess();
     int status = run(utf8(out), utf8(System.err), arguments);
-    System.exit(out.trouble().map(why -> unwritten(why, status)).orElse(status));
+    System.exit(out.failure().map(why -> unwritten(why, status)).orElse(status));
   }
 
   private static int unwritten(String why, int status) {
-    System.err.println("S-042 standard output cannot be written: " + why);
+    System.err.println(MessageCode.FILE_UNUSABLE + " standard output cannot be written: " + why);
     return status == ExitStatus.DONE ? ExitStatus.BAD_INPUT : status;
   }
 
@@ -98,13 +113,5 @@ public final class Mech {
 
   private static PrintWriter utf8(OutputStream stream) {
     return new PrintWriter(stream, true, StandardCharsets.UTF_8);
-  }
-
-  /** Says which version this is. */
-  static final class Version implements IVersionProvider {
-    @Override
-    public String[] getVersion() {
-      return new String[] {"mech " + SolverVersion.CURRENT};
-    }
   }
 }

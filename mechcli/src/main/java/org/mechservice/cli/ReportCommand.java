@@ -6,12 +6,18 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.cli.shell.MechVersion;
+import org.mechservice.cli.shell.ServerOption;
+import org.mechservice.cli.shell.ServiceConnection;
+import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.MechSession;
 import org.mechservice.report.ModelReport;
 import org.mechservice.report.ProgressLine;
 import org.mechservice.report.measure.Effort;
 import org.mechservice.report.measure.MeasurementFile;
 import org.mechservice.report.measure.Rerun;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -24,7 +30,7 @@ import picocli.CommandLine.Spec;
     name = "report",
     description = "Measures error against run time of every method that fits a model.",
     mixinStandardHelpOptions = true,
-    versionProvider = Mech.Version.class)
+    versionProvider = MechVersion.class)
 final class ReportCommand implements Callable<Integer> {
   @Parameters(paramLabel = "MODEL.xml", arity = "0..*", description = "Models in MechML.")
   private List<Path> models = List.of();
@@ -57,11 +63,15 @@ final class ReportCommand implements Callable<Integer> {
       return compare();
     }
     if (models.isEmpty()) {
-      throw new UsageException("S-041 report: name a model, or --compare with two files");
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE + " report: name a model, or --compare with two files");
     }
     Path folder =
         output.orElseThrow(
-            () -> new UsageException("S-041 report: name the folder for the pages, -o DIR"));
+            () ->
+                new UsageException(
+                    MessageCode.OPTION_UNUSABLE
+                        + " report: name the folder for the pages, -o DIR"));
     reportModels(folder);
     return ExitStatus.DONE;
   }
@@ -69,7 +79,8 @@ final class ReportCommand implements Callable<Integer> {
   private int compare() throws IOException {
     for (Path runs : compared) {
       if (MeasurementFile.read(runs).isEmpty()) {
-        throw new UsageException("S-041 --compare: " + runs + " has no runs of a report");
+        throw new UsageException(
+            MessageCode.OPTION_UNUSABLE + " --compare: " + runs + " has no runs of a report");
       }
     }
     Rerun rerun = Rerun.of(compared.get(0), compared.get(1));
@@ -79,14 +90,14 @@ final class ReportCommand implements Callable<Integer> {
   }
 
   private void reportModels(Path folder) throws IOException, InterruptedException {
-    try (Service service = Service.open(server)) {
+    try (ServiceConnection service = ServiceConnection.open(server)) {
       for (Path model : models) {
         report(service, model, folder);
       }
     }
   }
 
-  private void report(Service service, Path model, Path folder)
+  private void report(ServiceConnection service, Path model, Path folder)
       throws IOException, InterruptedException {
     PrintWriter err = spec.commandLine().getErr();
     Effort effort = quick ? Effort.QUICK : Effort.FULL;

@@ -4,11 +4,17 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.cli.shell.MechVersion;
+import org.mechservice.cli.shell.ServerOption;
+import org.mechservice.cli.shell.ServiceConnection;
+import org.mechservice.cli.shell.UsageException;
 import org.mechservice.report.ProgressLine;
 import org.mechservice.report.stability.CaseOutcome;
 import org.mechservice.report.stability.ExtremeCase;
 import org.mechservice.report.stability.StabilityReport;
-import org.mechservice.report.stability.TimeBudget;
+import org.mechservice.report.stability.SuiteTimeBudget;
+import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -22,7 +28,7 @@ import picocli.CommandLine.Spec;
         "Runs the suite of stiff and extreme scenes with every method that fits. Models of your"
             + " own: mech report.",
     mixinStandardHelpOptions = true,
-    versionProvider = Mech.Version.class)
+    versionProvider = MechVersion.class)
 final class StabilityCommand implements Callable<Integer> {
   @Option(
       names = {"-o", "--output"},
@@ -64,7 +70,12 @@ final class StabilityCommand implements Callable<Integer> {
   private static void requirePositive(String option, double seconds) {
     if (!(seconds > 0)) {
       throw new UsageException(
-          "S-041 " + option + " is " + seconds + "; it is a time in seconds, more than 0");
+          MessageCode.OPTION_UNUSABLE
+              + " "
+              + option
+              + " is "
+              + seconds
+              + "; it is a time in seconds, more than 0");
     }
   }
 
@@ -73,7 +84,8 @@ final class StabilityCommand implements Callable<Integer> {
     for (String name : cases) {
       if (suite.stream().noneMatch(one -> one.name().equals(name))) {
         String known = String.join(", ", suite.stream().map(ExtremeCase::name).toList());
-        throw new UsageException("S-041 --case is \"" + name + "\"; there are " + known);
+        throw new UsageException(
+            MessageCode.OPTION_UNUSABLE + " --case is \"" + name + "\"; there are " + known);
       }
     }
     return suite.stream().filter(one -> cases.isEmpty() || cases.contains(one.name())).toList();
@@ -82,12 +94,12 @@ final class StabilityCommand implements Callable<Integer> {
   private int suite() throws IOException {
     Path page = folder.resolve("stability.html");
     List<CaseOutcome> outcomes;
-    try (Service service = Service.open(server);
+    try (ServiceConnection service = ServiceConnection.open(server);
         ProgressLine line = new ProgressLine(spec.commandLine().getErr())) {
       outcomes =
           new StabilityReport(
                   service.connection()::openSession,
-                  new TimeBudget(limitSeconds, budgetSeconds),
+                  new SuiteTimeBudget(limitSeconds, budgetSeconds),
                   line)
               .write(page, wantedCases());
     }

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.orb.TlsIdentity;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.PlacementPolicy;

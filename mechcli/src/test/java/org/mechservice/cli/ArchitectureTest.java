@@ -7,6 +7,7 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 import static java.util.Map.entry;
+import static org.assertj.core.api.Assertions.assertThat;
 
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
@@ -16,6 +17,9 @@ import com.tngtech.archunit.core.importer.ImportOption;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -29,7 +33,7 @@ class ArchitectureTest {
   /** The packages of each artifact. */
   private static final Map<String, List<String>> PACKAGES =
       Map.ofEntries(
-          entry("solver-api", List.of("solver.api", "solver.text")),
+          entry("solver-api", List.of("solver.api", "solver.catalogue", "solver.text")),
           entry("solver-ode", List.of("solver.linear", "solver.ode")),
           entry(
               "solver-mechanics",
@@ -54,7 +58,8 @@ class ArchitectureTest {
                   "sim.symbolic",
                   "sim.equations",
                   "sim.emit",
-                  "sim.jar",
+                  "sim.packaging",
+                  "sim.check",
                   "sim.compile",
                   "sim.user",
                   "sim.model")),
@@ -64,6 +69,13 @@ class ArchitectureTest {
           entry("mechadmin", List.of("admin")),
           entry("mechreport", List.of("report")),
           entry("mechcli", List.of("cli")));
+
+  /** Stubs that the IDL compiler has written. */
+  private static final DescribedPredicate<JavaClass> GENERATED = resideInAPackage(ROOT + "idl..");
+
+  /** Simple names that still occur twice; none may be added. */
+  private static final Set<String> STILL_OPEN =
+      Set.of("ExplicitEquations", "Function", "ResidualEquations", "ResultColumns");
 
   private static final JavaClasses PRODUCT =
       new ClassFileImporter()
@@ -77,13 +89,13 @@ class ArchitectureTest {
     "solver-mechanics, solver-api solver-ode",
     "solver-runtime, solver-api solver-ode solver-mechanics",
     "mechml, solver-api solver-ode solver-mechanics",
-    "idl, ''",
+    "idl, solver-api",
     "mechsim-codegen, mechml solver-runtime solver-api solver-ode solver-mechanics",
     "mechsim-service,"
         + " mechsim-codegen idl mechml solver-runtime solver-api solver-ode solver-mechanics",
-    "mechserver, mechsim-service idl",
+    "mechserver, mechsim-service idl solver-api",
     "mechclient, idl solver-api",
-    "mechadmin, idl",
+    "mechadmin, idl solver-api",
     "mechreport, mechclient solver-runtime solver-api solver-ode",
   })
   @ParameterizedTest
@@ -120,6 +132,22 @@ class ArchitectureTest {
             .flatMap(module -> packagesOf(module).stream())
             .toArray(String[]::new);
     classes().should().resideInAnyPackage(all).check(PRODUCT);
+  }
+
+  @Test
+  void noTwoTypesOfTheProductShareASimpleName() {
+    Map<String, List<String>> packages =
+        PRODUCT.stream()
+            .filter(type -> type.isTopLevelClass() && !type.getSimpleName().equals("package-info"))
+            .filter(type -> !GENERATED.test(type))
+            .collect(
+                Collectors.groupingBy(
+                    JavaClass::getSimpleName,
+                    TreeMap::new,
+                    Collectors.mapping(JavaClass::getPackageName, Collectors.toList())));
+    packages.values().removeIf(places -> places.size() == 1);
+
+    assertThat(packages.keySet()).isSubsetOf(STILL_OPEN);
   }
 
   @Test

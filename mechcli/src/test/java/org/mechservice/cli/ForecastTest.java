@@ -7,6 +7,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.mechservice.cli.shell.ServerOption;
+import org.mechservice.cli.shell.ServiceConnection;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.client.failure.ModelMessage;
@@ -20,7 +22,7 @@ class ForecastTest {
   void runIsForecastAsItWillBeRemoteAndLocalInTheSameWords() throws IOException {
     SimulationOptions asInFile = SimulationOptions.asInFile();
     SimulationOptions explicit = asInFile.integrator("ode113").endTime(100);
-    try (Service service = Service.open(new ServerOption());
+    try (ServiceConnection service = ServiceConnection.open(new ServerOption());
         MechSession session = service.connection().openSession("")) {
       assertThat(session.loadModel(STIFF, Optional.empty())).isEmpty();
       session.prepareRemoteRun(explicit).close();
@@ -34,7 +36,7 @@ class ForecastTest {
 
   @Test
   void forecastNamesTheJointTheIntegratorAndTheEndOfTheRun() throws IOException {
-    try (Service service = Service.open(new ServerOption());
+    try (ServiceConnection service = ServiceConnection.open(new ServerOption());
         MechSession session = service.connection().openSession("")) {
       session.loadModel(STIFF, Optional.empty());
       session

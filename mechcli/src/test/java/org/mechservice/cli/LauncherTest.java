@@ -13,6 +13,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.cli.shell.ExitStatus;
 
 /**
  * The launcher script, in a house of cards: a folder with the script, and a search path with the

@@ -18,6 +18,7 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.cli.shell.ExitStatus;
 
 /** {@code mech server --naming} with a naming service in a process of its own. */
 class NamedServerTest {

@@ -11,6 +11,7 @@ import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.cli.shell.ExitStatus;
 
 /** Reports of scenes that come with the product, through the embedded service. */
 @Tag("soak")

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.orb.TlsIdentity;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.PlacementPolicy;

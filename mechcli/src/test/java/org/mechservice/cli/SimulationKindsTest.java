@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.cli.shell.ExitStatus;
 
 /** Every kind of simulation of one file, remotely, locally, and as a JAR. */
 class SimulationKindsTest {
@@ -112,7 +113,8 @@ class SimulationKindsTest {
         Files.readString(Path.of(model))
             .replace(
                 "</Forces>",
-                "<jointForce name=\"late\" joint=\"j_crank\" expression=\"5*step(t-1)\"/></Forces>"));
+                "<jointForce name=\"late\" joint=\"j_crank\""
+                    + " expression=\"5*step(t-1)\"/></Forces>"));
     assertThat(run(switched.toString(), "matrices")).isEqualTo(without);
   }
 

@@ -23,6 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.cli.shell.ExitStatus;
 
 /** The commands on the paper's pendulum, with an embedded server and real CORBA between. */
 class WholeWayTest {

@@ -192,7 +192,7 @@ final class Killing implements AutoCloseable {
         assertThat(run.result().outcome())
             .isInstanceOfSatisfying(
                 Outcome.Failed.class,
-                failed -> assertThat(failed.failure().code()).isEqualTo(WORKER_LOST));
+                failed -> assertThat(failed.failure().code()).hasToString(WORKER_LOST));
       }
     }
     eventually("no worker is left", () -> victim.children().isEmpty());

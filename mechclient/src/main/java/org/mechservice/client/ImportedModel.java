@@ -2,6 +2,7 @@ package org.mechservice.client;
 
 import java.util.List;
 import org.mechservice.client.failure.ModelMessage;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * A model of another format, translated by the server.
@@ -10,7 +11,7 @@ import org.mechservice.client.failure.ModelMessage;
  * @param messages what of the file is not in it, in file order, then what looks odd in the model
  */
 public record ImportedModel(String text, List<ModelMessage> messages) {
-  private static final String LOSS = "M-085";
+  private static final String LOSS = MessageCode.URDF_LOST.code();
 
   public ImportedModel {
     messages = List.copyOf(messages);

@@ -11,6 +11,7 @@ import org.mechservice.client.failure.ServiceException;
 import org.mechservice.idl.MechServer;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.ServiceUnreachableException;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * The servers a client may use, in the order of its preference, and the one it uses. Thread-safe.
@@ -43,7 +44,9 @@ final class ServerSelection {
         Arrays.stream(written.split(",", -1)).map(String::strip).filter(s -> !s.isEmpty()).toList();
     if (addresses.isEmpty()) {
       throw new InvalidOptionException(
-          "S-006", "S-006 \"" + written + "\" names no server; write HOST:PORT", "server");
+          MessageCode.SERVER_ADDRESS.code(),
+          MessageCode.SERVER_ADDRESS + " \"" + written + "\" names no server; write HOST:PORT",
+          "server");
     }
     chosen = firstFrom(0);
   }
@@ -107,16 +110,21 @@ final class ServerSelection {
           index, found.server(), new RemoteCalls(address), ServiceDescription.of(found.info()));
     } catch (ServiceUnreachableException e) {
       String text = String.valueOf(e.getMessage());
-      throw new ServerLostException(ServiceException.codeOf(text, "S-030"), text, address);
+      throw new ServerLostException(
+          ServiceException.codeOf(text, MessageCode.SERVER_UNREACHABLE.code()), text, address);
     } catch (IllegalArgumentException e) {
       String text = String.valueOf(e.getMessage());
-      throw new InvalidOptionException(ServiceException.codeOf(text, "S-030"), text, "server");
+      throw new InvalidOptionException(
+          ServiceException.codeOf(text, MessageCode.SERVER_UNREACHABLE.code()), text, "server");
     }
   }
 
   private ServerLostException noneOf(List<ServerLostException> silent) {
     StringBuilder text = new StringBuilder("none of the servers can be used");
     silent.forEach(one -> text.append("; ").append(one.getMessage()));
-    return new ServerLostException("S-161", "S-161 " + text, String.join(",", addresses));
+    return new ServerLostException(
+        MessageCode.NO_SERVER_USABLE.code(),
+        MessageCode.NO_SERVER_USABLE + " " + text,
+        String.join(",", addresses));
   }
 }

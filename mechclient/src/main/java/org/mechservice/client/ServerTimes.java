@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.Map;
 import org.mechservice.client.failure.ServerFailureException;
 import org.mechservice.idl.NameValue;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * What a session has cost the server so far.
@@ -28,7 +29,9 @@ record ServerTimes(double treating, double compiling, double packing) {
         times.put(timing.key, Double.valueOf(timing.text));
       } catch (NumberFormatException e) {
         throw new ServerFailureException(
-            "S-035", "the server's time " + timing.key + " is no number: " + timing.text, "");
+            MessageCode.ANSWER_NOT_UNDERSTOOD.code(),
+            "the server's time " + timing.key + " is no number: " + timing.text,
+            "");
       }
     }
     return new ServerTimes(

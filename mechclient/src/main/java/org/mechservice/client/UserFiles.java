@@ -14,6 +14,7 @@ import java.util.regex.Pattern;
 import org.mechservice.client.failure.InvalidModelException;
 import org.mechservice.client.failure.ModelMessage;
 import org.mechservice.idl.ModelFile;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Classes that users have written for the forces of a model, as files: sought beside the model and
@@ -21,7 +22,7 @@ import org.mechservice.idl.ModelFile;
  */
 final class UserFiles {
   /** Code of a message that names a file of a class which the server needs. */
-  static final String MISSING = "S-121";
+  static final String MISSING = MessageCode.USER_CLASS_MISSING.code();
 
   private static final String CLASS = ".class";
   private static final Pattern CLASS_FILE = Pattern.compile("(?:[\\w$]+/)*[\\w$]+\\.class");
@@ -76,7 +77,7 @@ final class UserFiles {
     }
     if (hits.size() > 1) {
       throw new InvalidModelException(
-          "S-122",
+          MessageCode.USER_CLASS_DUPLICATE.code(),
           "the class "
               + className.replace('/', '.')
               + " is in several files: "

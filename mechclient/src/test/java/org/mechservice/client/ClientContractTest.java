@@ -34,6 +34,7 @@ import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** What the client library promises, against a server whose answers are written down. */
 class ClientContractTest {
@@ -242,7 +243,8 @@ class ClientContractTest {
     RunResult result = session.prepareRemoteRun(SimulationOptions.asInFile()).toEnd(rows);
     assertThat(result.outcome())
         .isInstanceOfSatisfying(
-            Outcome.Failed.class, failed -> assertThat(failed.failure().code()).isEqualTo("S-108"));
+            Outcome.Failed.class,
+            failed -> assertThat(failed.failure().code()).isEqualTo(MessageCode.RUN_TOO_LONG));
     assertThat(rows.rows).isNotEmpty();
   }
 

@@ -11,6 +11,7 @@ import java.time.Instant;
 import org.mechservice.idl.ServiceEvent;
 import org.mechservice.sim.service.contract.FileErrors;
 import org.mechservice.sim.service.contract.Journal;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -46,7 +47,12 @@ final class AuditLog implements AutoCloseable {
               StandardOpenOption.APPEND));
     } catch (IOException e) {
       throw new IllegalArgumentException(
-          "S-163 the audit log " + file + " cannot be written: " + FileErrors.reason(e), e);
+          MessageCode.SERVER_AUDIT_LOG
+              + " the audit log "
+              + file
+              + " cannot be written: "
+              + FileErrors.reason(e),
+          e);
     }
   }
 
@@ -66,7 +72,10 @@ final class AuditLog implements AutoCloseable {
       out.write(line + "\n");
       out.flush();
     } catch (IOException e) {
-      LOG.error("S-163 the audit log {} cannot be written: {}", file, FileErrors.reason(e));
+      LOG.error(
+          MessageCode.SERVER_AUDIT_LOG + " the audit log {} cannot be written: {}",
+          file,
+          FileErrors.reason(e));
     }
   }
 
@@ -81,7 +90,10 @@ final class AuditLog implements AutoCloseable {
     try {
       out.close();
     } catch (IOException e) {
-      LOG.warn("S-048 the audit log {} does not close in order: {}", file, e.toString());
+      LOG.warn(
+          MessageCode.UNCLEAN_CLOSE + " the audit log {} does not close in order: {}",
+          file,
+          e.toString());
     }
   }
 }

@@ -11,6 +11,7 @@ import org.mechservice.idl.NotAuthorized;
 import org.mechservice.orb.Caller;
 import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.sim.service.contract.JournalEntry;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Writes down who was refused what. Every action is written down; a question that the same caller
@@ -73,7 +74,8 @@ final class Denials {
     String text =
         "\"" + name + "\" (" + caller.roleName() + ") at " + caller.address() + " was refused ";
     journal.add(
-        JournalEntry.warning("denied", refusal.code, text + what + often + ": " + refusal.text)
+        JournalEntry.warning(
+                "denied", MessageCode.of(refusal.code), text + what + often + ": " + refusal.text)
             .inSession("", name));
   }
 

@@ -10,6 +10,7 @@ import org.mechservice.orb.ServiceKey;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.ServiceUnreachableException;
 import org.mechservice.sim.service.contract.FileErrors;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -49,7 +50,11 @@ final class Findable implements AutoCloseable {
       Files.move(growing, target, StandardCopyOption.REPLACE_EXISTING);
     } catch (IOException e) {
       throw new IllegalArgumentException(
-          "S-162 the server's reference cannot be written to " + file + ": " + FileErrors.reason(e),
+          MessageCode.REFERENCE_NOT_WRITTEN
+              + " the server's reference cannot be written to "
+              + file
+              + ": "
+              + FileErrors.reason(e),
           e);
     }
   }
@@ -62,7 +67,9 @@ final class Findable implements AutoCloseable {
         Files.deleteIfExists(iorFile.get());
       }
     } catch (IOException | ServiceUnreachableException e) {
-      LOG.warn("S-048 the server's reference stays where it is: {}", e.toString());
+      LOG.warn(
+          MessageCode.UNCLEAN_CLOSE + " the server's reference stays where it is: {}",
+          e.toString());
     }
   }
 }

@@ -24,6 +24,7 @@ import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.OutboundAllowList;
 import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.sim.service.contract.JournalEntry;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.SystemException;
 import org.omg.CORBA.UserException;
 
@@ -268,7 +269,8 @@ final class HostDirectory implements AutoCloseable {
         }
       }
       journal.add(
-          JournalEntry.warning("host-lost", "S-019", "host " + host.name() + " dropped: " + why)
+          JournalEntry.warning(
+                  "host-lost", MessageCode.HOST_DROPPED, "host " + host.name() + " dropped: " + why)
               .onHost(host.name()));
       runs.goneWith(host.name(), "was lost");
     }

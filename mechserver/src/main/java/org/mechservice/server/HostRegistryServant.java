@@ -19,6 +19,7 @@ import org.mechservice.orb.Caller;
 import org.mechservice.orb.Endpoint;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.ServiceOrb;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 
 /**
@@ -77,7 +78,7 @@ final class HostRegistryServant implements HostRegistryOperations {
     }
     if (Caller.current().certificate().isEmpty() && !isLoopback(endpoint.host())) {
       throw new NotAuthorized(
-          "S-013",
+          MessageCode.HOST_NOT_REGISTERED.code(),
           "host "
               + info.name
               + " is at "
@@ -153,7 +154,7 @@ final class HostRegistryServant implements HostRegistryOperations {
   }
 
   private static InvalidOption refused(String what, String text) {
-    return new InvalidOption("S-013", text, what);
+    return new InvalidOption(MessageCode.HOST_NOT_REGISTERED.code(), text, what);
   }
 
   private HostRegistration registration(KnownHost host) {

@@ -11,6 +11,7 @@ import java.util.concurrent.Executors;
 import java.util.function.Supplier;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.PortInUseException;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Figures for a monitoring system, over HTTP on this machine's loopback interface: {@code /metrics}
@@ -80,7 +81,12 @@ final class MetricsEndpoint implements AutoCloseable {
     try {
       return content.get();
     } catch (RuntimeException e) {
-      return new Health(false, "S-001 incident " + GuardedServant.record("metrics", e) + "\n");
+      return new Health(
+          false,
+          MessageCode.INTERNAL_SERVER_ERROR
+              + " incident "
+              + GuardedServant.record("metrics", e)
+              + "\n");
     }
   }
 

@@ -22,6 +22,7 @@ import org.mechservice.idl.SimSummary;
 import org.mechservice.idl.StepTried;
 import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.sim.service.contract.JournalEntry;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * What a server knows of the runs of its hosts, by what they told last. It is what administrators
@@ -34,7 +35,7 @@ final class RunBook {
 
   private static final int DETAILS_KEPT = 500;
   private static final int LONGEST_MODEL = 1 << 18;
-  private static final String LOST = "S-113";
+  private static final String LOST = MessageCode.SIMULATION_LOST.code();
 
   /** Of one host. */
   private static final class Page {

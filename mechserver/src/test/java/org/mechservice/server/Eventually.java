@@ -8,13 +8,13 @@ final class Eventually {
   private static final long CHECK_MILLIS = 100;
 
   /** Something that is to become true. */
-  interface Condition {
-    boolean holds() throws Exception;
+  public interface Condition {
+    public boolean holds() throws Exception;
   }
 
   private Eventually() {}
 
-  static void holds(Condition condition) throws Exception {
+  public static void holds(Condition condition) throws Exception {
     for (int i = 0; i < PATIENCE && !condition.holds(); i++) {
       Thread.sleep(CHECK_MILLIS);
     }

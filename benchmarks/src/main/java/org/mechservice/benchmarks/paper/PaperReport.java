@@ -19,6 +19,7 @@ import org.mechservice.report.measure.Judge;
 import org.mechservice.report.measure.MeasuredRun;
 import org.mechservice.report.measure.MethodRunner;
 import org.mechservice.report.measure.PublishedReference;
+import org.mechservice.report.measure.Quantiles;
 import org.mechservice.report.measure.Reference;
 import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.measure.RunGrid;
@@ -125,7 +126,10 @@ public final class PaperReport {
       }
     }
     Map<String, Double> medians = new LinkedHashMap<>();
-    all.forEach((key, v) -> medians.put(key, v.stream().sorted().toList().get(v.size() / 2)));
+    all.forEach(
+        (key, v) ->
+            medians.put(
+                key, Quantiles.median(v.stream().mapToDouble(Double::doubleValue).toArray())));
     medians.put("mechmlBytes", (double) text.getBytes(StandardCharsets.UTF_8).length);
     return medians;
   }
@@ -233,11 +237,11 @@ public final class PaperReport {
   }
 
   private static Timed timed(List<MeasuredRun> runs) {
-    double[] seconds = runs.stream().mapToDouble(MeasuredRun::seconds).sorted().toArray();
+    double[] seconds = runs.stream().mapToDouble(MeasuredRun::seconds).toArray();
     return new Timed(
-        seconds[REPEATS / 2],
-        seconds[REPEATS / 4],
-        seconds[REPEATS - 1 - REPEATS / 4],
+        Quantiles.median(seconds),
+        Quantiles.of(seconds, 0.25),
+        Quantiles.of(seconds, 0.75),
         runs.get(runs.size() - 1));
   }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.client.MechSession;
+import org.mechservice.report.measure.Quantiles;
 import org.mechservice.report.measure.Spectrum;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.ModelProblem;
@@ -156,8 +157,7 @@ final class DampingStudy implements Study {
       ran = StudyContext.run(candidate, 1, 0.1, TOLERANCE, limit);
       seconds[Math.max(i, 0)] = ran.seconds();
     }
-    java.util.Arrays.sort(seconds);
-    return new StudyContext.Ran(ran.report(), seconds[REPEATS / 2], ran.rows());
+    return new StudyContext.Ran(ran.report(), Quantiles.median(seconds), ran.rows());
   }
 
   private static String crossover(List<Pair> pairs) {

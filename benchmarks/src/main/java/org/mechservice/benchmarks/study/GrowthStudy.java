@@ -6,9 +6,9 @@ import java.util.function.Function;
 import org.mechservice.report.page.SolverChart;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.IntegratorSettings;
-import org.mechservice.solver.ode.Ode113;
-import org.mechservice.solver.ode.Ode15s;
 import org.mechservice.solver.ode.StepResult;
+import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.stiff.Ode15s;
 
 /**
  * Growth per period of an undamped oscillator at a given |hλ|, for each order: the integrators

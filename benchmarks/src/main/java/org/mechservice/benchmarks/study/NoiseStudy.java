@@ -6,16 +6,16 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Function;
 import org.mechservice.report.page.SolverChart;
-import org.mechservice.solver.ode.De;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.IntegratorSettings;
-import org.mechservice.solver.ode.Ode113;
-import org.mechservice.solver.ode.Ode15s;
-import org.mechservice.solver.ode.Ode15sR;
 import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.ResidualIntegrator;
 import org.mechservice.solver.ode.ResidualSystem;
 import org.mechservice.solver.ode.StepResult;
+import org.mechservice.solver.ode.adams.De;
+import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.stiff.Ode15s;
+import org.mechservice.solver.ode.stiff.Ode15sR;
 
 /** What rounding noise in forces does to the sequence of steps. */
 final class NoiseStudy implements Study {

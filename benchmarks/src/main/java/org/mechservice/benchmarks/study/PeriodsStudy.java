@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
+import org.apache.commons.math3.stat.regression.SimpleRegression;
 import org.mechservice.client.MechSession;
 import org.mechservice.report.measure.LoopForces;
 import org.mechservice.report.method.Candidate;
@@ -265,23 +266,13 @@ final class PeriodsStudy implements Study {
   }
 
   private static double slope(double[] drift) {
-    double x = 0;
-    double y = 0;
-    double xx = 0;
-    double xy = 0;
-    int count = 0;
+    SimpleRegression line = new SimpleRegression();
     for (int i = (int) Math.max(1, FITTED_FROM * drift.length); i < drift.length; i++) {
       if (drift[i] > 0) {
-        double a = Math.log(i);
-        double b = Math.log(drift[i]);
-        x += a;
-        y += b;
-        xx += a * a;
-        xy += a * b;
-        count++;
+        line.addData(Math.log(i), Math.log(drift[i]));
       }
     }
-    return count < 2 ? 0 : (xy - x * y / count) / (xx - x * x / count);
+    return line.getN() < 2 ? 0 : line.getSlope();
   }
 
   private static String verdict(double slope) {

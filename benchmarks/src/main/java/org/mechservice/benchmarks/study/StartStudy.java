@@ -16,6 +16,7 @@ import org.mechservice.report.page.SolverChart;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Starts off the manifold: what the assembly makes of them, and what of it is left at the end. */
 final class StartStudy implements Study {
@@ -96,7 +97,7 @@ final class StartStudy implements Study {
           } else {
             worstLeft = Math.max(worstLeft, outcome.left());
           }
-          if (outcome.said().contains("N-040")) {
+          if (outcome.said().contains(MessageCode.START_POSITION_CORRECTED.code())) {
             firstSaid = Math.min(firstSaid, offset);
           }
           if (method.equals(METHODS.get(0)) && outcome.moved() > 0) {

@@ -1,11 +1,11 @@
 package org.mechservice.benchmarks.study;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.DoubleSupplier;
+import org.mechservice.report.measure.Quantiles;
 
 /**
  * What runs cost once their code is compiled. Every method brings its own copy of the solver's
@@ -53,12 +53,8 @@ record WarmTimes(double warmSeconds, double longSeconds) {
         }
       }
     }
-    return times.stream().map(WarmTimes::median).toList();
-  }
-
-  private static double median(List<Double> times) {
-    double[] sorted = times.stream().mapToDouble(Double::doubleValue).toArray();
-    Arrays.sort(sorted);
-    return sorted[sorted.length / 2];
+    return times.stream()
+        .map(taken -> Quantiles.median(taken.stream().mapToDouble(Double::doubleValue).toArray()))
+        .toList();
   }
 }

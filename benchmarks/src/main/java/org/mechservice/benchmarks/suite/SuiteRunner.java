@@ -1,20 +1,20 @@
 package org.mechservice.benchmarks.suite;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
+import org.mechservice.report.measure.Quantiles;
 import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.measure.WarmUpRounds;
-import org.mechservice.solver.ode.De;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.IntegratorSettings;
-import org.mechservice.solver.ode.Ode113;
-import org.mechservice.solver.ode.Ode15s;
-import org.mechservice.solver.ode.Ode15sR;
 import org.mechservice.solver.ode.ResidualIntegrator;
 import org.mechservice.solver.ode.StepResult;
+import org.mechservice.solver.ode.adams.De;
+import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.stiff.Ode15s;
+import org.mechservice.solver.ode.stiff.Ode15sR;
 
 /** Runs the product's integrators on the suite. */
 final class SuiteRunner {
@@ -66,9 +66,8 @@ final class SuiteRunner {
       }
     }
     for (int i = 0; i < repeated.size(); i++) {
-      Arrays.sort(seconds[i]);
       int place = runs.indexOf(repeated.get(i));
-      runs.set(place, runs.get(place).taking(seconds[i][REPEATS / 2]));
+      runs.set(place, runs.get(place).taking(Quantiles.median(seconds[i])));
     }
     return runs;
   }

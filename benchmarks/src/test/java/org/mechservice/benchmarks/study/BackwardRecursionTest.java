@@ -9,8 +9,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.ode.IntegratorSettings;
-import org.mechservice.solver.ode.Ode15s;
 import org.mechservice.solver.ode.StepResult;
+import org.mechservice.solver.ode.stiff.Ode15s;
 
 /** The formulas of ode15s along the imaginary axis. */
 class BackwardRecursionTest {

@@ -8,7 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.mechservice.admin.AdminConsole;
-import org.mechservice.admin.Place;
+import org.mechservice.admin.AdminTarget;
 import org.mechservice.admin.ServerReading;
 import org.mechservice.idl.HostStatus;
 import org.mechservice.idl.ServiceEvent;
@@ -28,7 +28,7 @@ public final class LiveView implements AutoCloseable {
   private final List<ServerFollower> followers;
   private final Map<String, ServerReading> readings = new LinkedHashMap<>();
   private final Deque<SeenEvent> events = new ArrayDeque<>();
-  private final Map<Place, Deque<LoadSample>> loads = new HashMap<>();
+  private final Map<AdminTarget, Deque<LoadSample>> loads = new HashMap<>();
   private long lastEvent;
   private long version;
   private boolean closed;
@@ -60,7 +60,7 @@ public final class LiveView implements AutoCloseable {
   }
 
   /** Returns how busy a host was, oldest first, as long as this was followed. */
-  public synchronized List<LoadSample> loads(Place host) {
+  public synchronized List<LoadSample> loads(AdminTarget host) {
     return List.copyOf(loads.getOrDefault(host, new ArrayDeque<>()));
   }
 
@@ -97,7 +97,7 @@ public final class LiveView implements AutoCloseable {
       long now = System.currentTimeMillis();
       for (HostStatus host : answering.hosts()) {
         if (host.reachable) {
-          sample(new Place(reading.address(), host.info.name), LoadSample.of(host.load, now));
+          sample(new AdminTarget(reading.address(), host.info.name), LoadSample.of(host.load, now));
         }
       }
       loads
@@ -107,11 +107,11 @@ public final class LiveView implements AutoCloseable {
     changed();
   }
 
-  private static boolean has(ServerReading.Answering reading, Place place) {
+  private static boolean has(ServerReading.Answering reading, AdminTarget place) {
     return reading.hosts().stream().anyMatch(host -> host.info.name.equals(place.host()));
   }
 
-  private void sample(Place host, LoadSample sample) {
+  private void sample(AdminTarget host, LoadSample sample) {
     Deque<LoadSample> samples = loads.computeIfAbsent(host, unused -> new ArrayDeque<>());
     LoadSample last = samples.peekLast();
     if (last == null || sample.at() - last.at() >= SAMPLE_MILLIS) {

@@ -12,6 +12,7 @@ import java.security.MessageDigest;
 import java.security.SecureRandom;
 import java.util.Base64;
 import java.util.Properties;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * The secrets that open the page: one to look, one to act. They travel in a header that no other
@@ -32,7 +33,8 @@ public record AccessTokens(String monitor, String admin) {
   public AccessTokens {
     if (monitor.length() < SHORTEST || admin.length() < SHORTEST || monitor.equals(admin)) {
       throw new IllegalArgumentException(
-          "S-136 the tokens monitor and admin must differ and have "
+          MessageCode.TOKENS_UNUSABLE
+              + " the tokens monitor and admin must differ and have "
               + SHORTEST
               + " characters or more each");
     }

@@ -20,6 +20,7 @@ import org.mechservice.admin.AdminFailure;
 import org.mechservice.admin.live.LiveView;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.PortInUseException;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Serves the page on the loopback interface. Whoever has a token sees or steers; a request that
@@ -32,7 +33,7 @@ public final class AdminWeb implements AutoCloseable {
   private final HttpServer http;
   private final ExecutorService threads;
   private final LiveView view;
-  private final AuditLog audit;
+  private final AdminAuditLog audit;
   private final Api api;
   private final PageFiles files = new PageFiles();
   private final ErrorPages errors = new ErrorPages();
@@ -52,7 +53,7 @@ public final class AdminWeb implements AutoCloseable {
   public AdminWeb(AdminConsole console, int port, AccessTokens tokens, Optional<Path> auditFile)
       throws IOException {
     this.tokens = tokens;
-    audit = new AuditLog(auditFile);
+    audit = new AdminAuditLog(auditFile);
     http = bound(port);
     names = Set.of("127.0.0.1:" + port(), "localhost:" + port(), "[::1]:" + port());
     view = new LiveView(console);
@@ -115,7 +116,11 @@ public final class AdminWeb implements AutoCloseable {
         Thread.currentThread().interrupt();
       } catch (RuntimeException e) {
         String incident = GuardedServant.record(request.path(), e);
-        tell(request, new Refused(500, "S-001 the console failed, incident " + incident));
+        tell(
+            request,
+            new Refused(
+                500,
+                MessageCode.INTERNAL_SERVER_ERROR + " the console failed, incident " + incident));
       }
     }
   }
@@ -138,7 +143,7 @@ public final class AdminWeb implements AutoCloseable {
             && (origin.isEmpty() || origin.equals("http://" + request.header("Host")))
             && (site.isEmpty() || site.equals("same-origin") || site.equals("none"));
     if (!own) {
-      String why = "S-134 the request came from another site";
+      String why = MessageCode.CROSS_SITE_REQUEST + " the request came from another site";
       audit.refused(request, tokens.rightOf(request.token()), "", request.path(), why);
       throw new Refused(403, why);
     }
@@ -160,7 +165,9 @@ public final class AdminWeb implements AutoCloseable {
   }
 
   private static Refused nothingAt(String path) {
-    return new Refused(404, "S-135 the request cannot be used: there is nothing at " + path);
+    return new Refused(
+        404,
+        MessageCode.REQUEST_UNUSABLE + " the request cannot be used: there is nothing at " + path);
   }
 
   /** Ends all streams and closes the port. */

@@ -7,7 +7,8 @@ import java.util.concurrent.Semaphore;
 import org.mechservice.admin.AdminConsole;
 import org.mechservice.admin.AdminFailure;
 import org.mechservice.admin.AdminJson;
-import org.mechservice.admin.Place;
+import org.mechservice.admin.AdminTarget;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** What the page asks the console for. Everything here needs a right. */
 final class Api {
@@ -17,10 +18,10 @@ final class Api {
   private final AdminConsole console;
   private final AccessTokens tokens;
   private final Streams streams;
-  private final AuditLog audit;
+  private final AdminAuditLog audit;
   private final Semaphore freeStreams = new Semaphore(STREAMS);
 
-  Api(AdminConsole console, AccessTokens tokens, Streams streams, AuditLog audit) {
+  Api(AdminConsole console, AccessTokens tokens, Streams streams, AdminAuditLog audit) {
     this.console = console;
     this.tokens = tokens;
     this.streams = streams;
@@ -33,7 +34,8 @@ final class Api {
     String what = request.path().substring("/api/".length());
     if (right == Right.NONE) {
       String why =
-          "S-132 the token is missing or wrong; open the address that mech admin web has printed";
+          MessageCode.TOKEN_NEEDED
+              + " the token is missing or wrong; open the address that mech admin web has printed";
       audit.refused(request, right, "", what, why);
       throw new Refused(401, why);
     } else if (request.isGet()) {
@@ -41,7 +43,9 @@ final class Api {
     } else if (request.isPost()) {
       act(request, right, what);
     } else {
-      throw new Refused(405, "S-135 the request cannot be used: it is neither GET nor POST");
+      throw new Refused(
+          405,
+          MessageCode.REQUEST_UNUSABLE + " the request cannot be used: it is neither GET nor POST");
     }
   }
 
@@ -59,7 +63,10 @@ final class Api {
       case "logs" -> request.answer(200, logs(place(request)));
       case "limits" -> request.answer(200, limits(place(request)));
       case "audit" -> request.answer(200, AdminJson.named("entries", audit.latest()));
-      default -> throw new Refused(404, "S-135 the request cannot be used: there is no " + what);
+      default ->
+          throw new Refused(
+              404,
+              MessageCode.REQUEST_UNUSABLE + " the request cannot be used: there is no " + what);
     }
   }
 
@@ -77,7 +84,12 @@ final class Api {
 
   private void stream(Request request, Writing writing) throws IOException, InterruptedException {
     if (!freeStreams.tryAcquire()) {
-      throw new Refused(503, "S-138 more than " + STREAMS + " pages are open already; close some");
+      throw new Refused(
+          503,
+          MessageCode.TOO_MANY_PAGES
+              + " more than "
+              + STREAMS
+              + " pages are open already; close some");
     }
     try (EventStream stream = request.stream()) {
       writing.to(stream);
@@ -86,18 +98,18 @@ final class Api {
     }
   }
 
-  private static Place place(Request request) {
-    return new Place(request.parameter("server"), request.parameter("host"));
+  private static AdminTarget place(Request request) {
+    return new AdminTarget(request.parameter("server"), request.parameter("host"));
   }
 
-  private JsonObject logs(Place place) {
+  private JsonObject logs(AdminTarget place) {
     return AdminJson.named(
         "lines",
         AdminJson.list(
             console.logs(place.server(), place.host(), 0, LOG_LINES), AdminJson::logLine));
   }
 
-  private JsonObject limits(Place place) {
+  private JsonObject limits(AdminTarget place) {
     JsonObject json = AdminJson.limits(place, console.limits(place.server(), place.host()));
     if (place.host().isEmpty()) {
       json.addProperty("placement", console.placement(place.server()));
@@ -108,14 +120,19 @@ final class Api {
   private void act(Request request, Right right, String what) throws IOException {
     ActionRequest asked = ActionRequest.read(request.body());
     if (!right.includes(Right.ADMIN)) {
-      String why = "S-133 this token may look, but not act; it takes the admin token";
+      String why =
+          MessageCode.TOKEN_READ_ONLY
+              + " this token may look, but not act; it takes the admin token";
       audit.refused(request, right, asked.server(), asked.action().summary(), why);
       throw new Refused(403, why);
     }
     switch (what) {
       case "preview" -> request.answer(200, asked.preview());
       case "actions" -> request.answer(200, perform(request, right, asked));
-      default -> throw new Refused(404, "S-135 the request cannot be used: there is no " + what);
+      default ->
+          throw new Refused(
+              404,
+              MessageCode.REQUEST_UNUSABLE + " the request cannot be used: there is no " + what);
     }
   }
 

@@ -1,6 +1,7 @@
 package org.mechservice.admin.web;
 
 import org.mechservice.admin.AdminFailure;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** A request that is not answered as it was meant. */
 final class Refused extends RuntimeException {
@@ -31,7 +32,7 @@ final class Refused extends RuntimeException {
 
   /** What was asked cannot be understood. */
   static Refused notUnderstood(String what) {
-    return new Refused(400, "S-135 the request cannot be used: " + what);
+    return new Refused(400, MessageCode.REQUEST_UNUSABLE + " the request cannot be used: " + what);
   }
 
   int status() {

@@ -7,8 +7,8 @@ import java.time.Duration;
 import java.util.List;
 import org.mechservice.admin.AdminConsole;
 import org.mechservice.admin.AdminFailure;
+import org.mechservice.admin.AdminTarget;
 import org.mechservice.admin.DetailJson;
-import org.mechservice.admin.Place;
 import org.mechservice.admin.live.LiveView;
 import org.mechservice.admin.live.LoadSample;
 
@@ -54,7 +54,7 @@ final class Streams {
   }
 
   /** Tells how busy a host was, and then how busy it is. */
-  void host(EventStream stream, Place host) throws IOException, InterruptedException {
+  void host(EventStream stream, AdminTarget host) throws IOException, InterruptedException {
     long last = 0;
     long version = 0;
     while (!view.isClosed()) {

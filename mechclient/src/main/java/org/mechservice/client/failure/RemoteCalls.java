@@ -11,6 +11,7 @@ import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServerFailure;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.COMM_FAILURE;
 import org.omg.CORBA.NO_PERMISSION;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
@@ -137,22 +138,30 @@ public record RemoteCalls(String address) {
   private ServiceException failure(SystemException said) {
     ServiceException failure;
     if (said instanceof COMM_FAILURE || said instanceof TRANSIENT) {
-      failure = lost("S-031", "the connection to the server at " + address + " is lost");
+      failure =
+          lost(
+              MessageCode.CONNECTION_LOST.code(),
+              "the connection to the server at " + address + " is lost");
     } else if (said instanceof TIMEOUT) {
-      failure = lost("S-032", "the server at " + address + " did not answer in time");
+      failure =
+          lost(
+              MessageCode.SERVER_TIMEOUT.code(),
+              "the server at " + address + " did not answer in time");
     } else if (said instanceof OBJECT_NOT_EXIST) {
       failure =
           lost(
-              "S-033",
+              MessageCode.SESSION_UNKNOWN.code(),
               "the server at "
                   + address
                   + " no longer knows this session: its lease ran out or the server was restarted");
     } else if (said instanceof NO_PERMISSION) {
-      failure = new NotAuthorizedException("S-034", "the server at " + address + " refuses access");
+      failure =
+          new NotAuthorizedException(
+              MessageCode.ACCESS_REFUSED.code(), "the server at " + address + " refuses access");
     } else {
       failure =
           lost(
-              "S-035",
+              MessageCode.ANSWER_NOT_UNDERSTOOD.code(),
               "what answers at "
                   + address
                   + " does not speak this version of the service ("

@@ -6,6 +6,7 @@ import java.util.Map;
 import org.mechservice.client.failure.JarRefusedException;
 import org.mechservice.client.failure.RemoteCalls;
 import org.mechservice.idl.JarInfo;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.Sha256;
 
 /**
@@ -61,7 +62,7 @@ public record BuiltJar(
     String found = Sha256.of(bytes);
     if (!found.equals(announced)) {
       throw new JarRefusedException(
-          "S-036",
+          MessageCode.JAR_REFUSED.code(),
           what
               + " was changed on its way: announced with SHA-256 "
               + announced

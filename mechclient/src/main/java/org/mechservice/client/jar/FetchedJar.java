@@ -10,6 +10,7 @@ import java.util.jar.JarInputStream;
 import java.util.zip.ZipEntry;
 import org.mechservice.client.failure.JarRefusedException;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** The content of a JAR in memory: the bytes whose hash was checked are the bytes that are used. */
 final class FetchedJar {
@@ -44,7 +45,8 @@ final class FetchedJar {
       }
       return new FetchedJar(manifest, entries);
     } catch (IOException e) {
-      throw new JarRefusedException("S-036", what + " is no JAR: " + e.getMessage());
+      throw new JarRefusedException(
+          MessageCode.JAR_REFUSED.code(), what + " is no JAR: " + e.getMessage());
     }
   }
 
@@ -53,7 +55,7 @@ final class FetchedJar {
     String own = Integer.toString(Model.API_VERSION);
     if (!own.equals(built)) {
       throw new JarRefusedException(
-          "S-036",
+          MessageCode.JAR_REFUSED.code(),
           what
               + " was built for solver API version "
               + (built == null ? "none" : built)

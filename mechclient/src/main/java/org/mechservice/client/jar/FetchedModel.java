@@ -14,6 +14,7 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.Sha256;
 
 /**
@@ -71,7 +72,7 @@ public record FetchedModel(
   }
 
   private static JarRefusedException refused(String why) {
-    return new JarRefusedException("S-036", "the model JAR " + why);
+    return new JarRefusedException(MessageCode.JAR_REFUSED.code(), "the model JAR " + why);
   }
 
   /**

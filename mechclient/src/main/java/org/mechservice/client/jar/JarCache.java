@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.function.Supplier;
 import org.mechservice.client.failure.JarRefusedException;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.Sha256;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -48,7 +49,8 @@ public final class JarCache {
    */
   byte[] get(String sha256, Supplier<byte[]> download) {
     if (!Sha256.isHash(sha256)) {
-      throw new JarRefusedException("S-036", "\"" + sha256 + "\" is no SHA-256 of the runtime JAR");
+      throw new JarRefusedException(
+          MessageCode.JAR_REFUSED.code(), "\"" + sha256 + "\" is no SHA-256 of the runtime JAR");
     }
     Path file = folder.resolve(sha256 + ".jar");
     byte[] kept = read(file);
@@ -66,7 +68,10 @@ public final class JarCache {
     } catch (NoSuchFileException e) {
       return new byte[0];
     } catch (IOException e) {
-      LOG.warn("S-037 cannot read {}; fetching it again: {}", file, e.toString());
+      LOG.warn(
+          MessageCode.CACHE_UNUSABLE + " cannot read {}; fetching it again: {}",
+          file,
+          e.toString());
       return new byte[0];
     }
   }
@@ -82,7 +87,10 @@ public final class JarCache {
         Files.deleteIfExists(growing);
       }
     } catch (IOException e) {
-      LOG.warn("S-037 cannot keep {}; it will be fetched again next time: {}", file, e.toString());
+      LOG.warn(
+          MessageCode.CACHE_UNUSABLE + " cannot keep {}; it will be fetched again next time: {}",
+          file,
+          e.toString());
     }
   }
 }

@@ -4,6 +4,7 @@ import java.security.PublicKey;
 import java.util.Optional;
 import org.mechservice.client.failure.JarRefusedException;
 import org.mechservice.orb.DetachedSignature;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Makes sure that a JAR comes from the host a client is connected with. Over TLS the host has shown
@@ -23,7 +24,7 @@ public record JarOrigin(boolean encrypted, Optional<PublicKey> key) {
   byte[] verified(byte[] jar, byte[] signature, String what) {
     if (encrypted && !key.map(own -> DetachedSignature.fits(own, jar, signature)).orElse(false)) {
       throw new JarRefusedException(
-          "S-154",
+          MessageCode.JAR_SIGNATURE.code(),
           what
               + (signature.length == 0
                   ? " is not signed"

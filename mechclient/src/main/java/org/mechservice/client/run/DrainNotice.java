@@ -3,6 +3,7 @@ package org.mechservice.client.run;
 import java.util.Arrays;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.idl.SimEvent;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Finds out whether the host of a run is being emptied. It asks once a second, so that it costs
@@ -10,7 +11,7 @@ import org.mechservice.idl.SimEvent;
  */
 final class DrainNotice {
   /** What a host says of a run that can be saved and go on elsewhere. */
-  private static final String MOVABLE = "S-115";
+  private static final String MOVABLE = MessageCode.HOST_DRAINING.code();
 
   private static final long MILLIS_BETWEEN = 1000;
   private static final int MOST_EVENTS = 500;

@@ -3,9 +3,11 @@ package org.mechservice.client.run;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.StepTried;
 import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** A failure as a server tells it, put together as a run here would tell it. */
 final class FailureReader {
@@ -21,10 +23,11 @@ final class FailureReader {
    *     record has numbers alone
    */
   static Failure of(FailureRecord said, Map<String, Object> report) {
+    Optional<MessageCode> known = MessageCode.find(said.code);
     Failure failure =
         new Failure(
-            said.code,
-            said.text,
+            known.orElse(MessageCode.ANSWER_NOT_UNDERSTOOD),
+            known.isPresent() ? said.text : said.code + " " + said.text,
             said.simTime,
             said.stepSize,
             said.stepOrder,

@@ -8,6 +8,7 @@ import org.mechservice.idl.Diagnostic;
 import org.mechservice.idl.IMechClientOperations;
 import org.mechservice.idl.Progress;
 import org.mechservice.idl.SimState;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -48,7 +49,7 @@ public final class ListenerCallbacks implements IMechClientOperations {
     try {
       message.accept(listener);
     } catch (RuntimeException e) {
-      LOG.warn("S-038 a run listener failed", e);
+      LOG.warn(MessageCode.LISTENER_FAILED + " a run listener failed", e);
     }
   }
 }

@@ -21,6 +21,7 @@ import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.TunableParameter;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * A run on this machine, of the model class and with the solver fetched from the server. It needs
@@ -76,7 +77,9 @@ public final class LocalRun implements PreparedRun {
   public void setParameters(Map<String, String> values) {
     if (state != RunState.CREATED) {
       throw new InvalidStateException(
-          "S-009", "parameters are set before the start; prepare another run", state);
+          MessageCode.WRONG_STATE.code(),
+          "parameters are set before the start; prepare another run",
+          state);
     }
     Map<String, String> all = new LinkedHashMap<>(parameters);
     values.forEach((name, value) -> all.put(name, value.strip()));
@@ -84,7 +87,8 @@ public final class LocalRun implements PreparedRun {
       model = source.model(all);
     } catch (IllegalArgumentException e) {
       String text = String.valueOf(e.getMessage());
-      throw new InvalidOptionException(ServiceException.codeOf(text, "S-039"), text, "set");
+      throw new InvalidOptionException(
+          ServiceException.codeOf(text, MessageCode.SOLVER_REFUSED.code()), text, "set");
     }
     parameters.putAll(all);
   }
@@ -99,10 +103,12 @@ public final class LocalRun implements PreparedRun {
       return new RunResult(done.outcome(), report);
     } catch (IllegalArgumentException e) {
       String text = String.valueOf(e.getMessage());
-      throw new InvalidOptionException(ServiceException.codeOf(text, "S-039"), text, "");
+      throw new InvalidOptionException(
+          ServiceException.codeOf(text, MessageCode.SOLVER_REFUSED.code()), text, "");
     } catch (LinkageError e) {
       throw new JarRefusedException(
-          "S-036", "the model JAR does not fit the runtime JAR it came with: " + e);
+          MessageCode.JAR_REFUSED.code(),
+          "the model JAR does not fit the runtime JAR it came with: " + e);
     } finally {
       state = RunState.DONE;
     }

@@ -24,6 +24,7 @@ import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.UserException;
 
 /**
@@ -262,16 +263,20 @@ public final class RemoteRun implements PreparedRun {
     }
     String how = "from t=" + arriving.time() + " s on, before on host " + from.hostName();
     moved = Optional.of(how);
-    say("S-117", "the run goes on on host " + place.hostName() + " as " + id() + " " + how);
+    say(
+        MessageCode.RUN_MOVED,
+        "the run goes on on host " + place.hostName() + " as " + id() + " " + how);
   }
 
   private void stay(String reason) {
     notice.ignore();
-    say("S-116", "the run finishes on host " + place.hostName() + ": " + reason);
+    say(
+        MessageCode.RUN_STAYS_ON_DRAINING_HOST,
+        "the run finishes on host " + place.hostName() + ": " + reason);
   }
 
-  private void say(String code, String text) {
-    listener.accept(new ModelMessage(ModelMessage.Severity.INFO, code, text, "", 0, 0, ""));
+  private void say(MessageCode code, String text) {
+    listener.accept(new ModelMessage(ModelMessage.Severity.INFO, code.code(), text, "", 0, 0, ""));
   }
 
   /**

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.regex.Pattern;
 import org.mechservice.client.failure.ServerFailureException;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Reads the run report that a server sends as one flat JSON object. */
 final class ReportJson {
@@ -33,7 +34,9 @@ final class ReportJson {
       return report;
     } catch (JsonParseException | IllegalStateException e) {
       throw new ServerFailureException(
-          "S-035", "the server's run report is not a flat JSON object: " + e.getMessage(), "");
+          MessageCode.ANSWER_NOT_UNDERSTOOD.code(),
+          "the server's run report is not a flat JSON object: " + e.getMessage(),
+          "");
     }
   }
 

@@ -17,6 +17,7 @@ import org.mechservice.idl.ResultBlockHolder;
 import org.mechservice.idl.ResultCursor;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.UserException;
 
 /** Pulls the rows of a remote run, in order and none twice. */
@@ -96,7 +97,7 @@ public final class RowCursor implements AutoCloseable {
             && (block.rowCount == 0 || block.firstRow == taken);
     if (!fits) {
       throw new ServerFailureException(
-          "S-035",
+          MessageCode.ANSWER_NOT_UNDERSTOOD.code(),
           "the server sent "
               + block.values.length
               + " numbers from row "

@@ -20,11 +20,12 @@ import org.mechservice.client.run.RunResult;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Runs points of a sweep, one after the other in one session; in another where it is lost. */
 final class PointRunner implements AutoCloseable {
   /** The model was read without parameters before, so it is one of the grid's that it lacks. */
-  private static final String NO_SUCH_NAME = "M-014";
+  private static final String NO_SUCH_NAME = MessageCode.UNKNOWN_NAME.code();
 
   /** What is wrong with the model, in a message that says that an option cannot be used. */
   private static final Pattern OF_MODEL = Pattern.compile("\\bM-\\d{3}\\b");
@@ -128,7 +129,11 @@ final class PointRunner implements AutoCloseable {
   private static SweepRow row(int point, RunResult result, LastRow last) {
     if (result.outcome() instanceof Outcome.Failed failed) {
       return SweepRow.failed(
-          point, failed.failure().code(), failed.failure().message(), last.row, result.report());
+          point,
+          failed.failure().code().code(),
+          failed.failure().message(),
+          last.row,
+          result.report());
     }
     String outcome =
         result.outcome() instanceof Outcome.Stopped ? SweepRow.STOPPED : SweepRow.COMPLETED;

@@ -3,6 +3,7 @@ package org.mechservice.client.sweep;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * All combinations of the values of some parameters. Points are numbered from 0; the last parameter
@@ -21,11 +22,15 @@ public record SweepGrid(List<SweptParameter> parameters) {
       points *= parameter.values().size();
       if (points > MOST_POINTS) {
         throw new IllegalArgumentException(
-            "S-041 the grid has more than " + MOST_POINTS + " points; take fewer values");
+            MessageCode.OPTION_UNUSABLE
+                + " the grid has more than "
+                + MOST_POINTS
+                + " points; take fewer values");
       }
     }
     if (parameters.stream().map(SweptParameter::name).distinct().count() < parameters.size()) {
-      throw new IllegalArgumentException("S-041 a parameter is swept twice");
+      throw new IllegalArgumentException(
+          MessageCode.OPTION_UNUSABLE + " a parameter is swept twice");
     }
   }
 

@@ -1,6 +1,7 @@
 package org.mechservice.client.sweep;
 
 import java.util.List;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * A parameter and the values it takes, one after the other.
@@ -12,7 +13,8 @@ public record SweptParameter(String name, List<String> values) {
   public SweptParameter {
     values = List.copyOf(values);
     if (values.isEmpty()) {
-      throw new IllegalArgumentException("S-041 parameter \"" + name + "\" has no values");
+      throw new IllegalArgumentException(
+          MessageCode.OPTION_UNUSABLE + " parameter \"" + name + "\" has no values");
     }
   }
 
@@ -24,7 +26,10 @@ public record SweptParameter(String name, List<String> values) {
   public static SweptParameter range(String name, double from, double to, int count) {
     if (count < 2) {
       throw new IllegalArgumentException(
-          "S-041 a range has 2 values or more, not " + count + "; for one write its value alone");
+          MessageCode.OPTION_UNUSABLE
+              + " a range has 2 values or more, not "
+              + count
+              + "; for one write its value alone");
     }
     String[] values = new String[count];
     for (int i = 0; i < count; i++) {

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.StepTried;
 import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.catalogue.MessageCode;
 
 class FailureReaderTest {
   private static final List<Failure.Step> STEPS =
@@ -17,11 +18,19 @@ class FailureReaderTest {
           new Failure.Step(0.2, 2e-3, 5, 17.5, "error too large"),
           new Failure.Step(0.2, 1e-3, 1, Double.NaN, Failure.Step.UNSOLVED));
   private static final Failure FAILURE =
-      new Failure("N-003", "The error test fails.", 0.2, 1e-3, 1, "joint a: b", "Wait.", STEPS);
+      new Failure(
+          MessageCode.STEP_TOO_SMALL,
+          "The error test fails.",
+          0.2,
+          1e-3,
+          1,
+          "joint a: b",
+          "Wait.",
+          STEPS);
 
   private static FailureRecord onTheWire() {
     return new FailureRecord(
-        FAILURE.code(),
+        FAILURE.code().code(),
         FAILURE.cause(),
         FAILURE.time(),
         FAILURE.stepSize(),

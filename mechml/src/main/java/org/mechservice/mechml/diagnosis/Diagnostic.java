@@ -1,5 +1,8 @@
 package org.mechservice.mechml.diagnosis;
 
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.Severity;
+
 /**
  * Something to say about a model file.
  *
@@ -14,7 +17,7 @@ package org.mechservice.mechml.diagnosis;
  */
 public record Diagnostic(
     Severity severity,
-    String code,
+    MessageCode code,
     String message,
     String file,
     int line,

@@ -5,6 +5,8 @@ import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.Severity;
 
 /** Collects what there is to say about one file; says the same thing at the same position once. */
 public final class Diagnostics {
@@ -44,13 +46,7 @@ public final class Diagnostics {
     if (!isFull()) {
       found.add(
           new Diagnostic(
-              severity,
-              code.code(),
-              message,
-              file,
-              position.line(),
-              position.column(),
-              position.path()));
+              severity, code, message, file, position.line(), position.column(), position.path()));
     }
   }
 
@@ -72,7 +68,7 @@ public final class Diagnostics {
       ordered.add(
           new Diagnostic(
               Severity.INFO,
-              MessageCode.MORE_MESSAGES.code(),
+              MessageCode.MORE_MESSAGES,
               "only the first " + MOST + " messages are listed",
               file,
               0,

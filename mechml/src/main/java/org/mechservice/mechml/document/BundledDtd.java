@@ -6,9 +6,9 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.xml.sax.InputSource;
 import org.xml.sax.SAXException;
 import org.xml.sax.ext.EntityResolver2;
@@ -66,7 +66,7 @@ final class BundledDtd implements EntityResolver2 {
       throws SAXException {
     if (!"[dtd]".equals(name) || !systemId.toLowerCase(Locale.ROOT).endsWith(FILE)) {
       throw new RejectedFileException(
-          MessageCode.FOREIGN_FILE,
+          MessageCode.REFERS_TO_OTHER_FILE,
           here.position(),
           Phrase.of(
               "the file refers to %s; only \"MechML.dtd\" may be named, and nothing is fetched",

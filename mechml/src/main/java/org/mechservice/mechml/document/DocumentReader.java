@@ -9,10 +9,10 @@ import org.apache.xerces.parsers.SAXParser;
 import org.apache.xerces.util.SecurityManager;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MechmlException;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.diagnosis.SourcePosition;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.xml.sax.InputSource;
 import org.xml.sax.SAXException;
 
@@ -98,7 +98,7 @@ public final class DocumentReader {
   private Optional<Document> parse(byte[] content, boolean own) throws SAXException, IOException {
     if (content.length > Limits.BYTES) {
       throw new RejectedFileException(
-          MessageCode.TOO_LARGE,
+          MessageCode.MODEL_FILE_TOO_LARGE,
           SourcePosition.FILE,
           Phrase.of("the file has %d bytes; %d are allowed", content.length, Limits.BYTES));
     }

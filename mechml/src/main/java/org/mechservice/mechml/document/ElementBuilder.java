@@ -8,10 +8,10 @@ import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.diagnosis.SourcePosition;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.xml.sax.Attributes;
 import org.xml.sax.Locator;
 import org.xml.sax.SAXException;
@@ -147,7 +147,7 @@ final class ElementBuilder extends DefaultHandler2 {
   }
 
   private static RejectedFileException tooLarge(Element element, String message) {
-    return new RejectedFileException(MessageCode.TOO_LARGE, element.position(), message);
+    return new RejectedFileException(MessageCode.MODEL_FILE_TOO_LARGE, element.position(), message);
   }
 
   @Override
@@ -195,7 +195,7 @@ final class ElementBuilder extends DefaultHandler2 {
       throws SAXException {
     if (foreign) {
       throw new RejectedFileException(
-          MessageCode.OWN_DECLARATION, here.position(), "the file has a DOCTYPE; leave it out");
+          MessageCode.DOCTYPE_DECLARES, here.position(), "the file has a DOCTYPE; leave it out");
     }
     inDtd = true;
     // Without DOCTYPE the parser announces the bundled grammar with the file's own id, which is

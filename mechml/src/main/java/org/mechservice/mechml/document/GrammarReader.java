@@ -1,9 +1,9 @@
 package org.mechservice.mechml.document;
 
 import java.util.List;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.xml.sax.SAXException;
 import org.xml.sax.ext.DefaultHandler2;
 
@@ -57,7 +57,7 @@ final class GrammarReader extends DefaultHandler2 {
     }
     if (value.length() > Limits.ENTITY_LENGTH) {
       throw new RejectedFileException(
-          MessageCode.TOO_LARGE,
+          MessageCode.MODEL_FILE_TOO_LARGE,
           here.position(),
           Phrase.of(
               "entity %s has %d characters; %d are allowed",
@@ -69,7 +69,7 @@ final class GrammarReader extends DefaultHandler2 {
   public void externalEntityDecl(String name, String publicId, String systemId)
       throws SAXException {
     throw new RejectedFileException(
-        MessageCode.FOREIGN_FILE,
+        MessageCode.REFERS_TO_OTHER_FILE,
         here.position(),
         Phrase.of(
             "entity %s lies in another file, %s; a model file stands alone, nothing is fetched",
@@ -79,7 +79,7 @@ final class GrammarReader extends DefaultHandler2 {
   private void refuseUnlessBundled(String what) throws RejectedFileException {
     if (!dtd.isServed()) {
       throw new RejectedFileException(
-          MessageCode.OWN_DECLARATION,
+          MessageCode.DOCTYPE_DECLARES,
           here.position(),
           Phrase.of(
               "the DOCTYPE declares %s of its own; the language is that of mechml.dtd,"

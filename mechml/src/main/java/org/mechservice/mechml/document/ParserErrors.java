@@ -4,9 +4,9 @@ import java.util.Optional;
 import org.apache.xerces.xni.XNIException;
 import org.apache.xerces.xni.parser.XMLErrorHandler;
 import org.apache.xerces.xni.parser.XMLParseException;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.SourcePosition;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Takes the XML parser's complaints: the first about well-formedness ends the reading, the first
@@ -62,7 +62,7 @@ final class ParserErrors implements XMLErrorHandler {
   public void fatalError(String domain, String key, XMLParseException exception) {
     MessageCode code =
         switch (key) {
-          case "EntityExpansionLimitExceeded" -> MessageCode.TOO_LARGE;
+          case "EntityExpansionLimitExceeded" -> MessageCode.MODEL_FILE_TOO_LARGE;
           case "EncodingDeclInvalid",
               "EncodingNotSupported",
               "EncodingByteOrderUnsupported",

@@ -1,7 +1,7 @@
 package org.mechservice.mechml.document;
 
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.SourcePosition;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.xml.sax.SAXException;
 
 /** A file is not read further. */

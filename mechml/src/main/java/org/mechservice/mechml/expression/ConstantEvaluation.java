@@ -1,8 +1,8 @@
 package org.mechservice.mechml.expression;
 
 import java.util.List;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** The value of an expression in a scope; every intermediate value must be finite. */
 public final class ConstantEvaluation {

@@ -1,6 +1,6 @@
 package org.mechservice.mechml.expression;
 
-import org.mechservice.mechml.diagnosis.MessageCode;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** An expression cannot be read or has no value. */
 public final class ExpressionException extends Exception {

@@ -6,11 +6,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.regex.Pattern;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.unit.UnitSymbols;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Reads an expression by recursive descent; one method per rule of the grammar. */
 public final class ExpressionParser {

@@ -3,9 +3,9 @@ package org.mechservice.mechml.expression;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** What the names in an expression stand for. */
 @FunctionalInterface

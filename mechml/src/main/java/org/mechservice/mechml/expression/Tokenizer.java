@@ -2,8 +2,8 @@ package org.mechservice.mechml.expression;
 
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Cuts the text of an expression into words. */
 final class Tokenizer {

@@ -6,7 +6,6 @@ import java.util.Optional;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.document.Limits;
@@ -30,6 +29,7 @@ import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.mechml.resolve.value.ResolvedParameter;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Quantity;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -102,7 +102,7 @@ final class MechanismReader {
     List<Element> elements = model.requiredChild("Bodies").children("body");
     if (elements.size() > Limits.BODIES) {
       diagnostics.error(
-          MessageCode.TOO_LARGE,
+          MessageCode.MODEL_FILE_TOO_LARGE,
           model.position(),
           Phrase.of("the model has %d bodies; %d are allowed", elements.size(), Limits.BODIES));
     }

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
@@ -15,6 +14,7 @@ import org.mechservice.mechml.resolve.value.AttributeText;
 import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Unit;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Output;
 
 /** Reads {@code Outputs}. */
@@ -80,6 +80,7 @@ final class OutputsReader {
   }
 
   private void error(Element element, String message) {
-    diagnostics.error(MessageCode.OUTPUT, element.position(), element.label() + ": " + message);
+    diagnostics.error(
+        MessageCode.OUTPUT_INCOMPLETE, element.position(), element.label() + ": " + message);
   }
 }

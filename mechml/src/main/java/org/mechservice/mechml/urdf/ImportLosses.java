@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import org.mechservice.mechml.diagnosis.Diagnostic;
-import org.mechservice.mechml.diagnosis.MessageCode;
-import org.mechservice.mechml.diagnosis.Severity;
 import org.mechservice.mechml.diagnosis.SourcePosition;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.Severity;
 
 /** What of a robot's file is not carried over, all of it. */
 final class ImportLosses {
@@ -29,7 +29,7 @@ final class ImportLosses {
     found.add(
         new Diagnostic(
             Severity.WARNING,
-            MessageCode.URDF_LOST.code(),
+            MessageCode.URDF_LOST,
             element.label() + ": " + what,
             file,
             position.line(),

@@ -6,13 +6,13 @@ import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MechmlException;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Document;
 import org.mechservice.mechml.document.DocumentReader;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.ModelResolver;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * A robot in MechML.

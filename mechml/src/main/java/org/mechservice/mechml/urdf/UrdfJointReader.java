@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
@@ -16,6 +15,7 @@ import org.mechservice.mechml.urdf.UrdfRobot.Freedom;
 import org.mechservice.mechml.urdf.UrdfRobot.Joint;
 import org.mechservice.mechml.urdf.UrdfRobot.Mimic;
 import org.mechservice.mechml.urdf.UrdfRobot.Range;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.Vector3;
 
 /** Reads a joint of a robot. */

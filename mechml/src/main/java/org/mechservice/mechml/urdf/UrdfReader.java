@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Attribute;
@@ -15,6 +14,7 @@ import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.urdf.UrdfRobot.Inertial;
 import org.mechservice.mechml.urdf.UrdfRobot.Joint;
 import org.mechservice.mechml.urdf.UrdfRobot.Link;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Reads the elements of a robot. */
 final class UrdfReader {

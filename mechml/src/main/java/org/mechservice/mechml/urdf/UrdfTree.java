@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
@@ -17,6 +16,7 @@ import org.mechservice.mechml.urdf.UrdfRobot.Joint;
 import org.mechservice.mechml.urdf.UrdfRobot.Link;
 import org.mechservice.mechml.urdf.UrdfRobot.Mimic;
 import org.mechservice.mechml.urdf.UrdfRobot.Range;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * How the links of a robot hang together.

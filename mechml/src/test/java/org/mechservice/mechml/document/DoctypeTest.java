@@ -9,6 +9,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.Resources;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Whatever the DOCTYPE says, the bundled grammar rules. */
 class DoctypeTest {
@@ -60,7 +61,10 @@ class DoctypeTest {
     assertThatThrownBy(() -> read(text))
         .isInstanceOfSatisfying(
             MechmlException.class,
-            e -> assertThat(e.diagnostics()).singleElement().returns("M-003", d -> d.code()));
+            e ->
+                assertThat(e.diagnostics())
+                    .singleElement()
+                    .returns(MessageCode.REFERS_TO_OTHER_FILE, d -> d.code()));
   }
 
   @ParameterizedTest
@@ -75,7 +79,10 @@ class DoctypeTest {
     assertThatThrownBy(() -> read(text))
         .isInstanceOfSatisfying(
             MechmlException.class,
-            e -> assertThat(e.diagnostics()).singleElement().returns("M-005", d -> d.code()));
+            e ->
+                assertThat(e.diagnostics())
+                    .singleElement()
+                    .returns(MessageCode.DOCTYPE_DECLARES, d -> d.code()));
   }
 
   @ParameterizedTest

@@ -12,7 +12,7 @@ import java.util.regex.Pattern;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.MechmlException;
-import org.mechservice.mechml.diagnosis.Severity;
+import org.mechservice.solver.catalogue.Severity;
 
 /**
  * What files go through: each is read, or refused with messages fit to be seen; nothing else may
@@ -58,7 +58,7 @@ final class Ordeal {
       refused++;
       assertThat(e.diagnostics()).anyMatch(d -> d.severity() == Severity.ERROR);
       requireFit(e.diagnostics());
-      e.diagnostics().stream().map(Diagnostic::code).distinct().forEach(this::count);
+      e.diagnostics().stream().map(said -> said.code().code()).distinct().forEach(this::count);
     } catch (RuntimeException | Error e) {
       throw new AssertionError(new String(content, StandardCharsets.UTF_8), e);
     }
@@ -73,7 +73,7 @@ final class Ordeal {
 
   private static void requireFit(List<Diagnostic> said) {
     for (Diagnostic one : said) {
-      if (!CODE.matcher(one.code()).matches()
+      if (!CODE.matcher(one.code().code()).matches()
           || one.message().isBlank()
           || NOISE.matcher(withoutQuotes(one.message())).find()) {
         throw new AssertionError("not fit to be seen: " + one);

@@ -12,7 +12,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.document.DocumentWriter;
 import org.mechservice.mechml.resolve.MechmlReader;
@@ -145,7 +144,7 @@ class UrdfImportTest {
       UrdfImport.of("r.urdf", robot.getBytes(StandardCharsets.UTF_8));
       return List.of();
     } catch (MechmlException e) {
-      return e.diagnostics().stream().map(Diagnostic::code).distinct().toList();
+      return e.diagnostics().stream().map(said -> said.code().code()).distinct().toList();
     }
   }
 

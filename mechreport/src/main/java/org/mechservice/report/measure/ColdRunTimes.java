@@ -1,6 +1,6 @@
 package org.mechservice.report.measure;
 
-import java.util.Arrays;
+import org.apache.commons.math3.stat.StatUtils;
 
 /**
  * Times of first runs, each in a Java machine of its own, its start included.
@@ -13,9 +13,7 @@ import java.util.Arrays;
 public record ColdRunTimes(double seconds, double least, double most, int count) {
   /** Returns what times, at least one, say together. */
   static ColdRunTimes of(double[] seconds) {
-    double[] sorted = seconds.clone();
-    Arrays.sort(sorted);
-    int count = sorted.length;
-    return new ColdRunTimes(sorted[count / 2], sorted[0], sorted[count - 1], count);
+    return new ColdRunTimes(
+        Quantiles.median(seconds), StatUtils.min(seconds), StatUtils.max(seconds), seconds.length);
   }
 }

@@ -1,9 +1,9 @@
 package org.mechservice.report.measure;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
+import org.apache.commons.math3.stat.regression.SimpleRegression;
 
 /** Cost of a method at a given error, between its points. */
 public final class EqualError {
@@ -97,14 +97,10 @@ public final class EqualError {
    * @return NaN if all x are equal
    */
   public static double slope(double[] x, double[] y) {
-    double meanX = Arrays.stream(x).average().orElseThrow();
-    double meanY = Arrays.stream(y).average().orElseThrow();
-    double xx = 0;
-    double xy = 0;
+    SimpleRegression line = new SimpleRegression();
     for (int i = 0; i < x.length; i++) {
-      xx += (x[i] - meanX) * (x[i] - meanX);
-      xy += (x[i] - meanX) * (y[i] - meanY);
+      line.addData(x[i], y[i]);
     }
-    return xx > 0 ? xy / xx : Double.NaN;
+    return line.getSlope();
   }
 }

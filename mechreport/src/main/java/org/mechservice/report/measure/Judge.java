@@ -217,8 +217,8 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
               reference.worstFloor());
     } else if (!reference.isChecked()) {
       doubt =
-          "The reference is doubtful: one code alone solved the scene, so what its errors are is not"
-              + " known.";
+          "The reference is doubtful: one code alone solved the scene, so what its errors are is"
+              + " not known.";
     }
     RunGrid shorter = new RunGrid(grid.start(), grid.step(), grid.row(kept.end()) + 1);
     return new Judge(Optional.of(kept), shorter, said, doubt);

@@ -47,13 +47,12 @@ public record Point(
   }
 
   private static Point of(MeasuredRun first, double[] seconds) {
-    double[] sorted = sorted(seconds, 0, seconds.length);
     return new Point(
         first,
-        quantile(sorted, 0.5),
-        quantile(sorted, 0.25),
-        quantile(sorted, 0.75),
-        sorted.length,
+        Quantiles.median(seconds),
+        Quantiles.of(seconds, 0.25),
+        Quantiles.of(seconds, 0.75),
+        seconds.length,
         drift(seconds));
   }
 
@@ -61,24 +60,8 @@ public record Point(
     int half = seconds.length / 2;
     return seconds.length < HALVES
         ? Double.NaN
-        : quantile(sorted(seconds, seconds.length - half, seconds.length), 0.5)
-            / quantile(sorted(seconds, 0, half), 0.5);
-  }
-
-  private static double[] sorted(double[] values, int from, int to) {
-    double[] part = Arrays.copyOfRange(values, from, to);
-    Arrays.sort(part);
-    return part;
-  }
-
-  private static double quantile(double[] sorted, double part) {
-    if (sorted.length == 0) {
-      return Double.NaN;
-    }
-    double place = part * (sorted.length - 1);
-    int below = (int) Math.floor(place);
-    int above = Math.min(below + 1, sorted.length - 1);
-    return sorted[below] + (place - below) * (sorted[above] - sorted[below]);
+        : Quantiles.median(Arrays.copyOfRange(seconds, seconds.length - half, seconds.length))
+            / Quantiles.median(Arrays.copyOfRange(seconds, 0, half));
   }
 
   /** Returns the tolerance asked for. */

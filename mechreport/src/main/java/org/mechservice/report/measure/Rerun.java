@@ -3,7 +3,6 @@ package org.mechservice.report.measure;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -121,7 +120,7 @@ public record Rerun(List<Pair> pairs, int alone) {
     differing.forEach(pair -> lines.add("differs: " + pair.name()));
     List<Pair> timed = timed();
     if (!timed.isEmpty()) {
-      double[] ratios = timed.stream().mapToDouble(Pair::ratio).sorted().toArray();
+      double[] ratios = timed.stream().mapToDouble(Pair::ratio).toArray();
       Pair worst =
           timed.stream()
               .max(Comparator.comparingDouble(pair -> Math.abs(Math.log(pair.ratio()))))
@@ -129,17 +128,17 @@ public record Rerun(List<Pair> pairs, int alone) {
       lines.add(
           line(
               "time, second over first: %.3f in the median, 90 %% of %d within %.3f and %.3f",
-              quantile(ratios, 0.5),
+              Quantiles.of(ratios, 0.5),
               ratios.length,
-              quantile(ratios, 0.05),
-              quantile(ratios, 0.95)));
+              Quantiles.of(ratios, 0.05),
+              Quantiles.of(ratios, 0.95)));
       lines.add(line("largest difference: %.3f, %s", worst.ratio(), worst.name()));
       long within = timed.stream().filter(Pair::withinSpread).count();
       lines.add(
           line(
               "medians within each other's quartiles widened by their distance: %d of %d",
               within, timed.size()));
-      double common = quantile(ratios, 0.5);
+      double common = Quantiles.of(ratios, 0.5);
       lines.add(
           line(
               "the same with the factor %.3f taken out, which all have in common: %d of %d",
@@ -149,13 +148,6 @@ public record Rerun(List<Pair> pairs, int alone) {
     }
     lines.add(agrees() ? "rerun within noise" : "NOT within noise (90 % of the times must be)");
     return lines;
-  }
-
-  private static double quantile(double[] sorted, double part) {
-    return Arrays.stream(sorted)
-        .skip((long) Math.floor(part * (sorted.length - 1)))
-        .findFirst()
-        .orElse(Double.NaN);
   }
 
   private static String line(String format, Object... values) {

@@ -3,13 +3,16 @@ package org.mechservice.report.measure;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.apache.commons.math3.exception.MathArithmeticException;
+import org.apache.commons.math3.exception.MaxCountExceededException;
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.EigenDecomposition;
 import org.mechservice.report.method.ModelProblem;
 import org.mechservice.solver.api.JointVariables;
-import org.mechservice.solver.linear.Eigenvalues;
 
 /**
  * Eigenvalues of the linearised equations along a run: ∂f/∂y by central differences in the
- * independent coordinates.
+ * independent coordinates, decomposed by Commons Math.
  *
  * @param samples one per time looked at
  * @param interval length of the run, s
@@ -81,29 +84,57 @@ public record Spectrum(List<Sample> samples, double interval) {
    */
   public static Optional<Sample> at(ModelProblem problem, double t, double[] y) {
     int[] free = free(problem);
-    double[] jacobian = jacobian(problem, t, y, free);
-    for (double element : jacobian) {
-      if (!Double.isFinite(element)) {
-        return Optional.empty();
-      }
+    if (free.length == 0) {
+      return Optional.of(new Sample(t, List.of()));
     }
-    Eigenvalues eigenvalues = new Eigenvalues(free.length, jacobian);
-    if (!eigenvalues.converged()) {
+    double[][] jacobian = jacobian(problem, t, y, free);
+    double scale = largestElement(jacobian);
+    if (!Double.isFinite(scale)) {
+      return Optional.empty();
+    }
+    EigenDecomposition eigen;
+    try {
+      eigen = new EigenDecomposition(scaled(jacobian, scale));
+    } catch (MaxCountExceededException | MathArithmeticException e) {
       return Optional.empty();
     }
     List<Mode> modes = new ArrayList<>();
     List<String> joints = jointOfState(problem);
-    double[] re = new double[free.length];
-    double[] im = new double[free.length];
-    for (int i = 0; i < eigenvalues.count(); i++) {
-      if (eigenvalues.imaginary(i) >= 0) {
-        eigenvalues.vector(i, re, im);
+    for (int i = 0; i < free.length; i++) {
+      double imaginary = eigen.getImagEigenvalue(i);
+      if (imaginary >= 0) {
+        // A complex pair of eigenvectors stands in two columns: real part, imaginary part.
+        double[] re = eigen.getEigenvector(i).toArray();
+        double[] im =
+            imaginary > 0 ? eigen.getEigenvector(i + 1).toArray() : new double[free.length];
         String joint = joints.get(free[largest(re, im, free, problem)]);
-        modes.add(new Mode(eigenvalues.real(i), eigenvalues.imaginary(i), joint));
+        modes.add(new Mode(scale * eigen.getRealEigenvalue(i), scale * imaginary, joint));
       }
     }
     modes.sort((a, b) -> Double.compare(b.modulus(), a.modulus()));
     return Optional.of(new Sample(t, modes));
+  }
+
+  /** Returns the largest |a_ij|; NaN or infinite if an element is. */
+  private static double largestElement(double[][] matrix) {
+    double largest = 0;
+    for (double[] row : matrix) {
+      for (double element : row) {
+        largest = Math.max(largest, Math.abs(element));
+      }
+    }
+    return largest;
+  }
+
+  /** The decomposition compares with absolute bounds: elements of 1 at most fit them. */
+  private static Array2DRowRealMatrix scaled(double[][] matrix, double scale) {
+    double factor = scale > 0 ? scale : 1;
+    for (double[] row : matrix) {
+      for (int i = 0; i < row.length; i++) {
+        row[i] /= factor;
+      }
+    }
+    return new Array2DRowRealMatrix(matrix, false);
   }
 
   private static int[] free(ModelProblem problem) {
@@ -112,9 +143,9 @@ public record Spectrum(List<Sample> samples, double interval) {
         .toArray();
   }
 
-  private static double[] jacobian(ModelProblem problem, double t, double[] y, int[] free) {
+  private static double[][] jacobian(ModelProblem problem, double t, double[] y, int[] free) {
     int n = free.length;
-    double[] jacobian = new double[n * n];
+    double[][] jacobian = new double[n][n];
     double[] above = new double[y.length];
     double[] below = new double[y.length];
     double[] moved = y.clone();
@@ -128,7 +159,7 @@ public record Spectrum(List<Sample> samples, double interval) {
       moved[free[column]] = kept;
       for (int row = 0; row < n; row++) {
         double slope = (above[free[row]] - below[free[row]]) / (2 * step);
-        jacobian[row * n + column] = defined ? slope : Double.NaN;
+        jacobian[row][column] = defined ? slope : Double.NaN;
       }
     }
     return jacobian;

@@ -1,12 +1,12 @@
 package org.mechservice.report.page;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import org.mechservice.report.SceneFindings;
 import org.mechservice.report.measure.Effort;
 import org.mechservice.report.measure.Judge;
 import org.mechservice.report.measure.Point;
+import org.mechservice.report.measure.Quantiles;
 import org.mechservice.report.measure.Reference;
 
 /** What a reader must know who does not believe the figures: reference, rules, warmth, spread. */
@@ -87,15 +87,11 @@ final class HowMeasured {
   /** Shows that methods were warm, and how well times are known. */
   private List<String> warmth() {
     double[] drifts =
-        found.points().stream()
-            .mapToDouble(Point::drift)
-            .filter(Double::isFinite)
-            .sorted()
-            .toArray();
+        found.points().stream().mapToDouble(Point::drift).filter(Double::isFinite).toArray();
     if (drifts.length == 0) {
       return List.of();
     }
-    double middle = median(drifts) - 1;
+    double middle = Quantiles.median(drifts) - 1;
     return List.of(
         String.format(
             Locale.ROOT,
@@ -103,8 +99,8 @@ final class HowMeasured {
                 + " %+.1f %% (median of %d points; half of them between %+.1f and %+.1f %%)%s",
             100 * middle,
             drifts.length,
-            100 * (drifts[drifts.length / 4] - 1),
-            100 * (drifts[drifts.length - 1 - drifts.length / 4] - 1),
+            100 * (Quantiles.of(drifts, 0.25) - 1),
+            100 * (Quantiles.of(drifts, 0.75) - 1),
             Math.abs(middle) <= WARM
                 ? ": the methods were warm."
                 : ": <b>they were not warm, or the machine was not quiet.</b>"),
@@ -114,17 +110,13 @@ final class HowMeasured {
   /** How far half of a point's times differ, in the middle of all points. */
   static String spread(List<Point> points) {
     double[] spreads =
-        points.stream().mapToDouble(Point::spread).filter(Double::isFinite).sorted().toArray();
+        points.stream().mapToDouble(Point::spread).filter(Double::isFinite).toArray();
     return spreads.length == 0
         ? "No point was timed"
         : String.format(
             Locale.ROOT,
             "Half of a point's times lie within %.1f %% of each other (median of the points)",
-            100 * median(spreads));
-  }
-
-  private static double median(double[] sorted) {
-    return Arrays.stream(sorted).skip((sorted.length - 1) / 2).findFirst().orElse(Double.NaN);
+            100 * Quantiles.median(spreads));
   }
 
   private String budget() {

@@ -5,6 +5,7 @@ import java.util.List;
 import org.mechservice.report.SceneFindings;
 import org.mechservice.report.measure.EqualError;
 import org.mechservice.report.measure.Point;
+import org.mechservice.report.measure.Quantiles;
 import org.mechservice.report.method.SimulationMethod;
 
 /** What the reader must not trust: each doubt is a sentence with its numbers. */
@@ -169,9 +170,8 @@ public final class ReliabilityWarnings {
             .filter(other -> !other.equals(method))
             .mapToDouble(other -> middleRatio(found.pointsOf(other.name()), found.floor()))
             .filter(ratio -> ratio > 0)
-            .sorted()
             .toArray();
-    return others.length == 0 ? usual : Math.max(usual, others[others.length / 2]);
+    return others.length == 0 ? usual : Math.max(usual, Quantiles.median(others));
   }
 
   /** Median of error over tolerance, of errors that can be told; 0 if there is none. */
@@ -180,9 +180,8 @@ public final class ReliabilityWarnings {
         points.stream()
             .filter(point -> point.completed() && point.error() > NEAR_FLOOR * floor)
             .mapToDouble(point -> point.error() / point.tolerance())
-            .sorted()
             .toArray();
-    return ratios.length == 0 ? 0 : ratios[ratios.length / 2];
+    return ratios.length == 0 ? 0 : Quantiles.median(ratios);
   }
 
   private static Point firstCompleted(List<Point> points) {

@@ -33,7 +33,7 @@ public final class StabilityReport {
   private static final int INTERVALS = 4;
 
   private final Supplier<MechSession> sessions;
-  private final TimeBudget budget;
+  private final SuiteTimeBudget budget;
   private final ReportProgress progress;
 
   /**
@@ -41,7 +41,7 @@ public final class StabilityReport {
    * @param budget of time, which begins when it is made
    */
   public StabilityReport(
-      Supplier<MechSession> sessions, TimeBudget budget, ReportProgress progress) {
+      Supplier<MechSession> sessions, SuiteTimeBudget budget, ReportProgress progress) {
     this.sessions = sessions;
     this.budget = budget;
     this.progress = progress;

@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.regex.Pattern;
 import org.mechservice.orb.Role;
 import org.mechservice.sim.service.contract.FileErrors;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * The folder of a service's certificates.
@@ -60,7 +61,12 @@ public final class KeyFolder {
 
   private static IllegalArgumentException unusable(String what, IOException cause) {
     return new IllegalArgumentException(
-        "S-155 no keys can be made in " + what + ": " + FileErrors.reason(cause), cause);
+        MessageCode.KEYS_NOT_MADE
+            + " no keys can be made in "
+            + what
+            + ": "
+            + FileErrors.reason(cause),
+        cause);
   }
 
   /**
@@ -92,7 +98,8 @@ public final class KeyFolder {
   private void make(String child, Role role, String name, List<String> addresses) {
     if (!NAME.matcher(child).matches() || child.startsWith(".") || child.equals("ca")) {
       throw new IllegalArgumentException(
-          "S-155 no keys can be made for \""
+          MessageCode.KEYS_NOT_MADE
+              + " no keys can be made for \""
               + child
               + "\": a name has 1 to 64 letters, digits, points, hyphens, colons, underscores,"
               + " and is not \"ca\"");

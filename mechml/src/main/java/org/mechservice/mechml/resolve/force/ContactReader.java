@@ -2,7 +2,6 @@ package org.mechservice.mechml.resolve.force;
 
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.formula.FormulaReader;
 import org.mechservice.mechml.resolve.formula.FormulaRole;
@@ -10,6 +9,7 @@ import org.mechservice.mechml.resolve.formula.FrameReader;
 import org.mechservice.mechml.resolve.formula.MechanismNames;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Quantity;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
@@ -82,7 +82,7 @@ final class ContactReader {
     if (!linear && element.attribute("stiffnessUnit").isPresent()) {
       error(
           element,
-          MessageCode.FORCE_ATTRIBUTE,
+          MessageCode.FORCE_ATTRIBUTES,
           "stiffnessUnit can be given where exponent is 1 only; leave it out and write the"
               + " stiffness in the file's units of force and length");
       return Optional.empty();
@@ -115,13 +115,13 @@ final class ContactReader {
       return Optional.of(Expression.ZERO);
     }
     if (formula && profile.isPresent()) {
-      error(element, MessageCode.PROFILE, "height and <profile> say the same; give one");
+      error(element, MessageCode.SURFACE_PROFILE, "height and <profile> say the same; give one");
       return Optional.empty();
     }
     if (carrier.attribute("vector2").isEmpty()) {
       error(
           element,
-          MessageCode.PROFILE,
+          MessageCode.SURFACE_PROFILE,
           "body1 needs vector2, the direction along which the height changes");
       return Optional.empty();
     }

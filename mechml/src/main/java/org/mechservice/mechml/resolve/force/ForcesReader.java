@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
@@ -15,6 +14,7 @@ import org.mechservice.mechml.resolve.formula.FormulaReader;
 import org.mechservice.mechml.resolve.formula.MechanismNames;
 import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.mechml.resolve.value.ValueReader;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
@@ -79,7 +79,7 @@ public final class ForcesReader {
               element.required("name"), className.get(), names.points(), names.origin(element)));
     }
     diagnostics.error(
-        MessageCode.CLASS_NAME,
+        MessageCode.FORCE_CLASS_NAME,
         element.position(),
         Phrase.of(
             "%s: fileName is %s; it must be the full name of a class and .class or .java, as"

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.formula.FormulaReader;
@@ -12,6 +11,7 @@ import org.mechservice.mechml.resolve.formula.MechanismNames;
 import org.mechservice.mechml.resolve.formula.ResolvedJoint;
 import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.force.ForceElement;
@@ -198,7 +198,7 @@ public final class JointAttributesReader {
 
   private void error(Element element, String message) {
     diagnostics.error(
-        MessageCode.FORCE_ATTRIBUTE, element.position(), element.label() + ": " + message);
+        MessageCode.FORCE_ATTRIBUTES, element.position(), element.label() + ": " + message);
   }
 
   /**

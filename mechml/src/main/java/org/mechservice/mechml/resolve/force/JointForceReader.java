@@ -2,7 +2,6 @@ package org.mechservice.mechml.resolve.force;
 
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.formula.CoordinateReader;
 import org.mechservice.mechml.resolve.formula.FormulaReader;
@@ -10,6 +9,7 @@ import org.mechservice.mechml.resolve.formula.FormulaRole;
 import org.mechservice.mechml.resolve.formula.MechanismNames;
 import org.mechservice.mechml.resolve.formula.ResolvedCoordinate;
 import org.mechservice.mechml.unit.Quantity;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
@@ -38,7 +38,7 @@ final class JointForceReader {
     Optional<Expression> angle0 = formulas.coefficient(element, "angle0", Quantity.ANGLE, 0);
     if (place.isPresent() && !place.get().turns()) {
       diagnostics.error(
-          MessageCode.FORCE_ATTRIBUTE,
+          MessageCode.FORCE_ATTRIBUTES,
           element.position(),
           element.label()
               + ": this coordinate is a displacement; give the joint the attributes stiffness and"

@@ -4,13 +4,13 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.value.AttributeText;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.mechml.unit.Unit;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
 
@@ -82,6 +82,7 @@ final class ProfileReader {
   }
 
   private void error(Element element, String message) {
-    diagnostics.error(MessageCode.PROFILE, element.position(), element.label() + ": " + message);
+    diagnostics.error(
+        MessageCode.SURFACE_PROFILE, element.position(), element.label() + ": " + message);
   }
 }

@@ -2,11 +2,11 @@ package org.mechservice.mechml.resolve.force;
 
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.formula.FormulaReader;
 import org.mechservice.mechml.resolve.formula.MechanismNames;
 import org.mechservice.mechml.unit.Quantity;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.force.Side;
@@ -71,7 +71,7 @@ final class SpringReader {
       return true;
     }
     diagnostics.error(
-        MessageCode.FORCE_ATTRIBUTE,
+        MessageCode.FORCE_ATTRIBUTES,
         element.position(),
         element.label()
             + (side == Side.BOTH

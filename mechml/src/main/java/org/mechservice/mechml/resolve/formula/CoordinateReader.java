@@ -3,11 +3,11 @@ package org.mechservice.mechml.resolve.formula;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Reads the attributes {@code joint} and {@code component}. A joint of one coordinate needs no
@@ -93,6 +93,7 @@ public final class CoordinateReader {
   }
 
   private void error(Element element, String message) {
-    diagnostics.error(MessageCode.COMPONENT, element.position(), element.label() + ": " + message);
+    diagnostics.error(
+        MessageCode.UNKNOWN_COORDINATE, element.position(), element.label() + ": " + message);
   }
 }

@@ -3,7 +3,6 @@ package org.mechservice.mechml.resolve.formula;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
@@ -15,6 +14,7 @@ import org.mechservice.mechml.resolve.value.ParameterTable;
 import org.mechservice.mechml.resolve.value.ResolvedParameter;
 import org.mechservice.mechml.unit.Unit;
 import org.mechservice.mechml.unit.UnitSystem;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.spatial.Vector3;
@@ -135,7 +135,7 @@ final class FormulaNames {
           default -> joined + "[0] to " + joined + "[" + (count - 1) + "]";
         };
     throw new ExpressionException(
-        MessageCode.COMPONENT,
+        MessageCode.UNKNOWN_COORDINATE,
         name.offset(),
         Phrase.of("%s: a joint of type %s has %s", Quoted.of(name.text()), joint.type(), has));
   }

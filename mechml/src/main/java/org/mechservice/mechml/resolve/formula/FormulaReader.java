@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.DoublePredicate;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.expression.ExpressionException;
@@ -15,6 +14,7 @@ import org.mechservice.mechml.resolve.value.AttributeText;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.mechml.unit.Unit;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 
 /**

@@ -2,11 +2,11 @@ package org.mechservice.mechml.resolve.formula;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.expression.ConstantEvaluation;
 import org.mechservice.mechml.expression.ExpressionException;
 import org.mechservice.mechml.expression.ParsedExpression;
 import org.mechservice.mechml.expression.Scope;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
 

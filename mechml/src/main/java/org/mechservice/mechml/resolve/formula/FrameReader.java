@@ -2,10 +2,10 @@ package org.mechservice.mechml.resolve.formula;
 
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.body.AlignmentRotation;
 import org.mechservice.mechml.resolve.body.BodyEnd;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.spatial.Rotation;

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
@@ -16,6 +15,7 @@ import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.mechml.unit.Unit;
 import org.mechservice.mechml.unit.UnitSymbols;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * The units that the values of a joint's coordinates stand in. The attribute {@code unit} beside

@@ -2,10 +2,10 @@ package org.mechservice.mechml.resolve.joint;
 
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.resolve.body.AlignmentRotation;
 import org.mechservice.mechml.resolve.body.BodyEnd;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;

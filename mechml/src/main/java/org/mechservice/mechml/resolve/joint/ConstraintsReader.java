@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
@@ -16,6 +15,7 @@ import org.mechservice.mechml.resolve.value.NameRule;
 import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Quantity;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.mechanism.StartRole;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
@@ -77,7 +77,7 @@ public final class ConstraintsReader {
     OptionalDouble mass = element.child("bodyrod").map(this::rodMass).orElse(OptionalDouble.of(0));
     if (distance.isPresent() && distance.getAsDouble() <= 0) {
       error(
-          MessageCode.DISTANCE,
+          MessageCode.DISTANCE_NOT_POSITIVE,
           element,
           Phrase.of(
               "dist is %s m; it must be positive. Points that coincide are a joint of type S",

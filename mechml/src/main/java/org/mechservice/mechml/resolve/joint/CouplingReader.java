@@ -3,7 +3,6 @@ package org.mechservice.mechml.resolve.joint;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.formula.CoordinateReader;
 import org.mechservice.mechml.resolve.formula.FormulaReader;
@@ -11,6 +10,7 @@ import org.mechservice.mechml.resolve.formula.FormulaRole;
 import org.mechservice.mechml.resolve.formula.MechanismNames;
 import org.mechservice.mechml.resolve.value.AttributeText;
 import org.mechservice.mechml.unit.Unit;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 
@@ -38,7 +38,7 @@ final class CouplingReader {
     if (expression != terms.isEmpty()
         || (expression && element.attribute("constant").isPresent())) {
       diagnostics.error(
-          MessageCode.COUPLING,
+          MessageCode.COUPLING_INCOMPLETE,
           element.position(),
           element.label()
               + ": it needs either an expression that stays zero, or terms with a constant");

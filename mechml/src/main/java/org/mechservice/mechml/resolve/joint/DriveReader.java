@@ -3,7 +3,6 @@ package org.mechservice.mechml.resolve.joint;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.formula.FormulaReader;
@@ -11,6 +10,7 @@ import org.mechservice.mechml.resolve.formula.FormulaRole;
 import org.mechservice.mechml.resolve.formula.JointCoordinateUnits;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.StartRole;
 
@@ -46,7 +46,7 @@ public final class DriveReader {
     JointType type = link.type();
     if (type.positionCount() == 0 || type.positionCount() != type.velocityCount()) {
       diagnostics.error(
-          MessageCode.DRIVEN,
+          MessageCode.DRIVEN_JOINT,
           element.position(),
           Phrase.of(
               "%s: a joint of type %s cannot be driven; drive a chain of joints of one coordinate"
@@ -57,7 +57,7 @@ public final class DriveReader {
     for (String overruled : List.of("posVals", "velVals")) {
       if (element.attribute(overruled).isPresent()) {
         diagnostics.warning(
-            MessageCode.DRIVEN,
+            MessageCode.DRIVEN_JOINT,
             element.position(),
             Phrase.of("%s: %s has no effect, since driven gives it", element.label(), overruled));
       }

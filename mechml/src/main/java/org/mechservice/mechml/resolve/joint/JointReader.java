@@ -3,12 +3,12 @@ package org.mechservice.mechml.resolve.joint;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Cylindrical;
 import org.mechservice.solver.mechanism.Free;
@@ -128,6 +128,7 @@ final class JointReader {
   }
 
   private void error(Element element, String message) {
-    diagnostics.error(MessageCode.PITCH, element.position(), element.label() + ": " + message);
+    diagnostics.error(
+        MessageCode.SCREW_PITCH, element.position(), element.label() + ": " + message);
   }
 }

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.body.BodyDefinition;
@@ -14,6 +13,7 @@ import org.mechservice.mechml.resolve.body.BodyEnd;
 import org.mechservice.mechml.resolve.body.BodyIndex;
 import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.mechml.resolve.value.ValueReader;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Origin;
 
 /** Reads {@code Joints} with the starts that {@code relCoorVals} gives them. */

@@ -4,13 +4,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.formula.JointCoordinateUnits;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Unit;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.JointStart;
 
 /** Reads {@code jointVal}. What is not given starts at zero, Euler parameters at 1, 0, 0, 0. */

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
@@ -20,6 +19,7 @@ import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Unit;
 import org.mechservice.solver.api.ModelEvents;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.StateChange;
@@ -114,6 +114,7 @@ public final class EventsReader {
   }
 
   private void error(Element element, String message) {
-    diagnostics.error(MessageCode.EVENT, element.position(), element.label() + ": " + message);
+    diagnostics.error(
+        MessageCode.EVENT_ACTION, element.position(), element.label() + ": " + message);
   }
 }

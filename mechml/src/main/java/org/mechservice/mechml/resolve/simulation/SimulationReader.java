@@ -8,7 +8,6 @@ import org.mechservice.mechml.AbsoluteTolerances;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
@@ -16,6 +15,7 @@ import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.value.SettingReader;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.mechanism.Event;
 
@@ -203,6 +203,7 @@ final class SimulationReader {
   }
 
   private void error(Element output, String message) {
-    diagnostics.error(MessageCode.OUTPUT, output.position(), output.label() + ": " + message);
+    diagnostics.error(
+        MessageCode.OUTPUT_INCOMPLETE, output.position(), output.label() + ": " + message);
   }
 }

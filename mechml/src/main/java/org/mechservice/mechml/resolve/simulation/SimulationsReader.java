@@ -9,7 +9,6 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
@@ -17,6 +16,7 @@ import org.mechservice.mechml.diagnosis.SourcePosition;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.value.NameRule;
 import org.mechservice.mechml.resolve.value.ValueReader;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Reads all {@code MBSsimulation} blocks and chooses the one wanted. */
 public final class SimulationsReader {

@@ -3,11 +3,11 @@ package org.mechservice.mechml.resolve.simulation;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Quantity;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Reads {@code timeSet}. */
 final class TimeSetReader {

@@ -2,10 +2,10 @@ package org.mechservice.mechml.resolve.value;
 
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Which names may be given. */
 public final class NameRule {

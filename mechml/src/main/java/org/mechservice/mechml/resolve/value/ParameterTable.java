@@ -7,11 +7,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.mechservice.mechml.ModelParameter;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.expression.ExpressionException;
 import org.mechservice.mechml.expression.ParsedExpression;
 import org.mechservice.mechml.expression.Scope;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * The parameters of a model, and what the names of a constant expression stand for: parameters and
@@ -86,7 +86,7 @@ public final class ParameterTable implements Scope {
     }
     if (parameter.get().tunable()) {
       throw new ExpressionException(
-          MessageCode.TUNABLE,
+          MessageCode.TUNABLE_PARAMETER_MISPLACED,
           name.offset(),
           Quoted.of(name.text())
               + " is tunable, and this is settled when the model is read; it may stand in forces,"

@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.Set;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
@@ -26,6 +25,7 @@ import org.mechservice.mechml.unit.Unit;
 import org.mechservice.mechml.unit.UnitException;
 import org.mechservice.mechml.unit.UnitParser;
 import org.mechservice.mechml.unit.UnitSystem;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Reads {@code Parameters}, in whatever order they use each other. */
 public final class ParametersReader {

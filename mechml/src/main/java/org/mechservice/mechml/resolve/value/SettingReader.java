@@ -3,9 +3,9 @@ package org.mechservice.mechml.resolve.value;
 import java.util.OptionalDouble;
 import java.util.function.DoublePredicate;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Reads pure numbers that must satisfy a condition. */
 public final class SettingReader {

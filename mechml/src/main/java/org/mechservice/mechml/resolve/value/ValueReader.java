@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.mechservice.mechml.diagnosis.Diagnostics;
-import org.mechservice.mechml.diagnosis.MessageCode;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
@@ -19,6 +18,7 @@ import org.mechservice.mechml.unit.Unit;
 import org.mechservice.mechml.unit.UnitException;
 import org.mechservice.mechml.unit.UnitParser;
 import org.mechservice.mechml.unit.UnitSystem;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.Vector3;
 
 /**

@@ -15,6 +15,7 @@ import javax.tools.JavaFileObject;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * What became of sources compiled in memory.
@@ -52,7 +53,7 @@ public record Compilation(
     JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
     if (compiler == null) {
       throw new ModelBuildException(
-          "S-084",
+          MessageCode.NO_COMPILER,
           "this Java ("
               + System.getProperty("java.home")
               + ") has no compiler; run with a JDK 17 or"

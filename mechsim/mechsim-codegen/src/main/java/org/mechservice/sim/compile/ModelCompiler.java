@@ -11,6 +11,7 @@ import javax.tools.Diagnostic;
 import javax.tools.JavaFileObject;
 import org.mechservice.sim.emit.bytes.MethodSizes;
 import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Compiles generated classes in memory, against nothing but the JDK and the solver's interfaces.
@@ -34,6 +35,10 @@ public final class ModelCompiler {
           "org.mechservice.solver.compact",
           "org.mechservice.solver.force",
           "org.mechservice.solver.ode",
+          "org.mechservice.solver.ode.adams",
+          "org.mechservice.solver.ode.events",
+          "org.mechservice.solver.ode.stiff",
+          "org.mechservice.solver.ode.switching",
           "org.mechservice.solver.standalone");
 
   private ModelCompiler() {}
@@ -87,7 +92,7 @@ public final class ModelCompiler {
       String code = String.valueOf(diagnostic.getCode());
       if (code.contains("limit.")) {
         return new ModelBuildException(
-            "S-085",
+            MessageCode.MODEL_CLASS_TOO_LARGE,
             "the generated class "
                 + className
                 + " is too large for a class file ("

@@ -11,6 +11,7 @@ import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.objectweb.asm.ClassTooLargeException;
 import org.objectweb.asm.ClassWriter;
 import org.objectweb.asm.Label;
@@ -88,7 +89,7 @@ final class ModelBytesWriter {
       return bytes;
     } catch (ClassTooLargeException e) {
       throw new ModelBuildException(
-          "S-085",
+          MessageCode.MODEL_CLASS_TOO_LARGE,
           "the generated class "
               + simpleName
               + " is too large for a class file ("

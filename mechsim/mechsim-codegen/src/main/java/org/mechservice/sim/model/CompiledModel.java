@@ -110,7 +110,7 @@ public final class CompiledModel {
    * Returns an instance to be asked for names, units, columns and settings: classes of users are
    * not loaded for it, their forces do nothing.
    */
-  Model withoutUserClasses() {
+  public Model withoutUserClasses() {
     return describing().model();
   }
 

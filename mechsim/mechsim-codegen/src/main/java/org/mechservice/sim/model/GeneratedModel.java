@@ -113,7 +113,7 @@ public final class GeneratedModel {
    * Returns the class files by binary name; that of the equations computes what {@link #source}
    * says, bit by bit.
    */
-  SortedMap<String, byte[]> classFiles() {
+  public SortedMap<String, byte[]> classFiles() {
     SortedMap<String, byte[]> files = new TreeMap<>();
     files.put(sourceName(), written.classFile());
     if (columns.isPresent()) {

@@ -2,6 +2,7 @@ package org.mechservice.sim.model;
 
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -51,7 +52,7 @@ final class GeneratedNames {
   private static void requirePrintable(String name, char c) {
     if (Character.isISOControl(c)) {
       throw new ModelBuildException(
-          "S-083",
+          MessageCode.NAME_CANNOT_BE_KEPT,
           "the name \""
               + name.replaceAll("\\p{Cntrl}", "?")
               + "\" contains a control character (shown as ?); leave it out");
@@ -61,7 +62,7 @@ final class GeneratedNames {
   private static void requireShort(String whose, int length) {
     if (length > LONGEST_CONSTANT) {
       throw new ModelBuildException(
-          "S-083",
+          MessageCode.NAME_CANNOT_BE_KEPT,
           "the names of the "
               + whose
               + " take "

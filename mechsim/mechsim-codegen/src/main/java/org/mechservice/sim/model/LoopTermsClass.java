@@ -15,8 +15,8 @@ import org.mechservice.sim.equations.loop.LoopCode;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.closure.equations.LoopEquations;
+import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -55,7 +55,12 @@ final class LoopTermsClass {
             ? Optional.of(PoseEquations.derive(links))
             : Optional.empty(),
         ofResidual,
-        notes(choice, loops, equations, ofResidual, LeftOut.of(model, links, options, equations)));
+        notes(
+            choice,
+            loops,
+            equations,
+            ofResidual,
+            Omissions.unneeded(model, links, options, equations)));
   }
 
   /** How forces of users change is added by their classes. */
@@ -82,7 +87,7 @@ final class LoopTermsClass {
     ofResidual.ifPresent(
         programs ->
             notes.add(programs.residual().operationCount() + " give the residual of the tree."));
-    notes.add(LeftOut.sentence(leftOut));
+    notes.add(Omissions.sentence(leftOut));
     return notes;
   }
 }

@@ -20,6 +20,7 @@ import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.StartRole;
@@ -60,7 +61,7 @@ final class ModelAssembly {
 
   /** Returns a model that is not integrated; its data say what is done with it. */
   GeneratedModel analysis(AnalysisTask task) {
-    Set<ColumnGroup> further = DataColumns.of(model, options, false);
+    Set<ColumnGroup> further = ModelColumns.fromData(model, options, false);
     further.add(ColumnGroup.JOINTS);
     CompactClass data = data(further, Optional.empty(), Optional.empty(), Optional.of(task));
     return ofData(data, choice);
@@ -71,7 +72,8 @@ final class ModelAssembly {
         beyond.isEmpty()
             ? "compact form, as asked for"
             : "compact form, since no code is generated yet for " + String.join(", ", beyond);
-    Set<ColumnGroup> further = DataColumns.of(model, options, mechanism.closures().isEmpty());
+    Set<ColumnGroup> further =
+        ModelColumns.fromData(model, options, mechanism.closures().isEmpty());
     CompactClass data = data(further, Optional.empty(), Optional.empty(), Optional.empty());
     return ofData(data, choice.because("; " + form));
   }
@@ -86,7 +88,7 @@ final class ModelAssembly {
         new ClosedMechanism(mechanism, choice.formulation(), options.settings());
     if (!closed.isAssembled()) {
       throw new ModelBuildException(
-          "S-092",
+          MessageCode.LOOPS_OPEN_AT_START,
           closed.findings().stream()
               .filter(finding -> !finding.kind().isWarning())
               .map(finding -> finding.note().text())
@@ -140,8 +142,8 @@ final class ModelAssembly {
       Optional<GeneratedClass> values,
       Optional<AnalysisTask> task) {
     return new CompactClass(
-        DataColumns.data(model, options, choice, further),
-        BuiltColumns.labels(further),
+        ModelColumns.data(model, options, choice, further),
+        ModelColumns.labels(further),
         generated,
         values,
         task);
@@ -165,7 +167,7 @@ final class ModelAssembly {
     if (!tooLong.isEmpty()) {
       return compact(tooLong);
     }
-    List<Omission> leftOut = LeftOut.of(model, links, options, derivative);
+    List<Omission> leftOut = Omissions.unneeded(model, links, options, derivative);
     ModelPlan written =
         ModelPlan.of(
             TreeClass.derive(links, options, choice, derivative, derivatives, leftOut),
@@ -174,7 +176,8 @@ final class ModelAssembly {
     if (!tooLarge.isEmpty()) {
       return compact(tooLarge);
     }
-    Set<ColumnGroup> further = DataColumns.of(model, options, !ModelClass.hasUserForces(mechanism));
+    Set<ColumnGroup> further =
+        ModelColumns.fromData(model, options, !ModelClass.hasUserForces(mechanism));
     ValuesClass.Derived values = ValuesClass.derive(model, links, options);
     Optional<CompactClass> beside =
         further.isEmpty() && !needsData(model.watchedMechanism())
@@ -187,7 +190,7 @@ final class ModelAssembly {
         choice.callingForcesOf(mechanism),
         operations,
         leftOut,
-        FromData.of(model, further, values.fromData(), Optional.empty()));
+        Omissions.fromData(model, further, values.fromData(), Optional.empty()));
   }
 
   /** Parameters, user forces and what happens along a run are kept as data beside the code. */
@@ -224,7 +227,7 @@ final class ModelAssembly {
     boolean leftToData = choice.formulation().equals("RR-JF") && terms.derivatives().isEmpty();
     Optional<String> why =
         leftToData ? Optional.of(GenerationLimits.TOO_LONG_DERIVATIVES) : Optional.empty();
-    Set<ColumnGroup> further = DataColumns.of(model, options, false);
+    Set<ColumnGroup> further = ModelColumns.fromData(model, options, false);
     ValuesClass.Derived values = ValuesClass.derive(model, links, options);
     return assembled(
         written,
@@ -232,8 +235,8 @@ final class ModelAssembly {
         values.plan(),
         choice.callingForcesOf(mechanism),
         operations,
-        LeftOut.of(model, links, options, terms.equations()),
-        FromData.of(model, further, values.fromData(), why));
+        Omissions.unneeded(model, links, options, terms.equations()),
+        Omissions.fromData(model, further, values.fromData(), why));
   }
 
   /** Tries to write a large class: how many bodies fit depends on their joints and forces. */

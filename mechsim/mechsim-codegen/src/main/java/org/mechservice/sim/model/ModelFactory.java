@@ -73,26 +73,11 @@ public final class ModelFactory {
    * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
    *     this JVM has no compiler (S-084) or the class is too large (S-085)
    */
-  static CompiledModel compileSource(
+  public static CompiledModel compileSource(
       MechmlModel model, BuildOptions options, GeneratedModel generated) {
     SortedMap<String, String> sources = new TreeMap<>();
     generated.sources().forEach(source -> sources.put(source.className(), source.text()));
     SortedMap<String, byte[]> classFiles = ModelCompiler.compile(sources);
     return new CompiledModel(model, generated, options, classFiles, UserClasses.NONE);
-  }
-
-  /** Returns a JAR of the model's own classes and description; it runs with {@link #runtimeJar}. */
-  public static JarImage modelJar(CompiledModel model, String mechmlSha256) {
-    return ModelJars.model(model, mechmlSha256);
-  }
-
-  /** Returns a JAR of the model and the solver classes it reaches; {@code java -jar} runs it. */
-  public static JarImage standaloneJar(CompiledModel model, String mechmlSha256) {
-    return ModelJars.standalone(model, mechmlSha256);
-  }
-
-  /** Returns the JAR of this process's solver. */
-  public static JarImage runtimeJar() {
-    return RuntimeJar.current();
   }
 }

@@ -6,20 +6,21 @@ import java.util.TreeMap;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.sim.emit.MainClass;
 import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
 /** The main class of a standalone JAR: it joins one model and one integrator. */
-final class StandaloneMain {
+public final class StandaloneMain {
   private static final String INTEGRATION = "org.mechservice.solver.ode.";
 
-  /** Class of each integrator by its name in settings. */
+  /** Class of each integrator, below {@link #INTEGRATION}, by its name in settings. */
   private static final Map<String, String> INTEGRATORS =
       Map.of(
-          "DE", "De",
-          "ode113", "Ode113",
-          "ode15s", "Ode15s",
-          "ode15sR", "Ode15sR",
-          "switching", "Switching");
+          "DE", "adams.De",
+          "ode113", "adams.Ode113",
+          "ode15s", "stiff.Ode15s",
+          "ode15sR", "stiff.Ode15sR",
+          "switching", "switching.Switching");
 
   private StandaloneMain() {}
 
@@ -29,7 +30,7 @@ final class StandaloneMain {
   static void requireIntegrator(String name) {
     if (!INTEGRATORS.containsKey(name)) {
       throw new ModelBuildException(
-          "S-082",
+          MessageCode.INTEGRATOR_NOT_AVAILABLE,
           "integrator \""
               + name
               + "\" is not in this version; use ode113, DE, ode15s, ode15sR or switching");
@@ -37,20 +38,20 @@ final class StandaloneMain {
   }
 
   /** Returns the fully qualified name of the main class of a model. */
-  static String className(GeneratedFacts model) {
+  public static String className(GeneratedFacts model) {
     return model.className() + "Main";
   }
 
   /** Returns the model's classes with the main class, by binary name. */
-  static SortedMap<String, byte[]> classFiles(CompiledModel model) {
+  public static SortedMap<String, byte[]> classFiles(CompiledModel model) {
     SortedMap<String, byte[]> classes = new TreeMap<>(model.classFiles());
     classes.put(className(model.generated()), main(model));
     return classes;
   }
 
   private static byte[] main(CompiledModel model) {
-    String built = BuiltColumns.labels(BuiltColumns.of(model));
-    String shown = BuiltColumns.labels(BuiltColumns.shown(model));
+    String built = ModelColumns.labels(ModelColumns.of(model));
+    String shown = ModelColumns.labels(ModelColumns.shown(model));
     String name = className(model.generated());
     if (!(model.source().settings().task() instanceof SimulationTask.Dynamic)) {
       return MainClass.ofAnalysis(name, model.generated().className(), built, shown);

@@ -105,7 +105,7 @@ final class TreeClass {
     residual.ifPresent(program -> notes.add(program.operationCount() + " give the residual."));
     derivatives.ifPresent(
         derived -> notes.add(derived.program().operationCount() + " give its derivatives."));
-    notes.add(LeftOut.sentence(leftOut));
+    notes.add(Omissions.sentence(leftOut));
     return notes;
   }
 }

@@ -3,6 +3,7 @@ package org.mechservice.sim.scene;
 import java.util.Locale;
 import java.util.Optional;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
@@ -81,12 +82,13 @@ final class DigitsForecast {
 
   private static Finding finding(Joint joint, double left, RunSettings settings) {
     return new Finding(
-        "N-008",
+        MessageCode.NEARLY_SINGULAR_INERTIA,
         String.format(
             Locale.ROOT,
-            "the joints beyond joint \"%s\" leave one part in %.0e of the inertia at it, so that DSR"
-                + " has about %d digits of its acceleration, fewer than the relative tolerance %.0e"
-                + " asks for, and steps will shrink; use formulation DTR, or RR-JF with ode15sR",
+            "the joints beyond joint \"%s\" leave one part in %.0e of the inertia at it, so that"
+                + " DSR has about %d digits of its acceleration, fewer than the relative tolerance"
+                + " %.0e asks for, and steps will shrink; use formulation DTR, or RR-JF with"
+                + " ode15sR",
             joint.name(),
             1 / left,
             (int) Math.max(0, Math.floor(Math.log10(left / Math.ulp(1.0)))),

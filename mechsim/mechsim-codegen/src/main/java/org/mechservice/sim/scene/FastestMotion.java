@@ -2,6 +2,12 @@ package org.mechservice.sim.scene;
 
 import java.util.Locale;
 import java.util.Optional;
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.ArrayRealVector;
+import org.apache.commons.math3.linear.EigenDecomposition;
+import org.apache.commons.math3.linear.QRDecomposition;
+import org.apache.commons.math3.linear.RealMatrix;
+import org.apache.commons.math3.linear.RealVector;
 import org.mechservice.solver.api.DependentStates;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.RunSettings;
@@ -15,28 +21,31 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /**
  * The fastest motion of a mechanism's equations linearised at the start, found by powers of their
- * Jacobian.
+ * Jacobian J.
  *
- * <p>A dominant pair of eigenvalues obeys λ² = a λ + b. Of three successive powers x, J x, J² x the
- * numbers a and b follow by least squares, whether the pair is real or complex.
+ * <p>A dominant pair of eigenvalues obeys λ² = a λ + b. The numbers a and b follow by least squares
+ * from three successive powers x, J x, J² x, whether the pair is real or complex (Wilkinson 1965,
+ * ch. 9); the pair is the spectrum of the companion matrix [a b; 1 0]. Least squares and spectrum
+ * are those of Commons Math.
  *
  * @param swings whether it oscillates
  * @param modulus |λ|, rad/s
  * @param real Re λ, 1/s
- * @param joint whose velocity takes part in it most
+ * @param joint the joint whose velocity takes part in it most
  */
 record FastestMotion(boolean swings, double modulus, double real, Joint joint) {
-  /** Below this part of critical, a motion swings for so long that every method must follow it. */
+  /** Least part of critical damping of a motion that dies away before a method must follow it. */
   private static final double DAMPED = 0.05;
 
-  /** Loops of more velocities take longer to assemble than the spectrum is worth. */
+  /** Most velocities of a scene that is examined: assembling larger loops takes too long. */
   private static final int MOST_VELOCITIES = 1000;
 
   /**
-   * Finds it.
+   * Finds the fastest motion at the start of a run.
    *
-   * @param settings of the run: its start
-   * @return empty if nothing can be said: of user forces, or where the equations have no derivative
+   * @param settings settings of the run
+   * @return empty with user forces, with more than 1000 velocities, and where the equations have no
+   *     derivative
    */
   static Optional<FastestMotion> of(Mechanism mechanism, RunSettings settings) {
     boolean user = mechanism.forces().stream().anyMatch(UserForceElement.class::isInstance);
@@ -51,12 +60,12 @@ record FastestMotion(boolean swings, double modulus, double real, Joint joint) {
     }
   }
 
-  /** Returns whether it dies away soon, so that an implicit method need not follow it. */
+  /** Returns whether the motion dies away soon, so that an implicit method need not follow it. */
   boolean isDamped() {
     return !swings || -real > DAMPED * modulus;
   }
 
-  /** Says how it moves, as a predicate. */
+  /** Returns the motion in words, as a predicate. */
   String text() {
     return swings
         ? String.format(
@@ -73,6 +82,9 @@ record FastestMotion(boolean swings, double modulus, double real, Joint joint) {
 
     /** Relative size of a difference: balances rounding against curvature. */
     private static final double DIFFERENCE = 1e-7;
+
+    /** Below this sin² of their angle, two powers are parallel: one real eigenvalue alone. */
+    private static final double PARALLEL = 1e-12;
 
     private final Mechanism mechanism;
     private final RunSettings settings;
@@ -107,12 +119,18 @@ record FastestMotion(boolean swings, double modulus, double real, Joint joint) {
         if (!multiply(x, image)) {
           return Optional.empty();
         }
-        normalise(image);
-        System.arraycopy(image, 0, x, 0, x.length);
+        double norm = vector(image).getNorm();
+        for (int k = 0; k < x.length; k++) {
+          x[k] = norm > 0 ? image[k] / norm : 0;
+        }
       }
       return multiply(x, image) && multiply(image, second)
-          ? Optional.of(judged(x, image, second))
+          ? judged(vector(x), vector(image), vector(second))
           : Optional.empty();
+    }
+
+    private static RealVector vector(double[] x) {
+      return new ArrayRealVector(x, false);
     }
 
     private boolean isFree(int component) {
@@ -145,53 +163,36 @@ record FastestMotion(boolean swings, double modulus, double real, Joint joint) {
       return closed && model.derivative(t, moved, slope) == ExplicitModel.REGULAR;
     }
 
-    private static void normalise(double[] x) {
-      double square = 0;
-      for (double element : x) {
-        square += element * element;
+    /** Returns the motion of three powers x, J x and J² x; empty if their products overflow. */
+    private Optional<FastestMotion> judged(RealVector x, RealVector image, RealVector second) {
+      double[][] companion = {{image.dotProduct(x) / x.dotProduct(x), 0}, {1, 0}};
+      double cosine = image.cosine(x);
+      if (1 - cosine * cosine > PARALLEL) {
+        RealMatrix powers = new Array2DRowRealMatrix(x.getDimension(), 2);
+        powers.setColumnVector(0, image);
+        powers.setColumnVector(1, x);
+        companion[0] = new QRDecomposition(powers).getSolver().solve(second).toArray();
       }
-      double factor = square > 0 ? 1 / Math.sqrt(square) : 0;
-      for (int i = 0; i < x.length; i++) {
-        x[i] *= factor;
+      if (!Double.isFinite(companion[0][0]) || !Double.isFinite(companion[0][1])) {
+        return Optional.empty();
       }
-    }
-
-    private FastestMotion judged(double[] x, double[] image, double[] second) {
-      double xx = dot(x, x);
-      double xz = dot(x, image);
-      double zz = dot(image, image);
-      double xw = dot(x, second);
-      double zw = dot(image, second);
-      double determinant = xx * zz - xz * xz;
-      double a = xz / xx;
-      double b = 0;
-      // Parallel images: one real eigenvalue alone.
-      if (determinant > 1e-12 * xx * zz) {
-        a = (xx * zw - xz * xw) / determinant;
-        b = (zz * xw - xz * zw) / determinant;
-      }
-      double discriminant = a * a / 4 + b;
-      boolean swings = discriminant < 0;
-      double real = swings ? a / 2 : a / 2 - Math.sqrt(discriminant);
+      EigenDecomposition pair = new EigenDecomposition(new Array2DRowRealMatrix(companion, false));
+      double[] real = pair.getRealEigenvalues();
+      double[] imaginary = pair.getImagEigenvalues();
       double modulus =
-          swings ? Math.sqrt(-b) : Math.abs(a / 2) + Math.sqrt(Math.max(0, discriminant));
-      return new FastestMotion(swings, modulus, real, jointOf(image));
-    }
-
-    private static double dot(double[] a, double[] b) {
-      double sum = 0;
-      for (int i = 0; i < a.length; i++) {
-        sum += a[i] * b[i];
-      }
-      return sum;
+          Math.max(Math.hypot(real[0], imaginary[0]), Math.hypot(real[1], imaginary[1]));
+      return Optional.of(
+          new FastestMotion(
+              pair.hasComplexEigenvalues(), modulus, Math.min(real[0], real[1]), jointOf(image)));
     }
 
     /** The joint whose velocity takes part most. */
-    private Joint jointOf(double[] image) {
+    private Joint jointOf(RealVector image) {
       int positions = mechanism.positionCount();
       int largest = 0;
       for (int i = 0; i < mechanism.velocityCount(); i++) {
-        if (Math.abs(image[positions + i]) > Math.abs(image[positions + largest])) {
+        if (Math.abs(image.getEntry(positions + i))
+            > Math.abs(image.getEntry(positions + largest))) {
           largest = i;
         }
       }

@@ -1,5 +1,6 @@
 package org.mechservice.sim.scene;
 
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
@@ -9,7 +10,7 @@ import org.mechservice.solver.mechanism.Origin;
  * @param text what was found and what to do
  * @param origin where it was written down
  */
-public record Finding(String code, String text, Origin origin) {
+public record Finding(MessageCode code, String text, Origin origin) {
 
   /** Returns place, code and text as one line. */
   @Override

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Call;
 import org.mechservice.solver.expression.Expression.Constant;
@@ -76,7 +77,11 @@ final class FormulaForecast {
     boolean given = Double.isFinite(settings.maxStep());
     if (steps >= MANY || (given && skipped)) {
       String where = new FormulaText(mechanism).of(call) + " in " + part;
-      add("N-019", part, origin, where + (jumps ? jumping(rate, steps) : turning(rate, steps)));
+      add(
+          MessageCode.VERY_MANY_STEPS,
+          part,
+          origin,
+          where + (jumps ? jumping(rate, steps) : turning(rate, steps)));
     }
   }
 
@@ -128,7 +133,7 @@ final class FormulaForecast {
   private void chatter(Function function, Expression argument, String part, Origin origin) {
     if (dependsOnVelocity(argument)) {
       add(
-          "N-028",
+          MessageCode.FORCE_JUMPS_WITH_VELOCITY,
           part,
           origin,
           part
@@ -146,7 +151,7 @@ final class FormulaForecast {
         || ShortPulseCheck.operands(formula).stream().anyMatch(FormulaForecast::dependsOnVelocity);
   }
 
-  private void add(String code, String part, Origin origin, String text) {
+  private void add(MessageCode code, String part, Origin origin, String text) {
     findings.putIfAbsent(code + part, new Finding(code, text, origin));
   }
 }

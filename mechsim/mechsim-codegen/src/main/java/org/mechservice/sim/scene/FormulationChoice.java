@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -176,6 +177,6 @@ public record FormulationChoice(String formulation, String closure, String reaso
   }
 
   private static ModelBuildException refused(String why) {
-    return new ModelBuildException("S-081", why);
+    return new ModelBuildException(MessageCode.FORMULATION_NOT_AVAILABLE, why);
   }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
@@ -63,7 +64,7 @@ public final class InertiaCheck {
     Joint joint = mechanism.joints().get(index);
     List<String> chain = chain(mechanism, index);
     return new Finding(
-        "N-002",
+        MessageCode.SINGULAR_INERTIA,
         "at the start no inertia resists joint \""
             + joint.name()
             + "\""

@@ -3,9 +3,10 @@ package org.mechservice.sim.scene;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.ClosedMechanism;
-import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.closure.assembly.LoopFinding;
+import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -65,12 +66,13 @@ public record LoopAnalysis(
 
   private static Finding tooLarge(Mechanism mechanism) {
     return new Finding(
-        "S-089",
+        MessageCode.LOOP_RANK_NOT_JUDGED,
         "model \""
             + mechanism.name()
             + "\" has more than "
             + MOST_VELOCITIES
-            + " velocities or loop equations; which of the equations are independent was not judged",
+            + " velocities or loop equations; which of the equations are independent was not"
+            + " judged",
         Origin.NONE);
   }
 
@@ -119,11 +121,11 @@ public record LoopAnalysis(
     return findings;
   }
 
-  private static String code(LoopFinding finding) {
+  private static MessageCode code(LoopFinding finding) {
     return switch (finding.kind()) {
-      case REDUNDANT -> "S-090";
-      case SINGULAR_START -> "S-091";
-      default -> "S-092";
+      case REDUNDANT -> MessageCode.LOOPS_REDUNDANT;
+      case SINGULAR_START -> MessageCode.LOOPS_START_SINGULAR;
+      default -> MessageCode.LOOPS_OPEN_AT_START;
     };
   }
 

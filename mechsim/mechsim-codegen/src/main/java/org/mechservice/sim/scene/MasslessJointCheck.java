@@ -3,6 +3,7 @@ package org.mechservice.sim.scene;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Joint;
@@ -51,7 +52,7 @@ final class MasslessJointCheck {
 
   private static Finding movesNothing(Joint joint, Body body) {
     return new Finding(
-        "S-086",
+        MessageCode.JOINT_MOVES_NO_MASS,
         "joint \""
             + joint.name()
             + "\" moves body \""

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Call;
@@ -193,7 +194,7 @@ public final class ShortPulseCheck {
       }
     }
     return new Finding(
-        "N-025",
+        MessageCode.SHORT_PULSE,
         String.format(
             Locale.ROOT,
             "a formula of time pushes joint \"%s\" for some %.1e s only, first at t = %.6g s; a"

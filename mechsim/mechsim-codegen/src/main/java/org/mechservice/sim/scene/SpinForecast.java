@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.Optional;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -45,7 +46,7 @@ final class SpinForecast {
 
   private static Finding finding(Joint joint, double spin, double length) {
     return new Finding(
-        "N-019",
+        MessageCode.VERY_MANY_STEPS,
         String.format(
             Locale.ROOT,
             "joint \"%s\" spins with %.3g rad/s at the start; a run of %.3g s needs some %.0e steps"

@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.text.ShortestDecimal;
 
@@ -57,7 +58,7 @@ public final class StiffnessForecast {
                 + " the run earlier, lower the stiffness, make the part rigid, or give it damping"
                 + " and use integrator \"auto\"";
     return new Finding(
-        "N-019",
+        MessageCode.VERY_MANY_STEPS,
         String.format(
             Locale.ROOT,
             "joint \"%s\" moves too fast%s: at the start it %s; to %s s, its end, the run"

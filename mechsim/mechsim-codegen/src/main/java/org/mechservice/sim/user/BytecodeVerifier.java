@@ -4,6 +4,7 @@ import java.util.Set;
 import java.util.SortedMap;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.solver.api.UserForce;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.ClassVisitor;
 import org.objectweb.asm.ConstantDynamic;
@@ -103,7 +104,7 @@ final class BytecodeVerifier extends ClassVisitor {
 
   private void refuse(String what, String method, int line) {
     findings.add(
-        "S-156",
+        MessageCode.USER_CLASS_NOT_PERMITTED,
         className,
         line,
         0,

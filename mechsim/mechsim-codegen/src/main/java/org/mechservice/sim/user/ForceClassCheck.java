@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.SortedMap;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.solver.api.UserForce;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.ClassVisitor;
@@ -41,7 +42,7 @@ final class ForceClassCheck {
     String why = why(bytes);
     if (!why.isEmpty()) {
       findings.add(
-          "S-068",
+          MessageCode.FORCE_CLASS_UNUSABLE,
           force.className(),
           who + " is this class, which " + why + "; see UserForce in docs/mechml.md");
     }

@@ -8,9 +8,10 @@ import java.util.Deque;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.mechservice.sim.compile.ReachableClasses;
 import org.mechservice.sim.compile.SolverClasses;
-import org.mechservice.sim.jar.ReachableClasses;
 import org.mechservice.solver.api.UserForce;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /** Follows what classes refer to, from the forces of a model on. Nothing is loaded. */
@@ -66,7 +67,7 @@ final class NeededClasses {
     for (String other : given.keySet()) {
       if (other.substring(other.lastIndexOf('.') + 1).equals(simple)) {
         findings.add(
-            "S-124",
+            MessageCode.USER_CLASS_FILE_UNUSABLE,
             simple,
             who
                 + " is the class "
@@ -95,7 +96,7 @@ final class NeededClasses {
   private void requireInterface(String name, String reference) {
     if (!reference.startsWith(INTERFACE) || SolverClasses.file(reference + ".class") == null) {
       findings.add(
-          "S-124",
+          MessageCode.USER_CLASS_FILE_UNUSABLE,
           name,
           "this uses "
               + reference.replace('/', '.')

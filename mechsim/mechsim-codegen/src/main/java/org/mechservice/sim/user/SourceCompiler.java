@@ -13,6 +13,7 @@ import javax.tools.Diagnostic;
 import javax.tools.JavaFileObject;
 import org.mechservice.sim.compile.Compilation;
 import org.mechservice.solver.api.UserForce;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Compiles sources of users against Java and the force interface. */
 final class SourceCompiler {
@@ -87,7 +88,10 @@ final class SourceCompiler {
 
   /** Sources nested too deeply are more than the compiler's stack takes. */
   private void giveUp() {
-    findings.add("S-123", first(), "the compiler gives up on this source; write it more simply");
+    findings.add(
+        MessageCode.USER_SOURCE_DOES_NOT_COMPILE,
+        first(),
+        "the compiler gives up on this source; write it more simply");
   }
 
   private String first() {
@@ -101,7 +105,12 @@ final class SourceCompiler {
     String missing = missingClass(said, file);
     if (missing.isEmpty()) {
       String text = said.getMessage(Locale.ROOT).replaceAll("\\s*\\R\\s*", "; ");
-      findings.add("S-123", file, line, (int) Math.max(0, said.getColumnNumber()), text);
+      findings.add(
+          MessageCode.USER_SOURCE_DOES_NOT_COMPILE,
+          file,
+          line,
+          (int) Math.max(0, said.getColumnNumber()),
+          text);
     } else {
       findings.missing(missing, file + ":" + line + " needs");
     }

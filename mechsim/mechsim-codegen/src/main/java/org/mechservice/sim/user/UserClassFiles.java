@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.ClassNode;
@@ -41,7 +42,7 @@ final class UserClassFiles {
     for (UserFile file : files) {
       if (!file.isUsable()) {
         findings.add(
-            "S-124",
+            MessageCode.USER_CLASS_FILE_UNUSABLE,
             file.name(),
             "this came with the model, which takes files such as car/Road.java or Road.class");
       } else if (file.isSource()) {
@@ -61,10 +62,13 @@ final class UserClassFiles {
   private void read(UserFile file) {
     int version = version(file.content());
     if (version < JAVA_ZERO) {
-      findings.add("S-124", file.name(), "this is no class file; compile the class again");
+      findings.add(
+          MessageCode.USER_CLASS_FILE_UNUSABLE,
+          file.name(),
+          "this is no class file; compile the class again");
     } else if (version > Opcodes.V17) {
       findings.add(
-          "S-124",
+          MessageCode.USER_CLASS_FILE_UNUSABLE,
           file.name(),
           "this was compiled for Java "
               + (version - JAVA_ZERO)
@@ -76,7 +80,10 @@ final class UserClassFiles {
         add(file.name(), reader.getClassName(), file.content());
       } catch (RuntimeException e) {
         // The reader trusts what it reads: damage shows as any kind of exception.
-        findings.add("S-124", file.name(), "this class file is damaged; compile the class again");
+        findings.add(
+            MessageCode.USER_CLASS_FILE_UNUSABLE,
+            file.name(),
+            "this class file is damaged; compile the class again");
       }
     }
   }
@@ -97,10 +104,12 @@ final class UserClassFiles {
     String other = fileOf.putIfAbsent(name, file);
     if (other != null) {
       findings.add(
-          "S-124", file, "this holds the class " + name + ", and so does " + other + "; keep one");
+          MessageCode.USER_CLASS_FILE_UNUSABLE,
+          file,
+          "this holds the class " + name + ", and so does " + other + "; keep one");
     } else if (RESERVED.stream().anyMatch(name::startsWith)) {
       findings.add(
-          "S-124",
+          MessageCode.USER_CLASS_FILE_UNUSABLE,
           file,
           "the class " + name + " is in a package of Java or MechService; choose another");
     } else {
@@ -111,7 +120,7 @@ final class UserClassFiles {
   private void refuse(List<UserFile> sources) {
     if (!sources.isEmpty()) {
       findings.add(
-          "S-120",
+          MessageCode.USER_CODE_NOT_ALLOWED,
           sources.get(0).name(),
           "this server compiles no classes of users; run without --server, send class files instead"
               + " of sources (javac --release 17) with --mode local, or ask its operator to start"

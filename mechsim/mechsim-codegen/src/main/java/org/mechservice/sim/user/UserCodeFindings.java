@@ -5,19 +5,20 @@ import java.util.List;
 import java.util.Map;
 import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.MechmlException;
-import org.mechservice.mechml.diagnosis.Severity;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.Severity;
 
 /** What is wrong with the classes of a model; each thing is said once. */
 final class UserCodeFindings {
   private final Map<String, Diagnostic> found = new LinkedHashMap<>();
 
   /** Something is wrong with a file or a class. */
-  void add(String code, String file, String text) {
+  void add(MessageCode code, String file, String text) {
     add(code, file, 0, 0, text);
   }
 
   /** Something is wrong at a place in a file. */
-  void add(String code, String file, int line, int column, String text) {
+  void add(MessageCode code, String file, int line, int column, String text) {
     found.putIfAbsent(
         code + file + line + text,
         new Diagnostic(Severity.ERROR, code, text, file, line, column, ""));
@@ -35,7 +36,7 @@ final class UserCodeFindings {
         file,
         new Diagnostic(
             Severity.ERROR,
-            "S-121",
+            MessageCode.USER_CLASS_MISSING,
             who
                 + " the class "
                 + className

@@ -10,19 +10,19 @@ import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.Revolute;
 
 /** Chains of any length, of links of the timing model chain200. */
-final class Chains {
+public final class Chains {
   /** Two links that are alike but for their numbers; the first two hang on what rests. */
   private static final int FIRST_OF_PAIR = 2;
 
   private Chains() {}
 
   /** A chain in which two links take turns. */
-  static Mechanism ofEqualLinks(int links) {
+  public static Mechanism ofEqualLinks(int links) {
     return chain("equal" + links, links, i -> FIRST_OF_PAIR + i % 2);
   }
 
   /** A chain in which each of 200 links has numbers of its own. */
-  static Mechanism ofDifferentLinks(int links) {
+  public static Mechanism ofDifferentLinks(int links) {
     return chain("different" + links, links, i -> i % 200);
   }
 

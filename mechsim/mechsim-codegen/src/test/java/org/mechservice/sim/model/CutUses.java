@@ -23,7 +23,7 @@ import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.spatial.Vector3;
 
 /** Springs, friction, forces and relations that depend on every coordinate of every cut joint. */
-final class CutUses {
+public final class CutUses {
   private final Random random;
   private final List<ForceElement> forces;
 
@@ -33,7 +33,7 @@ final class CutUses {
   }
 
   /** Returns a mechanism with such forces, and every other one with a relation. */
-  static Mechanism in(Mechanism loops, long seed) {
+  public static Mechanism in(Mechanism loops, long seed) {
     CutUses uses = new CutUses(loops.forces(), seed);
     List<Expression> free = new ArrayList<>();
     for (int c = 0; c < loops.closures().size(); c++) {

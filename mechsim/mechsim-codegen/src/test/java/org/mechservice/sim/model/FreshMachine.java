@@ -14,7 +14,7 @@ import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ModelSource;
 
 /** Evaluates a model in a virtual machine that has done nothing else. */
-final class FreshMachine {
+public final class FreshMachine {
   private static final int[] COUNTS = {1_000, 10_000};
 
   private FreshMachine() {}
@@ -25,7 +25,7 @@ final class FreshMachine {
    *
    * @param folder is filled with the model's classes
    */
-  static double[] firstEvaluations(CompiledModel model, Path folder) throws IOException {
+  public static double[] firstEvaluations(CompiledModel model, Path folder) throws IOException {
     for (Map.Entry<String, byte[]> file : model.classFiles().entrySet()) {
       Path path = folder.resolve(file.getKey().replace('.', '/') + ".class");
       Files.createDirectories(path.resolveSibling("."));

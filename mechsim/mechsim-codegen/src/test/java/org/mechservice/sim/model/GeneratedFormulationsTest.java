@@ -19,6 +19,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.SimulationSettings;
+import org.mechservice.sim.check.CheckReport;
 import org.mechservice.sim.emit.bytes.MethodSizes;
 import org.mechservice.sim.equations.CompositeInertiaEquations;
 import org.mechservice.sim.equations.links.Links;

@@ -23,6 +23,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.compile.ModelCompiler;
+import org.mechservice.sim.equations.loop.GeneratedLoopsTest;
 import org.mechservice.sim.user.UserClasses;
 import org.mechservice.sim.user.UserFile;
 import org.mechservice.solver.api.Defects;

@@ -20,6 +20,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.compile.ModelClassLoader;
 import org.mechservice.sim.compile.ModelCompiler;
 import org.mechservice.sim.emit.GeneratedClass;
+import org.mechservice.sim.equations.coordinates.GeneratedCutCoordinatesTest;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ExtendedModel;

@@ -40,7 +40,7 @@ import org.mechservice.solver.mechanism.Mechanism;
  * @param step the same of the stabilised equations, with random multipliers
  * @param energy energies, power and turnover at a random state
  */
-record LoopAgreement(
+public record LoopAgreement(
     OptionalDouble projection,
     OptionalDouble reduced,
     OptionalDouble penalty,
@@ -49,19 +49,19 @@ record LoopAgreement(
     OptionalDouble step,
     OptionalDouble energy) {
   /** Other operations in another order: rounding times depth and condition. */
-  static final double PROJECTION = 1e-9;
+  public static final double PROJECTION = 1e-9;
 
   /** The penalty, 1e7 times the inertia, costs as many digits where equations repeat others. */
-  static final double PENALTY = 1e-7;
+  public static final double PENALTY = 1e-7;
 
   /** Nothing is solved for but γ̂. */
-  static final double REDUCED = 1e-10;
+  public static final double REDUCED = 1e-10;
 
   /** Nothing is solved for: rounding times depth. */
-  static final double RESIDUAL = 1e-12;
+  public static final double RESIDUAL = 1e-12;
 
   /** Equations are solved whose condition the scale of the elements alone does not tell. */
-  static final double STEP = 1e-8;
+  public static final double STEP = 1e-8;
 
   private static final double TIME = 0.4;
 
@@ -71,7 +71,7 @@ record LoopAgreement(
    */
   private static final double TERMS = 1;
 
-  static BuildOptions options(String formulation, String closure, boolean compact) {
+  public static BuildOptions options(String formulation, String closure, boolean compact) {
     String integrator = formulation.startsWith("RR") ? "ode15sR" : "DE";
     RunSettings settings = new RunSettings(0, 3, 0.01, integrator, 1e-5, 1e-5);
     return new BuildOptions(
@@ -79,13 +79,13 @@ record LoopAgreement(
   }
 
   /** Returns mechanisms with loops that close, in the order of their seeds. */
-  static Stream<Named<Mechanism>> scenes() {
+  public static Stream<Named<Mechanism>> scenes() {
     return IntStream.iterate(1, seed -> seed + 1)
         .mapToObj(seed -> Named.of("seed " + seed, scene(seed)))
         .filter(scene -> closes(scene.getPayload()));
   }
 
-  static Mechanism scene(int seed) {
+  public static Mechanism scene(int seed) {
     int bodies = 2 + seed % 6;
     Mechanism tree =
         seed % 3 == 0
@@ -98,19 +98,19 @@ record LoopAgreement(
   }
 
   /** Returns whether the loops can be closed at the start. */
-  static boolean closes(Mechanism mechanism) {
+  public static boolean closes(Mechanism mechanism) {
     return new ClosedMechanism(mechanism, "DSR", Scenes.SETTINGS).isAssembled();
   }
 
-  static <T> T code(Mechanism mechanism, String formulation, String closure, Class<T> type) {
+  public static <T> T code(Mechanism mechanism, String formulation, String closure, Class<T> type) {
     return model(Scenes.model(mechanism), options(formulation, closure, false), type);
   }
 
-  static <T> T data(Mechanism mechanism, String formulation, String closure, Class<T> type) {
+  public static <T> T data(Mechanism mechanism, String formulation, String closure, Class<T> type) {
     return model(Scenes.model(mechanism), options(formulation, closure, true), type);
   }
 
-  static <T> T model(MechmlModel file, BuildOptions options, Class<T> type) {
+  public static <T> T model(MechmlModel file, BuildOptions options, Class<T> type) {
     return model(file, options, LoopAgreement.class.getClassLoader(), type);
   }
 
@@ -127,7 +127,7 @@ record LoopAgreement(
   }
 
   /** Returns RR-JF with code for its derivatives, be they worth it or not. */
-  static GeneratedModel withDerivatives(MechmlModel file, BuildOptions options) {
+  public static GeneratedModel withDerivatives(MechmlModel file, BuildOptions options) {
     FormulationChoice choice =
         FormulationChoice.of(
             options.formulation(), options.closure(), options.settings(), file.mechanism());
@@ -136,12 +136,12 @@ record LoopAgreement(
     return new ModelAssembly(file, options, choice).looped(links, terms);
   }
 
-  static LoopAgreement of(Mechanism mechanism) {
+  public static LoopAgreement of(Mechanism mechanism) {
     return of(mechanism, LoopAgreement.class.getClassLoader());
   }
 
   /** Compares the forms of a mechanism whose forces' classes a loader knows. */
-  static LoopAgreement of(Mechanism mechanism, ClassLoader users) {
+  public static LoopAgreement of(Mechanism mechanism, ClassLoader users) {
     Forms<ResidualModel> reduced =
         Forms.of(mechanism, "RR", "projection", users, ResidualModel.class);
     Forms<ExplicitModel> penalty =
@@ -166,7 +166,7 @@ record LoopAgreement(
   }
 
   /** Fails where a difference is beyond its bound. */
-  void assertWithinBounds() {
+  public void assertWithinBounds() {
     assertThat(projection.orElse(0)).isLessThanOrEqualTo(PROJECTION);
     assertThat(reduced.orElse(0)).isLessThanOrEqualTo(REDUCED);
     assertThat(penalty.orElse(0)).isLessThanOrEqualTo(PENALTY);
@@ -287,7 +287,7 @@ record LoopAgreement(
   }
 
   /** Returns a state that is another in its last digits. */
-  static double[] beside(double[] y, int seed) {
+  public static double[] beside(double[] y, int seed) {
     Random random = new Random(seed);
     return Arrays.stream(y).map(x -> x + random.nextInt(-1, 2) * Math.ulp(x)).toArray();
   }

@@ -25,7 +25,7 @@ import org.mechservice.solver.spatial.Vector3;
  * Events and outputs of a mechanism that depend on time, every coordinate of every joint, places
  * and velocities of points; events set the states of every joint that has some.
  */
-final class RandomEvents {
+public final class RandomEvents {
   private final Random random;
   private final Mechanism mechanism;
   private final List<Expression> leaves = new ArrayList<>();
@@ -53,7 +53,7 @@ final class RandomEvents {
   }
 
   /** Returns the model of a mechanism with events and outputs. */
-  static MechmlModel on(Mechanism mechanism, long seed) {
+  public static MechmlModel on(Mechanism mechanism, long seed) {
     RandomEvents all = new RandomEvents(mechanism, seed);
     SimulationSettings settings = all.settings();
     return new MechmlModel(

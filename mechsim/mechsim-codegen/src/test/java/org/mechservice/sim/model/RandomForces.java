@@ -24,7 +24,7 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /** Random forces of every kind on a given tree. */
-final class RandomForces {
+public final class RandomForces {
   private static final List<Side> SIDES = List.of(Side.values());
 
   private final Random random;
@@ -37,12 +37,12 @@ final class RandomForces {
   }
 
   /** Returns the tree with some forces of each kind. */
-  static Mechanism on(Mechanism tree, long seed) {
+  public static Mechanism on(Mechanism tree, long seed) {
     return of(ForceElement.class, tree, seed);
   }
 
   /** Returns the tree with some forces of a kind. */
-  static Mechanism of(Class<? extends ForceElement> kind, Mechanism tree, long seed) {
+  public static Mechanism of(Class<? extends ForceElement> kind, Mechanism tree, long seed) {
     RandomForces forces = new RandomForces(seed, tree);
     for (int round = 0; round < 2; round++) {
       forces.addOneOfEach();

@@ -24,22 +24,22 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /** Random joints of every type, half of them taken against the file's sense, and motions. */
-final class RandomJoints {
+public final class RandomJoints {
   private static final List<JointType> TYPES = List.of(JointType.values());
 
   private final Random random;
 
-  RandomJoints(Random random) {
+  public RandomJoints(Random random) {
     this.random = random;
   }
 
   /** Returns a joint of a random type with coordinates and velocities around 1. */
-  Joint any(String name, Attachment attachment, Vector3 axis) {
+  public Joint any(String name, Attachment attachment, Vector3 axis) {
     return of(TYPES.get(random.nextInt(TYPES.size())), name, attachment, axis);
   }
 
   /** Returns a joint of a type with coordinates and velocities around 1. */
-  Joint of(JointType type, String name, Attachment attachment, Vector3 axis) {
+  public Joint of(JointType type, String name, Attachment attachment, Vector3 axis) {
     Joint joint =
         forward(name, type, type.hasEulerParameters() ? parallel(attachment) : attachment, axis);
     // Reversed twice it leads outwards again, but the file's sense leads inwards.
@@ -102,7 +102,7 @@ final class RandomJoints {
   }
 
   /** Returns motions for about one joint in three of those that can be driven. */
-  List<PrescribedMotion> motions(List<Joint> joints) {
+  public List<PrescribedMotion> motions(List<Joint> joints) {
     List<PrescribedMotion> motions = new ArrayList<>();
     for (int j = 0; j < joints.size(); j++) {
       JointType type = joints.get(j).type();
@@ -122,7 +122,7 @@ final class RandomJoints {
    * a sin(b t + c), exp(−a t²), or (b t + c) cos(b t + c): motions without kinks, as no code is
    * generated for others.
    */
-  Expression ofTime() {
+  public Expression ofTime() {
     Expression t = new Expression.Time();
     Expression a = Expression.of(number());
     Expression linear = new Expression.Sum(new Expression.Product(Expression.of(number()), t), a);

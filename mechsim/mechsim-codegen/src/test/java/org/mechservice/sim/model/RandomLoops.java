@@ -31,7 +31,7 @@ import org.mechservice.solver.spatial.Vector3;
  * some of which are driven, rods with and without mass, points on planes and lines, relations of
  * coordinates. Velocities at the start are for assembly to fit.
  */
-final class RandomLoops {
+public final class RandomLoops {
   private final Random random;
   private final Mechanism tree;
   private final double[] poses;
@@ -48,7 +48,7 @@ final class RandomLoops {
   }
 
   /** Returns the tree with closures. */
-  static Mechanism on(Mechanism tree, long seed, int count) {
+  public static Mechanism on(Mechanism tree, long seed, int count) {
     RandomLoops loops = new RandomLoops(seed, tree);
     for (int i = 0; i < count; i++) {
       loops.closures.add(loops.closure("c" + i));
@@ -57,7 +57,7 @@ final class RandomLoops {
   }
 
   /** Returns the tree with a closure of a kind between its last body and the root. */
-  static Mechanism closedBy(Kind kind, Mechanism tree, long seed) {
+  public static Mechanism closedBy(Kind kind, Mechanism tree, long seed) {
     RandomLoops loops = new RandomLoops(seed, tree);
     BodyPoint onRoot = new BodyPoint(BodyPoint.ROOT, loops.vector().times(0.5));
     int last = tree.bodies().size() - 1;
@@ -80,7 +80,7 @@ final class RandomLoops {
   }
 
   /** What closes a loop. */
-  enum Kind {
+  public enum Kind {
     CUT,
     ROD,
     PLANE,

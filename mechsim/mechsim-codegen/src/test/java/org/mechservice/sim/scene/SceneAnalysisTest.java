@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.mechservice.sim.check.TreeDrawing;
 import org.mechservice.sim.model.RandomTrees;
 import org.mechservice.sim.model.Scenes;
 import org.mechservice.solver.mechanism.Body;

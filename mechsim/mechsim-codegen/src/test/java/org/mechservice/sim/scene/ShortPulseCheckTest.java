@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** What an integrator cannot know of before it has passed over it is told before the run. */
 class ShortPulseCheckTest {
@@ -34,7 +35,7 @@ class ShortPulseCheckTest {
     assertThat(of(PUSH, ""))
         .hasValueSatisfying(
             found -> {
-              assertThat(found.code()).isEqualTo("N-025");
+              assertThat(found.code()).isEqualTo(MessageCode.SHORT_PULSE);
               assertThat(found.text())
                   .contains("joint \"s\"", "first at t = 4.998", "a maxStep of 1.5e-03 s");
             });

@@ -12,6 +12,7 @@ import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.solver.api.UserForce;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** What classes of users have to be before they are let in. */
@@ -69,7 +70,7 @@ class UserClassesTest {
   @Test
   void missingClassIsNamedByItsFile() {
     Diagnostic said = refused().get(0);
-    assertThat(said.code()).isEqualTo("S-121");
+    assertThat(said.code()).isEqualTo(MessageCode.USER_CLASS_MISSING);
     assertThat(said.file()).isEqualTo("car/Push.class");
     assertThat(said.message()).startsWith("force \"push\" (pushed.xml:");
   }
@@ -168,7 +169,8 @@ class UserClassesTest {
     byte[] good = PushedCart.compiled("Push", PushedCart.source(), "17").content();
     for (int cut = 0; cut < good.length; cut += 7) {
       byte[] bad = java.util.Arrays.copyOf(good, cut);
-      assertThat(refused(new UserFile("car/Push.class", bad)).get(0).code()).isEqualTo("S-124");
+      assertThat(refused(new UserFile("car/Push.class", bad)).get(0).code())
+          .isEqualTo(MessageCode.USER_CLASS_FILE_UNUSABLE);
     }
   }
 
@@ -184,13 +186,14 @@ class UserClassesTest {
   @Test
   void fileOfNoKnownKindIsRefused() {
     assertThat(refused(new UserFile("../car/Push.class", new byte[0])).get(0).code())
-        .isEqualTo("S-124");
+        .isEqualTo(MessageCode.USER_CLASS_FILE_UNUSABLE);
   }
 
   @Test
   void sourceThatIsTooMuchForTheCompilerIsRefused() {
     String deep = "(".repeat(100_000) + "3" + ")".repeat(100_000);
     String text = PushedCart.source().replace("(slide, 3)", "(slide, " + deep + ")");
-    assertThat(refused(PushedCart.asSource(text)).get(0).code()).isEqualTo("S-123");
+    assertThat(refused(PushedCart.asSource(text)).get(0).code())
+        .isEqualTo(MessageCode.USER_SOURCE_DOES_NOT_COMPILE);
   }
 }

@@ -13,6 +13,7 @@ import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.ServerFailure;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.ServiceUnreachableException;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.SystemException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -76,7 +77,11 @@ final class ServerRegistration implements AutoCloseable {
       throw new ServiceUnreachableException(e.code + " " + e.text, e);
     } catch (SystemException e) {
       throw new ServiceUnreachableException(
-          "S-002 the server at " + serverUrl + " was lost while the host was registered", e);
+          MessageCode.NO_SERVER_ANSWERS
+              + " the server at "
+              + serverUrl
+              + " was lost while the host was registered",
+          e);
     }
   }
 

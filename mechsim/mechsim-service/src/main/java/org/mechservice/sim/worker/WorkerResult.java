@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * How a run ended.
@@ -39,7 +40,7 @@ public record WorkerResult(Map<String, Object> report, Outcome outcome) {
     if (outcome instanceof Outcome.Failed failed) {
       Failure why = failed.failure();
       out.writeByte('f');
-      out.writeUTF(why.code());
+      out.writeUTF(why.code().code());
       out.writeUTF(why.cause());
       out.writeDouble(why.time());
       out.writeDouble(why.stepSize());
@@ -72,12 +73,18 @@ public record WorkerResult(Map<String, Object> report, Outcome outcome) {
     };
   }
 
+  private static MessageCode readCode(DataInputStream in) throws IOException {
+    String code = in.readUTF();
+    return MessageCode.find(code)
+        .orElseThrow(() -> new IOException("there is no message code " + code));
+  }
+
   private static Outcome readOutcome(DataInputStream in) throws IOException {
     return switch (in.readByte()) {
       case 'f' ->
           new Outcome.Failed(
               new Failure(
-                  in.readUTF(),
+                  readCode(in),
                   in.readUTF(),
                   in.readDouble(),
                   in.readDouble(),

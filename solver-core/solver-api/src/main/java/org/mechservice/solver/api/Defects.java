@@ -2,6 +2,7 @@ package org.mechservice.solver.api;
 
 import java.util.List;
 import java.util.Optional;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** A model that can say why it has no derivative or residual in a state. */
 public interface Defects {
@@ -46,5 +47,5 @@ public interface Defects {
    * @param cause what is wrong, with numbers and units, in one sentence
    * @param advice what to do about it
    */
-  record Defect(String code, String part, String cause, String advice) {}
+  record Defect(MessageCode code, String part, String cause, String advice) {}
 }

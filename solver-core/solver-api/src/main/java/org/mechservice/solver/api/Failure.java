@@ -1,6 +1,7 @@
 package org.mechservice.solver.api;
 
 import java.util.List;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Why a run could not go on.
@@ -15,7 +16,7 @@ import java.util.List;
  * @param lastSteps steps tried last, in order of time; empty if it did not happen in a step
  */
 public record Failure(
-    String code,
+    MessageCode code,
     String cause,
     double time,
     double stepSize,
@@ -30,7 +31,7 @@ public record Failure(
 
   /** A failure without the steps that led to it. */
   public Failure(
-      String code,
+      MessageCode code,
       String cause,
       double time,
       double stepSize,
@@ -67,7 +68,7 @@ public record Failure(
 
   /** Returns the failure as one message. */
   public String message() {
-    StringBuilder text = new StringBuilder(code).append(" t=").append(time).append(" s");
+    StringBuilder text = new StringBuilder(code.code()).append(" t=").append(time).append(" s");
     if (stepSize != 0) {
       text.append(", h=").append(stepSize).append(" s, order ").append(order);
     }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** A class of a model JAR that makes the model instead of being it: the compact form is such. */
 public interface ModelSource {
@@ -63,7 +64,8 @@ public interface ModelSource {
 
   private static IllegalArgumentException notANumber(TunableParameter parameter, String given) {
     return new IllegalArgumentException(
-        "S-126 parameter \""
+        MessageCode.PARAMETER_NOT_A_NUMBER
+            + " parameter \""
             + parameter.name()
             + "\" is set to \""
             + given
@@ -75,7 +77,8 @@ public interface ModelSource {
     String tunable =
         parameters.stream().map(TunableParameter::name).collect(Collectors.joining(", "));
     return new IllegalArgumentException(
-        "S-125 parameter \""
+        MessageCode.PARAMETER_FIXED
+            + " parameter \""
             + name
             + "\" cannot be set in this model as it was built, where "
             + (tunable.isEmpty() ? "none can" : "one can set " + tunable)

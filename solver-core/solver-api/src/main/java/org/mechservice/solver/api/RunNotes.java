@@ -1,6 +1,7 @@
 package org.mechservice.solver.api;
 
 import java.util.List;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * A model that has something to say about a run: a start that was corrected, equations that were
@@ -18,7 +19,7 @@ public interface RunNotes {
    * @param warning whether the user should look at it
    * @param text one sentence with names, numbers and units
    */
-  record Note(String code, double time, boolean warning, String text) {
+  record Note(MessageCode code, double time, boolean warning, String text) {
     /** Returns the remark as one message. */
     public String message() {
       return code + " t=" + time + " s: " + text;

@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.UUID;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * A CSV file of results with its units beside it ({@code r.csv}, {@code r.units.json}). It grows
@@ -43,10 +44,12 @@ public final class ResultFile implements ResultSink, Closeable {
     this.target = target.toAbsolutePath();
     Path folder = this.target.getParent();
     if (folder == null || (Files.exists(this.target) && !Files.isRegularFile(this.target))) {
-      throw new IOException("S-064 " + target + " is no file; name one for the results");
+      throw new IOException(
+          MessageCode.RESULTS_NOT_WRITTEN + " " + target + " is no file; name one for the results");
     }
     if (!Files.isDirectory(folder)) {
-      throw new IOException("S-064 there is no folder " + folder + " for the results");
+      throw new IOException(
+          MessageCode.RESULTS_NOT_WRITTEN + " there is no folder " + folder + " for the results");
     }
     // Not a temporary file of the JDK's making: those are readable for their owner only.
     growing = folder.resolve("." + this.target.getFileName() + "-" + UUID.randomUUID() + ".part");
@@ -58,7 +61,13 @@ public final class ResultFile implements ResultSink, Closeable {
     try {
       return Files.newOutputStream(file);
     } catch (IOException e) {
-      throw new IOException("S-064 cannot write in folder " + file.getParent() + ": " + e, e);
+      throw new IOException(
+          MessageCode.RESULTS_NOT_WRITTEN
+              + " cannot write in folder "
+              + file.getParent()
+              + ": "
+              + e,
+          e);
     }
   }
 
@@ -89,7 +98,13 @@ public final class ResultFile implements ResultSink, Closeable {
   private IOException stopped(IOException e) {
     kept = true;
     return new IOException(
-        "S-064 cannot write " + target + ": " + e.getMessage() + "; rows so far are in " + growing,
+        MessageCode.RESULTS_NOT_WRITTEN
+            + " cannot write "
+            + target
+            + ": "
+            + e.getMessage()
+            + "; rows so far are in "
+            + growing,
         e);
   }
 

@@ -1,9 +1,5 @@
 package org.mechservice.solver.closure;
 
-import org.mechservice.solver.closure.assembly.Assembly;
-import org.mechservice.solver.closure.assembly.LoopFinding;
-import org.mechservice.solver.closure.assembly.RankAnalysis;
-import org.mechservice.solver.closure.equations.LoopTerms;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -11,6 +7,10 @@ import java.util.Optional;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.closure.assembly.Assembly;
+import org.mechservice.solver.closure.assembly.LoopFinding;
+import org.mechservice.solver.closure.assembly.RankAnalysis;
+import org.mechservice.solver.closure.equations.LoopTerms;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.force.user.UserForceSource;

@@ -1,15 +1,15 @@
 package org.mechservice.solver.closure;
 
-import org.mechservice.solver.closure.equations.CoordinateUnits;
-import org.mechservice.solver.closure.equations.LoopEquations;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.mechservice.solver.dynamics.recursion.MassiveRods;
+import org.mechservice.solver.closure.equations.CoordinateUnits;
+import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.dynamics.OpenTree;
-import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.dynamics.WorldMotion;
+import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
+import org.mechservice.solver.dynamics.recursion.MassiveRods;
 import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.kinematics.StateCoordinates;
@@ -234,7 +234,8 @@ public class ClosedTree {
    * @param jacobian of this tree; overwritten
    * @return whether all forces have values
    */
-  public boolean linearise(double t, double[] a, int aAt, double[] lambda, ResidualJacobian jacobian) {
+  public boolean linearise(
+      double t, double[] a, int aAt, double[] lambda, ResidualJacobian jacobian) {
     System.arraycopy(wrench, 0, loaded, 0, loaded.length);
     loops.addForces(lambda, -1, loaded, tau);
     jacobian.evaluate(loaded);

@@ -1,11 +1,11 @@
 package org.mechservice.solver.closure;
 
-import org.mechservice.solver.closure.equations.LoopTerms;
-import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import java.util.Arrays;
 import java.util.Optional;
 import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.closure.equations.LoopTerms;
+import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.force.user.UserForceSource;
 
@@ -230,7 +230,8 @@ final class GeneratedTreeTerms extends ClosedTree {
 
   /** {@inheritDoc} The data do it where the code has no derivatives, or a force no value. */
   @Override
-  public boolean linearise(double t, double[] a, int aAt, double[] lambda, ResidualJacobian jacobian) {
+  public boolean linearise(
+      double t, double[] a, int aAt, double[] lambda, ResidualJacobian jacobian) {
     if (terms instanceof LoopTerms.OfDerivatives coded) {
       System.arraycopy(a, aAt, acceleration, 0, nv);
       if (coded.derivatives(t, state, acceleration, lambda, derivatives) == ExplicitModel.REGULAR) {

@@ -1,7 +1,7 @@
 package org.mechservice.solver.closure;
 
-import org.mechservice.solver.closure.equations.LoopRounding;
 import java.util.Arrays;
+import org.mechservice.solver.closure.equations.LoopRounding;
 import org.mechservice.solver.linear.Cholesky;
 
 /**

@@ -1,6 +1,5 @@
 package org.mechservice.solver.closure;
 
-import org.mechservice.solver.closure.equations.PrescribedPairMotion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -8,6 +7,8 @@ import java.util.Locale;
 import java.util.Optional;
 import org.mechservice.solver.api.Defects.Defect;
 import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.closure.equations.PrescribedPairMotion;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.mechanism.PrescribedMotion;
@@ -130,7 +131,7 @@ public final class PrescribedMotions {
 
   private static Defect defect(String part, double t) {
     return new Defect(
-        "N-003",
+        MessageCode.STEP_TOO_SMALL,
         part,
         String.format(
             Locale.ROOT,

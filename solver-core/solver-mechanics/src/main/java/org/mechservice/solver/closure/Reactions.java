@@ -1,10 +1,10 @@
 package org.mechservice.solver.closure;
 
-import org.mechservice.solver.closure.assembly.ScaledJacobian;
-import org.mechservice.solver.closure.equations.LoopEquations;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.Defects.Defect;
+import org.mechservice.solver.closure.assembly.ScaledJacobian;
+import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.dynamics.recursion.JointReactions;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 

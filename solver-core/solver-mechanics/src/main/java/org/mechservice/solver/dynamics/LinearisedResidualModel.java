@@ -1,12 +1,12 @@
 package org.mechservice.solver.dynamics;
 
-import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
-import org.mechservice.solver.dynamics.derivative.TreeIteration;
-import org.mechservice.solver.dynamics.tree.TreePattern;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.LinearisedModel;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
+import org.mechservice.solver.dynamics.derivative.TreeIteration;
+import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;

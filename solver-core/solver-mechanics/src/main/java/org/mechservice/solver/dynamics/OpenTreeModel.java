@@ -1,6 +1,5 @@
 package org.mechservice.solver.dynamics;
 
-import org.mechservice.solver.dynamics.tree.PivotCheck;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -16,6 +15,8 @@ import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.dynamics.tree.PivotCheck;
 import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.formula.FormulaCheck;
 import org.mechservice.solver.force.formula.SampleStates;
@@ -76,7 +77,8 @@ public abstract class OpenTreeModel
               ? "use DSR, RR or RR-JF"
               : "choose how they are closed: projection or penalty";
       throw new IllegalArgumentException(
-          "S-081 "
+          MessageCode.FORMULATION_NOT_AVAILABLE
+              + " "
               + formulation
               + " without closure is for open chains; the scene closes loops at "
               + String.join(", ", closures)

@@ -1,7 +1,7 @@
 package org.mechservice.solver.dynamics;
 
-import org.mechservice.solver.dynamics.tree.PivotCheck;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.dynamics.tree.PivotCheck;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 

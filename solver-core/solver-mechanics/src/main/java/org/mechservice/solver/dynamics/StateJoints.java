@@ -7,6 +7,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.mechservice.solver.api.Defects.Defect;
 import org.mechservice.solver.api.JointVariables;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -81,14 +82,14 @@ final class StateJoints {
     String names = moving.stream().map(this::name).collect(Collectors.joining(" and "));
     return moving.size() == 1
         ? new Defect(
-            "N-002",
+            MessageCode.SINGULAR_INERTIA,
             names,
             "The inertia is singular: nothing beyond this joint resists its motion in this"
                 + " direction.",
             "Give a body beyond it mass or inertia in this direction, or take a joint without this"
                 + " freedom.")
         : new Defect(
-            "N-002",
+            MessageCode.SINGULAR_INERTIA,
             names,
             "The inertia is singular: nothing resists these joints when they move together.",
             "Give the bodies between them mass or inertia, or remove a joint; turning axes that"

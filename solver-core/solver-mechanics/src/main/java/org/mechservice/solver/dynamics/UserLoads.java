@@ -1,10 +1,10 @@
 package org.mechservice.solver.dynamics;
 
-import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.kinematics.TreeGeometry;

@@ -1,10 +1,11 @@
 package org.mechservice.solver.dynamics;
 
-import org.mechservice.solver.dynamics.tree.PivotCheck;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.dynamics.tree.PivotCheck;
 
 /** Remarks on joints whose inertia was nearly singular: one per joint, at its worst. */
 final class WeakPivots {
@@ -35,7 +36,7 @@ final class WeakPivots {
                 "The inertia at %s is nearly singular: the joints beyond leave one part in %.1e of"
                     + " it, so its acceleration has about %d digits.",
                 joints.name(velocity), condition[velocity], digits(condition[velocity]));
-        notes.add(new Note("N-008", time[velocity], true, text));
+        notes.add(new Note(MessageCode.NEARLY_SINGULAR_INERTIA, time[velocity], true, text));
       }
     }
     notes.sort((a, b) -> Double.compare(a.time(), b.time()));

@@ -1,5 +1,10 @@
 package org.mechservice.solver.force;
 
+import org.mechservice.solver.expression.BodyFrame;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.ClosureCoordinate;
+import org.mechservice.solver.expression.Coordinate;
+import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.force.applied.AppliedForce;
 import org.mechservice.solver.force.applied.CoordinateForce;
 import org.mechservice.solver.force.applied.CutCoordinates;
@@ -18,11 +23,6 @@ import org.mechservice.solver.force.law.JointSpringLaw;
 import org.mechservice.solver.force.law.SpringDamperLaw;
 import org.mechservice.solver.force.user.AppliedUserForce;
 import org.mechservice.solver.force.user.UserForceSource;
-import org.mechservice.solver.expression.BodyFrame;
-import org.mechservice.solver.expression.BodyPoint;
-import org.mechservice.solver.expression.ClosureCoordinate;
-import org.mechservice.solver.expression.Coordinate;
-import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.kinematics.pair.CutJoint;

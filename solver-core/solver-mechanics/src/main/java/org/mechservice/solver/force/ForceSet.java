@@ -1,13 +1,13 @@
 package org.mechservice.solver.force;
 
-import org.mechservice.solver.force.applied.AppliedForce;
-import org.mechservice.solver.force.applied.Couplings;
-import org.mechservice.solver.force.applied.ForceJacobian;
-import org.mechservice.solver.force.user.UserForceSource;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.Defects.Defect;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.force.applied.AppliedForce;
+import org.mechservice.solver.force.applied.Couplings;
+import org.mechservice.solver.force.applied.ForceJacobian;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Parameter;

@@ -2,9 +2,9 @@
  * Applied forces of a mechanism: wrenches and joint forces at a state, with their derivatives,
  * energy, power and output values.
  *
- * <p>{@link org.mechservice.solver.force.ForceSet} is the way in: it holds all forces of one run and
- * adds them up. {@link org.mechservice.solver.force.ForceAssembly} makes it from the description in
- * {@code mechanism.force}, which says what each law means. The rooms below it:
+ * <p>{@link org.mechservice.solver.force.ForceSet} is the way in: it holds all forces of one run
+ * and adds them up. {@link org.mechservice.solver.force.ForceAssembly} makes it from the
+ * description in {@code mechanism.force}, which says what each law means. The rooms below it:
  *
  * <ul>
  *   <li>{@code force.applied}: how a force enters the equations of motion, and its derivatives;

@@ -1,6 +1,5 @@
 package org.mechservice.solver.dynamics;
 
-import org.mechservice.solver.dynamics.recursion.ArticulatedBody;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -14,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.dynamics.recursion.ArticulatedBody;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Sum;

@@ -1,12 +1,12 @@
 package org.mechservice.solver.dynamics;
 
+import java.util.Arrays;
+import java.util.Random;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
 import org.mechservice.solver.dynamics.recursion.ArticulatedBody;
 import org.mechservice.solver.dynamics.recursion.MassiveRods;
 import org.mechservice.solver.dynamics.tree.TreePattern;
-import java.util.Arrays;
-import java.util.Random;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;

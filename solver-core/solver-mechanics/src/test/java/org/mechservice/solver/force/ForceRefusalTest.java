@@ -13,6 +13,7 @@ import org.mechservice.solver.api.ForceDeclaration;
 import org.mechservice.solver.api.ForceLoads;
 import org.mechservice.solver.api.ForceState;
 import org.mechservice.solver.api.UserForce;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
@@ -98,7 +99,7 @@ class ForceRefusalTest {
   @Test
   void tensionWithoutDirectionIsRefused() {
     ForceSet forces = at(slider(0, spring(Expression.of(100), 0, 0.5, 0)), 0, 1, new double[6]);
-    assertThat(forces.defect().code()).isEqualTo("N-031");
+    assertThat(forces.defect().code()).isEqualTo(MessageCode.FORCE_WITHOUT_DIRECTION);
     assertThat(forces.defect().part()).isEqualTo("force strut");
     assertThat(forces.defect().cause()).contains("-50.0 N");
   }
@@ -146,7 +147,7 @@ class ForceRefusalTest {
             Origin.NONE);
     Joint hinge = new Revolute("turn", attachment(), new Vector3(0, 0, 1), 0, 0, Origin.NONE);
     ForceSet forces = at(body(hinge, 0, bushing), Math.PI, 0, new double[6]);
-    assertThat(forces.defect().code()).isEqualTo("N-031");
+    assertThat(forces.defect().code()).isEqualTo(MessageCode.FORCE_WITHOUT_DIRECTION);
     assertThat(forces.defect().part()).isEqualTo("force mount");
   }
 
@@ -157,7 +158,7 @@ class ForceRefusalTest {
     Expression root = new Expression.Power(x, Expression.of(-0.5));
     JointForce force = new JointForce("push", SLIDE, root, Origin.NONE);
     ForceSet forces = at(slider(0, force), q, 0, new double[6]);
-    assertThat(forces.defect().code()).isEqualTo("N-030");
+    assertThat(forces.defect().code()).isEqualTo(MessageCode.FORCE_NOT_FINITE);
     assertThat(forces.defect().part()).isEqualTo("force push");
     assertThat(forces.defect().cause()).contains(value);
   }
@@ -181,7 +182,7 @@ class ForceRefusalTest {
     Expression k = new Quotient(Expression.of(1), new ParameterValue(0));
     ForceSet forces = new ForceSet(new TreeMotion(new TreeGeometry(slider(0, spring(k, 0, 1, 0)))));
     assertThat(forces.parameters(new double[] {0})).isFalse();
-    assertThat(forces.defect().code()).isEqualTo("N-032");
+    assertThat(forces.defect().code()).isEqualTo(MessageCode.FORCE_COEFFICIENT);
     assertThat(forces.defect().cause()).contains("stiffness").contains("Infinity");
   }
 
@@ -241,7 +242,7 @@ class ForceRefusalTest {
     ForceSet forces = new ForceSet(motion, element -> throwing);
     motion.sweep(0, new double[1], new double[1]);
     assertThat(forces.apply(0, new double[6], new double[1])).isZero();
-    assertThat(forces.defect().code()).isEqualTo("N-033");
+    assertThat(forces.defect().code()).isEqualTo(MessageCode.USER_FORCE_FAILED);
     assertThat(forces.defect().cause()).contains("no tyre");
   }
 

@@ -73,5 +73,5 @@ public record IntegrationFailure(
    * @param attempt what became of it
    */
   public record StepRecord(
-      double time, double stepSize, int order, double error, Attempt attempt) {}
+      double time, double stepSize, int order, double error, TrialOutcome attempt) {}
 }

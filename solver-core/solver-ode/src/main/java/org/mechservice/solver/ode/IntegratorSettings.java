@@ -71,16 +71,11 @@ public record IntegratorSettings(
      * Jumps of the equations are narrowed down, or left behind without history, instead of being
      * met again and again. Implicit methods hold systems with algebraic components, which are in no
      * test themselves, to a third of the tolerances, and steps of an explicit problem in which
-     * nothing is stiff to a hundredth ({@link Ode15s}); they trust a measured rate of convergence
-     * somewhat more, and take differences in residual form along the step.
+     * nothing is stiff to a hundredth ({@link org.mechservice.solver.ode.stiff.Ode15s}); they trust
+     * a measured rate of convergence somewhat more, and take differences in residual form along the
+     * step.
      */
     STANDARD,
-    /**
-     * Like the standard mode, but implicit methods hold every step of an explicit problem to the
-     * tolerances, as the published program does, and save evaluations and factorisations, and steps
-     * near the imaginary axis.
-     */
-    TUNED,
     /**
      * Like the standard mode, and with a 20th of the tolerances or less in every error test, so
      * that as a rule the solution at the end has the digits asked for but one.
@@ -112,12 +107,12 @@ public record IntegratorSettings(
   }
 
   /** Returns the settings with the tolerances that the error tests use. */
-  IntegratorSettings working() {
+  public IntegratorSettings working() {
     return tightened(toleranceFactor());
   }
 
   /** Returns the settings with a part of the tolerances, as far as the arithmetic allows. */
-  IntegratorSettings tightened(double part) {
+  public IntegratorSettings tightened(double part) {
     return new IntegratorSettings(
         Math.max(part * relativeTolerance, SMALLEST_RELATIVE_TOLERANCE),
         absoluteTolerance.stream().map(size -> Math.max(part * size, Double.MIN_NORMAL)).toList(),
@@ -130,7 +125,7 @@ public record IntegratorSettings(
   }
 
   /** Returns the sizes at which the absolute tolerances take over from the relative one. */
-  double[] smallSizes(int dimension) {
+  public double[] smallSizes(int dimension) {
     double[] sizes = absoluteTolerances(dimension);
     for (int l = 0; l < sizes.length; l++) {
       double size = sizes[l] / relativeTolerance;
@@ -157,7 +152,7 @@ public record IntegratorSettings(
    *
    * @throws IllegalArgumentException naming the setting, its value and what it must be
    */
-  void requireUsable() {
+  public void requireUsable() {
     require(
         relativeTolerance >= SMALLEST_RELATIVE_TOLERANCE && relativeTolerance < 1,
         "relative tolerance",
@@ -191,7 +186,7 @@ public record IntegratorSettings(
    *
    * @throws IllegalArgumentException naming what is wrong, its value and what it must be
    */
-  static void requireUsable(double t0, double tEnd, double[] y0, int dimension) {
+  public static void requireUsable(double t0, double tEnd, double[] y0, int dimension) {
     require(Double.isFinite(t0), "start", t0, "finite");
     require(Double.isFinite(tEnd), "end", tEnd, "finite");
     require(Double.isFinite(tEnd - t0), "interval", tEnd - t0, "finite");
@@ -203,7 +198,7 @@ public record IntegratorSettings(
    *
    * @throws IllegalArgumentException naming what is wrong, its value and what it must be
    */
-  static void requireUsable(double[] y0, int dimension) {
+  public static void requireUsable(double[] y0, int dimension) {
     require(y0.length == dimension, "length of the initial state", y0.length, "" + dimension);
     for (int i = 0; i < y0.length; i++) {
       require(Double.isFinite(y0[i]), "initial state's component " + i, y0[i], "finite");
@@ -215,7 +210,7 @@ public record IntegratorSettings(
    *
    * @throws IllegalArgumentException naming what is wrong, its value and what it must be
    */
-  static void requireUsableDerivative(double[] yDot0, int dimension) {
+  public static void requireUsableDerivative(double[] yDot0, int dimension) {
     require(
         yDot0.length == dimension,
         "length of the initial derivative",
@@ -231,7 +226,7 @@ public record IntegratorSettings(
    *
    * @throws IllegalArgumentException if their number is neither 1 nor the number of components
    */
-  double[] absoluteTolerances(int dimension) {
+  public double[] absoluteTolerances(int dimension) {
     int given = absoluteTolerance.size();
     require(
         given == 1 || given == dimension,
@@ -246,7 +241,7 @@ public record IntegratorSettings(
   }
 
   /** Carries over what decides the steps; refuses other settings than those saved. */
-  void transfer(StateTransfer state) {
+  public void transfer(SavedState state) {
     // First, as a mode decides the tolerances inside: they would be told apart instead.
     state.require("mode", mode);
     state.require("relative tolerance", relativeTolerance);
@@ -257,7 +252,7 @@ public record IntegratorSettings(
   }
 
   /** Returns the highest order to use by a method that knows the given one. */
-  int highestOrder(int ofMethod) {
+  public int highestOrder(int ofMethod) {
     return maxOrder == 0 ? ofMethod : Math.min(maxOrder, ofMethod);
   }
 

@@ -39,20 +39,20 @@
  * <caption>Which method for which problem</caption>
  * <tr><th>class</th><th>formulas</th><th>order</th><th>f per step</th><th>local error held to</th>
  * <th>at the end</th><th>when</th></tr>
- * <tr><td>{@link org.mechservice.solver.ode.Ode113}</td><td>Adams predictor-corrector</td>
+ * <tr><td>{@link org.mechservice.solver.ode.adams.Ode113}</td><td>Adams predictor-corrector</td>
  * <td>1-13</td><td>2</td><td>max(rtol |y_i|, atol_i), every component</td><td>ends there exactly</td>
  * <td>not stiff; the first choice</td></tr>
- * <tr><td>{@link org.mechservice.solver.ode.De}</td><td>the same</td><td>1-13</td><td>2</td>
+ * <tr><td>{@link org.mechservice.solver.ode.adams.De}</td><td>the same</td><td>1-13</td><td>2</td>
  * <td>rtol |y_i| + atol_i, root of the sum of squares</td><td>steps past, interpolates</td><td>to
  * compare with results of the classical program</td></tr>
- * <tr><td>{@link org.mechservice.solver.ode.Ode15s}</td><td>numerical or backward
+ * <tr><td>{@link org.mechservice.solver.ode.stiff.Ode15s}</td><td>numerical or backward
  * differentiation, implicit</td><td>1-5</td><td>1-4, and linear equations</td><td>max(rtol |y_i|,
  * atol_i), every component</td><td>ends there exactly</td><td>stiff</td></tr>
- * <tr><td>{@link org.mechservice.solver.ode.Ode15sR}</td><td>the same, for F(t, y, y') =
+ * <tr><td>{@link org.mechservice.solver.ode.stiff.Ode15sR}</td><td>the same, for F(t, y, y') =
  * 0</td><td>1-5</td><td>1-4 of F, and linear equations</td><td>the same, algebraic components not
  * tested</td><td>ends there exactly</td><td>mass matrices, multipliers, implicit equations of index
  * 1</td></tr>
- * <tr><td>{@link org.mechservice.solver.ode.Switching}</td><td>Adams, and differentiation
+ * <tr><td>{@link org.mechservice.solver.ode.switching.Switching}</td><td>Adams, and differentiation
  * formulas where it gets stiff</td><td>1-13, 1-5</td><td>2, or those of ode15s</td><td>as
  * both</td><td>ends there exactly</td><td>stiffness comes and goes, or nobody knows</td></tr>
  * </table>
@@ -71,7 +71,7 @@
  * with many unknowns in a line say so by {@link org.mechservice.solver.ode.BandedSystem}, with many
  * that know few others by {@link org.mechservice.solver.ode.SparseSystem}. Fast oscillations that
  * are hardly damped hold it up. If neither method is known to suit, let {@link
- * org.mechservice.solver.ode.Switching} find out.
+ * org.mechservice.solver.ode.switching.Switching} find out.
  *
  * <h2>Mathematics of the Adams methods</h2>
  *
@@ -111,8 +111,8 @@
  *
  * <h2>Events, jumps, manifolds</h2>
  *
- * {@link org.mechservice.solver.ode.EventIntegration} looks for changes of sign of {@link
- * org.mechservice.solver.ode.EventFunctions} in the steps of any method, on the interpolated
+ * {@link org.mechservice.solver.ode.events.EventIntegration} looks for changes of sign of {@link
+ * org.mechservice.solver.ode.events.EventFunctions} in the steps of any method, on the interpolated
  * solution, and lets the state or the equations be changed there. A right-hand side that jumps at
  * known places says so by {@link org.mechservice.solver.ode.PiecewiseSystem}: steps end there and
  * nothing is evaluated across. Jumps that are not declared are narrowed down. Components that
@@ -138,8 +138,6 @@
  * <tr><td>faithful</td><td>nothing</td><td>nothing</td><td>to compare counts and steps</td></tr>
  * <tr><td>standard</td><td>narrow down jumps</td><td>the same; fewer iterations; shorter steps
  * where nothing is stiff</td><td>the default</td></tr>
- * <tr><td>tuned</td><td>as standard</td><td>fewest evaluations and factorisations; lower orders
- * near the imaginary axis</td><td>stiff problems throughout, moderate accuracy</td></tr>
  * <tr><td>accurate</td><td>a 20th of the tolerances, 1.3 times the evaluations</td><td>the same,
  * 1.5 times the evaluations</td><td>the digits asked for have to arrive</td></tr>
  * </table>
@@ -173,12 +171,12 @@
  * stuck to a moving belt breaks loose, stiff methods can pass the place with the derivatives of the
  * time when it stuck, or of a step before. What is left of the equations is watched for that: of
  * 3000 random runs each with w from 1e-8 to 1e-4 and tolerances from 1e-11 to 1e-3, up to one in
- * 300 still completed with a wrong state by the standard and the tuned mode, one in 3000 by the
- * accurate one; with steps held equal by a maxStep of a hundredth of the interval up to one in 1000
- * and none. Of 120 random loops each with such friction in a joint none went wrong with
- * multipliers, up to one in 60 in independent coordinates. Declare sticking and slipping as {@link
- * org.mechservice.solver.ode.EventFunctions events}, or integrate again in the accurate mode and
- * compare.
+ * 300 still completed with a wrong state by the standard mode, one in 3000 by the accurate one;
+ * with steps held equal by a maxStep of a hundredth of the interval up to one in 1000 and none. Of
+ * 120 random loops each with such friction in a joint none went wrong with multipliers, up to one
+ * in 60 in independent coordinates. Declare sticking and slipping as {@link
+ * org.mechservice.solver.ode.events.EventFunctions events}, or integrate again in the accurate mode
+ * and compare.
  *
  * <p>Results are the same to the bit on every machine if those of f are.
  *

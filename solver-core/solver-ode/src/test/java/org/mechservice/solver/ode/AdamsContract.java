@@ -5,17 +5,19 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.Run;
 
 /** What the Adams methods do beyond every integrator. */
-abstract class AdamsContract extends IntegratorContract {
+public abstract class AdamsContract extends IntegratorContract {
   /** One to two digits. */
   @Override
-  double accumulation() {
+  protected double accumulation() {
     return 100;
   }
 
   @Override
-  double notFiniteReduction() {
+  protected double notFiniteReduction() {
     return 0.25;
   }
 

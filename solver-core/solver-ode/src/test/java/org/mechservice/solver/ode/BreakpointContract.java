@@ -12,15 +12,16 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
+import org.mechservice.solver.ode.suite.Run;
 
 /** Jumps of the equations at declared places, whatever the integrator. */
-abstract class BreakpointContract {
+public abstract class BreakpointContract {
   /** State of the pushed oscillator at t = 2.5 and t = 5, in closed form (suite: step_force). */
   private static final double[] AT_CHECKPOINT = {0.3950552192759746, 6.758143140404665};
 
   private static final double[] AT_END = {0.18039197239119287, 4.400526629628046};
 
-  abstract Integrator create(IntegratorSettings settings);
+  protected abstract Integrator create(IntegratorSettings settings);
 
   private static IntegratorSettings tolerances(double both) {
     return new IntegratorSettings(both, both);

@@ -13,13 +13,18 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
+import org.mechservice.solver.ode.events.EventFunctions;
+import org.mechservice.solver.ode.events.EventIntegration;
 import org.mechservice.solver.ode.suite.Kepler;
+import org.mechservice.solver.ode.suite.LoopPendulum;
+import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.SuiteProblem;
 import org.mechservice.solver.ode.suite.VanDerPol;
 
 /** An integration saved and taken up again goes on with the same bits. */
-abstract class CheckpointContract {
-  abstract Integrator create(IntegratorSettings settings);
+public abstract class CheckpointContract {
+  protected abstract Integrator create(IntegratorSettings settings);
 
   private Integrator create(double tolerance) {
     return create(new IntegratorSettings(tolerance, tolerance));
@@ -140,7 +145,7 @@ abstract class CheckpointContract {
   /** A rod that remembers which coordinate is independent. */
   private static final class SavedPendulum extends LoopPendulum implements SavedSystem {
     @Override
-    public void transfer(StateTransfer state) {
+    public void transfer(SavedState state) {
       transferChoice(state);
     }
   }
@@ -188,7 +193,7 @@ abstract class CheckpointContract {
     }
 
     @Override
-    public void transfer(StateTransfer state) {
+    public void transfer(SavedState state) {
       bounces = state.integer(bounces);
     }
   }

@@ -11,15 +11,19 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.mechservice.solver.ode.EventFunctions.Direction;
-import org.mechservice.solver.ode.EventFunctions.Reaction;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
+import org.mechservice.solver.ode.events.EventFunctions.Direction;
+import org.mechservice.solver.ode.events.EventFunctions.Reaction;
+import org.mechservice.solver.ode.events.EventIntegration;
+import org.mechservice.solver.ode.suite.LoopPendulum;
+import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.Run;
 
 /**
  * Events, whatever the integrator: what they lead to, and their {@linkplain EventLocationContract
  * location}.
  */
-abstract class EventContract extends EventLocationContract {
+public abstract class EventContract extends EventLocationContract {
   // The suite's bouncing ball
 
   @ParameterizedTest

@@ -8,11 +8,16 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.mechservice.solver.ode.EventFunctions.Direction;
-import org.mechservice.solver.ode.EventFunctions.Reaction;
+import org.mechservice.solver.ode.events.EventFunctions;
+import org.mechservice.solver.ode.events.EventFunctions.Direction;
+import org.mechservice.solver.ode.events.EventFunctions.Reaction;
+import org.mechservice.solver.ode.events.EventIntegration;
+import org.mechservice.solver.ode.events.EventSearch;
+import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.Run;
 
 /** Where events are found, and which, whatever the integrator. */
-abstract class EventLocationContract {
+public abstract class EventLocationContract {
   static final double GRAVITY = 9.81;
 
   /** y'' = −y from (0, 1): sin t, cos t. */
@@ -36,9 +41,9 @@ abstract class EventLocationContract {
             yDot[1] = -GRAVITY;
           });
 
-  abstract Integrator create(IntegratorSettings settings);
+  protected abstract Integrator create(IntegratorSettings settings);
 
-  final Integrator create(double tolerance) {
+  protected final Integrator create(double tolerance) {
     return create(new IntegratorSettings(tolerance, tolerance));
   }
 

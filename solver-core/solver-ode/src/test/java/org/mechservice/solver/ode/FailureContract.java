@@ -8,9 +8,11 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.Run;
 
 /** What an integrator does with values that are not finite, and where no solution is left. */
-abstract class FailureContract extends UsageContract {
+public abstract class FailureContract extends UsageContract {
   // Values that are not finite
 
   @Test
@@ -83,7 +85,7 @@ abstract class FailureContract extends UsageContract {
     for (int i = 1; i < tries.size(); i++) {
       assertThat(tries.get(i).stepSize())
           .isEqualTo(notFiniteReduction() * tries.get(i - 1).stepSize());
-      assertThat(tries.get(i).attempt()).isEqualTo(Attempt.NOT_FINITE);
+      assertThat(tries.get(i).attempt()).isEqualTo(TrialOutcome.NOT_FINITE);
       assertThat(tries.get(i).error()).isNaN();
     }
   }

@@ -15,10 +15,12 @@ import org.mechservice.solver.ode.suite.EulerRigidBody;
 import org.mechservice.solver.ode.suite.ExactProblem;
 import org.mechservice.solver.ode.suite.FastOscillator;
 import org.mechservice.solver.ode.suite.Kepler;
+import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.SuiteProblem;
 
 /** What every integrator of explicit problems does. */
-abstract class IntegratorContract extends FailureContract {
+public abstract class IntegratorContract extends FailureContract {
   // Accuracy
 
   @Test
@@ -136,7 +138,7 @@ abstract class IntegratorContract extends FailureContract {
     assertCheckpointsAreMet(SuiteProblem.nonstiff(), tolerance);
   }
 
-  final void assertCheckpointsAreMet(List<SuiteProblem> problems, double tolerance) {
+  protected final void assertCheckpointsAreMet(List<SuiteProblem> problems, double tolerance) {
     for (SuiteProblem problem : problems) {
       double t = problem.reference().checkpointTime();
       Integrator integrator = create(Run.settings(problem, tolerance));

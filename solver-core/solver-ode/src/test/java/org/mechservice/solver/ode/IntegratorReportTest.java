@@ -13,8 +13,14 @@ import java.util.Locale;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
+import org.mechservice.solver.ode.adams.De;
+import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.suite.ResidualProblem;
+import org.mechservice.solver.ode.suite.ResidualRun;
+import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.SuiteProblem;
+import org.mechservice.solver.ode.switching.Switching;
 
 /** Writes docs/reports/integrators.md: what the integrators cost and deliver on their suite. */
 @Tag("soak")
@@ -23,7 +29,7 @@ class IntegratorReportTest {
 
   /** What the page says of each target; kept by hand, with the tests that prove it. */
   private static final Path STANDING =
-      Path.of("src", "test", "resources", "org", "mechservice", "solver", "integration")
+      Path.of("src", "test", "resources", "org", "mechservice", "solver", "ode")
           .resolve("targets.md");
 
   private static final int LEAST_DIGITS = 3;

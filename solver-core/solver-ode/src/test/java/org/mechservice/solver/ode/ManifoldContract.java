@@ -6,13 +6,16 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.ode.suite.LoopPendulum;
+import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.Run;
 
 /** What an integrator does with components that follow from others, manifolds and unit groups. */
-abstract class ManifoldContract {
-  abstract Integrator create(IntegratorSettings settings);
+public abstract class ManifoldContract {
+  protected abstract Integrator create(IntegratorSettings settings);
 
   /** Returns how many tolerances the error of nine swings may have become. */
-  double accumulation() {
+  protected double accumulation() {
     return 2000;
   }
 
@@ -217,7 +220,7 @@ abstract class ManifoldContract {
   // Groups of norm one
 
   /** Euler parameters of a body that turns about a wandering axis; e' = ½ (0, ω) ∘ e. */
-  private static class Turning implements OdeSystem, WeightGroups {
+  private static class Turning implements OdeSystem, ErrorWeightGroups {
     @Override
     public int dimension() {
       return 4;
@@ -250,7 +253,7 @@ abstract class ManifoldContract {
     }
   }
 
-  private static final class TurningKeptAtNormOne extends Turning implements UnitGroups {}
+  private static final class TurningKeptAtNormOne extends Turning implements UnitNormGroups {}
 
   @Test
   void unitGroupIsScaledBackWithoutChangingItsDirectionOrTheSteps() {
@@ -258,7 +261,7 @@ abstract class ManifoldContract {
     Run kept = Run.of(create(1e-5), new TurningKeptAtNormOne(), 0, start, 50);
     Run free = Run.of(create(1e-5), new Turning(), 0, start, 50);
     double drift = norm(free.atEnd()) - 1;
-    assertThat(Math.abs(drift)).isGreaterThan(100 * UnitGroups.NORM_DRIFT);
+    assertThat(Math.abs(drift)).isGreaterThan(100 * UnitNormGroups.NORM_DRIFT);
     // What one step can add to the drift allowed before it.
     assertThat(norm(kept.atEnd())).isCloseTo(1, within(1e-6));
     for (int i = 0; i < 4; i++) {

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.mechservice.solver.ode.adams.Ode113;
 
 /** Runs the lines shown in the package documentation. */
 class PackageExampleTest {

@@ -6,9 +6,13 @@ import java.util.List;
 import org.apache.commons.math3.ode.FirstOrderDifferentialEquations;
 import org.apache.commons.math3.ode.nonstiff.DormandPrince853Integrator;
 import org.junit.jupiter.api.Test;
-import org.mechservice.solver.ode.IntegratorSettings.Mode;
+import org.mechservice.solver.ode.adams.De;
+import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.suite.Reference;
 import org.mechservice.solver.ode.suite.ResidualProblem;
+import org.mechservice.solver.ode.suite.ResidualRun;
+import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.SixLinkChain;
 import org.mechservice.solver.ode.suite.SuiteProblem;
 
@@ -33,12 +37,6 @@ class SuiteAccuracyTest {
   void ode15sDeliversTheDigitsAskedForLessThreeOnStiffProblems() {
     // The targets set for it on stiff problems.
     assertShares(Ode15s::new, SuiteProblem.stiff(), 0.96, 0.90);
-  }
-
-  @Test
-  void tunedOde15sDeliversThemToo() {
-    IntegratorFactory tuned = settings -> new Ode15s(settings.withMode(Mode.TUNED));
-    assertShares(tuned, SuiteProblem.stiff(), 0.96, 0.90);
   }
 
   @Test

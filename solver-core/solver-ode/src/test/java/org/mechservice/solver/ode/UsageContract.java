@@ -18,11 +18,13 @@ import org.mechservice.solver.ode.suite.DetestA3;
 import org.mechservice.solver.ode.suite.EulerRigidBody;
 import org.mechservice.solver.ode.suite.ExactProblem;
 import org.mechservice.solver.ode.suite.Kepler;
+import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.SuiteProblem;
 import org.mechservice.solver.ode.suite.VanDerPol;
 
 /** How an integrator is used: limits, interruption, what is handed in, and what is refused. */
-abstract class UsageContract {
+public abstract class UsageContract {
   static final double UNBOUNDED = Double.POSITIVE_INFINITY;
 
   /** y' = y cos t, solution exp(sin t) from 1 at t = 0. */
@@ -45,38 +47,38 @@ abstract class UsageContract {
   /** Steps allowed for a constant solution, whatever the interval. */
   static final int CONSTANT_STEPS = 400;
 
-  abstract Integrator create(IntegratorSettings settings);
+  protected abstract Integrator create(IntegratorSettings settings);
 
   /** Returns how many tolerances the error of y' = y cos t may have become at t = 20. */
-  abstract double accumulation();
+  protected abstract double accumulation();
 
   /** Returns the tolerance from which on a given order is used on smooth problems. */
-  double toleranceOfOrders() {
+  protected double toleranceOfOrders() {
     return 1e-4;
   }
 
   /** Returns by how much a step shrinks in which something was not finite. */
-  abstract double notFiniteReduction();
+  protected abstract double notFiniteReduction();
 
-  final Integrator create(double tolerance) {
+  protected final Integrator create(double tolerance) {
     return create(new IntegratorSettings(tolerance, tolerance));
   }
 
-  static IntegratorSettings withFirstStep(double initialStep) {
+  protected static IntegratorSettings withFirstStep(double initialStep) {
     return new IntegratorSettings(
         1e-6, List.of(1e-6), UNBOUNDED, initialStep, 0, Long.MAX_VALUE, () -> false);
   }
 
-  static IntegratorSettings withMaxOrder(double tolerance, int maxOrder) {
+  protected static IntegratorSettings withMaxOrder(double tolerance, int maxOrder) {
     return new IntegratorSettings(
         tolerance, List.of(tolerance), UNBOUNDED, 0, maxOrder, Long.MAX_VALUE, () -> false);
   }
 
-  static IntegratorSettings withStop(BooleanSupplier stop) {
+  protected static IntegratorSettings withStop(BooleanSupplier stop) {
     return new IntegratorSettings(1e-6, List.of(1e-6), UNBOUNDED, 0, 0, Long.MAX_VALUE, stop);
   }
 
-  static IntegratorSettings componentwise(double... absoluteTolerance) {
+  protected static IntegratorSettings componentwise(double... absoluteTolerance) {
     List<Double> tolerances = Arrays.stream(absoluteTolerance).boxed().toList();
     return new IntegratorSettings(1e-10, tolerances, UNBOUNDED, 0, 0, Long.MAX_VALUE, () -> false);
   }
@@ -144,7 +146,7 @@ abstract class UsageContract {
     assertThat(Run.state(integrator, 20, 2)).isEqualTo(Run.of(create(1e-6), problem).atEnd());
   }
 
-  static List<Double> stepEnds(Integrator integrator, SuiteProblem problem) {
+  protected static List<Double> stepEnds(Integrator integrator, SuiteProblem problem) {
     List<Double> times = new ArrayList<>();
     integrator.start(problem, 0, problem.reference().initialState(), problem.reference().end());
     while (integrator.step() == StepResult.ADVANCED) {

@@ -2,9 +2,9 @@ package org.mechservice.solver.analysis;
 
 import java.util.Arrays;
 import org.mechservice.solver.api.Defects.Defect;
+import org.mechservice.solver.closure.assembly.ScaledJacobian;
 import org.mechservice.solver.closure.equations.CoordinateUnits;
 import org.mechservice.solver.closure.equations.LoopEquations;
-import org.mechservice.solver.closure.assembly.ScaledJacobian;
 import org.mechservice.solver.dynamics.OpenTree;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.force.ForceSet;

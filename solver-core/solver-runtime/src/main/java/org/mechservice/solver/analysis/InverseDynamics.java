@@ -3,6 +3,7 @@ package org.mechservice.solver.analysis;
 import java.util.Arrays;
 import java.util.Optional;
 import org.mechservice.solver.api.Defects.Defect;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.linear.SingularValues;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -73,7 +74,7 @@ public final class InverseDynamics {
 
   private static Defect tooFew(int rank, int freedom) {
     return new Defect(
-        "N-067",
+        MessageCode.FORCES_CANNOT_DRIVE,
         "",
         "Forces in these coordinates drive " + rank + " of " + freedom + " degrees of freedom.",
         "Let forces act in further coordinates.");

@@ -13,6 +13,7 @@ import org.mechservice.solver.api.ResultTable;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.force.user.UserForceSource;
 
@@ -138,7 +139,7 @@ final class LinearModel implements ResultTable, RunNotes {
 
   private static Defect noInertia(String part) {
     return new Defect(
-        "N-066",
+        MessageCode.SMALL_MOTION_WITHOUT_INERTIA,
         part,
         "Small motions have no inertia in some direction.",
         "Give the bodies beyond this joint mass and inertia.");
@@ -156,7 +157,7 @@ final class LinearModel implements ResultTable, RunNotes {
     if (!found.converged()) {
       return fail(
           new Defect(
-              "N-066",
+              MessageCode.SMALL_MOTION_WITHOUT_INERTIA,
               "",
               "The eigenvalues of small motions were not found.",
               "Look for masses and stiffnesses that differ by more than 1e16."));

@@ -8,6 +8,7 @@ import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.MomentumBalance;
 import org.mechservice.solver.api.RunNotes.Note;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.dynamics.recursion.TotalMomentum;
 import org.mechservice.solver.kinematics.TreeMotion;
 
@@ -152,7 +153,7 @@ final class MomentumColumns implements ColumnValues, MomentumBalance {
   public Failure failure(double part, double t, double stepSize, int order) {
     int kind = exceeds(LINEAR, part) ? LINEAR : ANGULAR;
     return new Failure(
-        "N-017",
+        MessageCode.MOMENTUM_DRIFT,
         String.format(
             Locale.ROOT,
             "The %s momentum of the whole, less the impulse of what acts on it, has drifted by %.4g"
@@ -178,13 +179,13 @@ final class MomentumColumns implements ColumnValues, MomentumBalance {
   @Override
   public Note note() {
     return new Note(
-        "N-018",
+        MessageCode.MOMENTUM_BALANCE,
         rowTime,
         false,
         String.format(
             Locale.ROOT,
-            "Momentum of the whole, less the impulse of what acts on it, was off by at most %.4g N·s"
-                + " of %.4g N·s, angular momentum by %.4g N·m·s of %.4g N·m·s.",
+            "Momentum of the whole, less the impulse of what acts on it, was off by at most %.4g"
+                + " N·s of %.4g N·s, angular momentum by %.4g N·m·s of %.4g N·m·s.",
             drift[LINEAR],
             scale[LINEAR],
             drift[ANGULAR],

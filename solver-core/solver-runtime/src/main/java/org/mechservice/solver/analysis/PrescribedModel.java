@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.assembly.Assembly;
 import org.mechservice.solver.closure.assembly.LoopFinding;
 import org.mechservice.solver.closure.assembly.RankAnalysis;
@@ -88,7 +89,7 @@ final class PrescribedModel extends FoundModel {
             .mapToObj(names::name)
             .collect(Collectors.joining(", "));
     return new Defect(
-        "N-060",
+        MessageCode.PRESCRIBED_MOTION_INCOMPLETE,
         "",
         "The prescribed motion leaves "
             + directions.freedom()
@@ -193,7 +194,7 @@ final class PrescribedModel extends FoundModel {
   private Defect singular(FreeDirections directions) {
     String where = directions.freedom() == 0 ? "" : names.part(directions.independent[0]);
     return new Defect(
-        "N-062",
+        MessageCode.PRESCRIBED_MOTION_SINGULAR,
         where,
         "The mechanism comes to a singular position: the prescribed motion does not determine how"
             + " it goes on.",
@@ -214,7 +215,7 @@ final class PrescribedModel extends FoundModel {
 
   private static Defect open(String part, double amount, String unit) {
     return new Defect(
-        "N-061",
+        MessageCode.PRESCRIBED_MOTION_IMPOSSIBLE,
         part,
         String.format(
             Locale.ROOT,

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import org.mechservice.solver.api.Defects.Defect;
 import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.assembly.Assembly;
 import org.mechservice.solver.closure.assembly.LoopFinding;
 import org.mechservice.solver.force.user.UserForceSource;
@@ -286,7 +287,7 @@ final class StaticEquilibrium {
     defect =
         Optional.of(
             new Defect(
-                "N-063",
+                MessageCode.NO_EQUILIBRIUM,
                 worst < 0 ? "" : names.part(worst),
                 "No equilibrium was found: on the way to it the loops cannot be closed.",
                 "Start nearer to the equilibrium; the mechanism locks on the way."));
@@ -297,7 +298,7 @@ final class StaticEquilibrium {
     defect =
         Optional.of(
             new Defect(
-                "N-063",
+                MessageCode.NO_EQUILIBRIUM,
                 worst < 0 ? "" : names.part(worst),
                 String.format(
                     Locale.ROOT,
@@ -336,14 +337,14 @@ final class StaticEquilibrium {
                   + " %s.",
               modes.growth(growing),
               names.part(mostMoved(modes, growing)));
-      notes.add(new Note("N-064", t, true, text));
+      notes.add(new Note(MessageCode.UNSTABLE_EQUILIBRIUM, t, true, text));
     }
     if (neutral >= 0) {
       String text =
           "The equilibrium is not the only one: nothing brings "
               + names.part(mostMoved(modes, neutral))
               + " back.";
-      notes.add(new Note("N-065", t, true, text));
+      notes.add(new Note(MessageCode.EQUILIBRIUM_NOT_UNIQUE, t, true, text));
     }
   }
 

@@ -8,6 +8,7 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.equations.LoopTerms;
 import org.mechservice.solver.dynamics.event.StateEvents;
 import org.mechservice.solver.dynamics.event.WrittenValues;
@@ -79,7 +80,8 @@ public record CompactModel(
         all.length() < HEAD ? 0 : (all.charAt(0) << 16) + (all.charAt(1) << 8) + all.charAt(2);
     if (head == 0 || all.length() < HEAD + head) {
       throw new IllegalArgumentException(
-          "S-067 the model's data are damaged or of another version; build it anew");
+          MessageCode.MODEL_DATA_DAMAGED
+              + " the model's data are damaged or of another version; build it anew");
     }
     RecordReader reader = new RecordReader(bytes(all.substring(HEAD, HEAD + head)));
     return new CompactModel(

@@ -2,11 +2,12 @@ package org.mechservice.solver.compact;
 
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.ClosedMechanism;
-import org.mechservice.solver.closure.model.LinearisedProjectionModel;
-import org.mechservice.solver.closure.equations.LoopTerms;
-import org.mechservice.solver.closure.model.PenaltyModel;
 import org.mechservice.solver.closure.PenaltySettings;
+import org.mechservice.solver.closure.equations.LoopTerms;
+import org.mechservice.solver.closure.model.LinearisedProjectionModel;
+import org.mechservice.solver.closure.model.PenaltyModel;
 import org.mechservice.solver.closure.model.ProjectionModel;
 import org.mechservice.solver.closure.model.ResidualPenaltyModel;
 import org.mechservice.solver.closure.model.ResidualPenaltyModel.Derivatives;
@@ -85,6 +86,8 @@ final class DataDriven {
 
   private static IllegalArgumentException unknown(String formulation) {
     return new IllegalArgumentException(
-        "S-067 the model is written in a formulation this solver does not have: " + formulation);
+        MessageCode.MODEL_DATA_DAMAGED
+            + " the model is written in a formulation this solver does not have: "
+            + formulation);
   }
 }

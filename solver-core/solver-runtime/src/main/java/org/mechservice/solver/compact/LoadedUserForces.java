@@ -1,6 +1,7 @@
 package org.mechservice.solver.compact;
 
 import org.mechservice.solver.api.UserForce;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
@@ -24,7 +25,8 @@ public final class LoadedUserForces implements UserForceSource {
           .newInstance();
     } catch (ReflectiveOperationException | LinkageError | ClassCastException e) {
       throw new IllegalArgumentException(
-          "S-068 the class "
+          MessageCode.FORCE_CLASS_UNUSABLE
+              + " the class "
               + element.className()
               + " of force \""
               + element.name()

@@ -7,6 +7,7 @@ import java.lang.reflect.Constructor;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.List;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Reads what {@link RecordWriter} wrote. Only records and enumerations of the solver come to life,
@@ -33,7 +34,11 @@ final class RecordReader {
       return value();
     } catch (IOException | ReflectiveOperationException | ClassCastException e) {
       throw new IllegalArgumentException(
-          "S-067 the model's data are damaged or of another version (" + e + "); build it anew", e);
+          MessageCode.MODEL_DATA_DAMAGED
+              + " the model's data are damaged or of another version ("
+              + e
+              + "); build it anew",
+          e);
     }
   }
 

@@ -7,7 +7,8 @@ import org.mechservice.solver.api.DependentStates;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelState;
 import org.mechservice.solver.api.RunRequest;
-import org.mechservice.solver.ode.StateTransfer;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.ode.SavedState;
 
 /** Leaves checkpoints on the way of a run, and takes one up that fits the run to the bit. */
 final class CheckpointWriter {
@@ -29,7 +30,8 @@ final class CheckpointWriter {
     boolean asked = store.saved().isPresent() || Double.isFinite(store.secondsBetween());
     if (asked && !canBeSaved(model)) {
       throw new IllegalArgumentException(
-          "S-072 model \""
+          MessageCode.MODEL_CANNOT_BE_SAVED
+              + " model \""
               + model.description().name()
               + "\" does not tell the state of its loops, so a run of it cannot be saved; run it"
               + " without checkpoints");
@@ -50,11 +52,11 @@ final class CheckpointWriter {
    *
    * @throws IllegalArgumentException S-071 if it does not belong to this run
    */
-  void restore(byte[] saved, StateTransfer.Part run) {
+  void restore(byte[] saved, SavedState.Part run) {
     try {
-      StateTransfer.restore(saved, state -> transfer(state, run));
+      SavedState.restore(saved, state -> transfer(state, run));
     } catch (IllegalArgumentException e) {
-      throw new IllegalArgumentException("S-071 " + e.getMessage(), e);
+      throw new IllegalArgumentException(MessageCode.CHECKPOINT_UNUSABLE + " " + e.getMessage(), e);
     }
   }
 
@@ -64,18 +66,18 @@ final class CheckpointWriter {
    * @param stands whether the run ends or is held here, perhaps to be taken up later
    * @return whether it was due
    */
-  boolean keepIfDue(boolean stands, StateTransfer.Part run) throws IOException {
+  boolean keepIfDue(boolean stands, SavedState.Part run) throws IOException {
     double distance = store.secondsBetween();
     double since = (System.nanoTime() - lastAt) / NANOSECONDS;
     boolean due = since >= distance || (stands && Double.isFinite(distance));
     if (due) {
-      store.keep(StateTransfer.save(state -> transfer(state, run)));
+      store.keep(SavedState.save(state -> transfer(state, run)));
       lastAt = System.nanoTime();
     }
     return due;
   }
 
-  private void transfer(StateTransfer state, StateTransfer.Part run) {
+  private void transfer(SavedState state, SavedState.Part run) {
     state.require("model", model.description().name());
     state.require("formulation", model.description().formulation());
     state.require("hash of the model", store.modelHash());
@@ -90,7 +92,7 @@ final class CheckpointWriter {
    * Settings are carried over as the text of their record, which in one version of the solver has
    * the same components in the same order; those that differ are named.
    */
-  private static void requireSettings(StateTransfer state, String here) {
+  private static void requireSettings(SavedState state, String here) {
     String[] now = here.split(AROUND_COMPONENTS, -1);
     String[] saved = state.text(here).split(AROUND_COMPONENTS, -1);
     String different = "";

@@ -8,6 +8,7 @@ import org.mechservice.solver.api.RunNotes.Note;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Warns of a run whose energy balance says that its motion is wrong. */
 final class EnergyDoubt {
@@ -38,7 +39,7 @@ final class EnergyDoubt {
 
   private static Note warning(double t, double drift) {
     return new Note(
-        "N-034",
+        MessageCode.ENERGY_BALANCE_OFF,
         t,
         true,
         "The energy balance is off by "

@@ -4,7 +4,8 @@ import java.util.OptionalDouble;
 import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.PowerInput;
-import org.mechservice.solver.ode.StateTransfer;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.ode.SavedState;
 
 /**
  * Watches the mechanical energy at the output times: less the work put in, it must stay what it
@@ -47,7 +48,8 @@ final class EnergyMonitor {
   /** Returns the refusal to watch a model's energy balance. */
   static IllegalArgumentException unbalanced(Model model, String why) {
     return new IllegalArgumentException(
-        "S-166 model \""
+        MessageCode.ENERGY_BALANCE_NOT_WATCHED
+            + " model \""
             + model.description().name()
             + "\" "
             + why
@@ -123,7 +125,7 @@ final class EnergyMonitor {
   }
 
   /** Carries what was observed over. */
-  void transfer(StateTransfer state) {
+  void transfer(SavedState state) {
     started = state.flag(started);
     initialTotal = state.number(initialTotal);
     initialPotential = state.number(initialPotential);

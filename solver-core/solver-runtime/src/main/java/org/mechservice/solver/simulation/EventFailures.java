@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.Optional;
 import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Says why a run could not go on after an event. */
 final class EventFailures {
@@ -12,7 +13,7 @@ final class EventFailures {
   /** Explains an event that sets a state to what is no number. */
   static Failure eventNotFinite(double t, String event, String state) {
     return atEvent(
-        "N-013",
+        MessageCode.EVENT_VALUE_NOT_FINITE,
         "The event sets state \"" + state + "\" to a value that is not finite.",
         t,
         event,
@@ -22,7 +23,7 @@ final class EventFailures {
   /** Explains an event after which no state closes the loops. */
   static Failure eventOpensLoops(double t, String event, Optional<Defects.Defect> why) {
     return atEvent(
-        "N-014",
+        MessageCode.EVENT_BREAKS_LOOPS,
         "The loops cannot be closed after what the event sets.",
         t,
         why.map(defect -> event + ", " + defect.part()).orElse(event),
@@ -33,7 +34,7 @@ final class EventFailures {
   static Failure eventContradictsLoops(
       double t, String event, String state, double given, double wanted) {
     return atEvent(
-        "N-014",
+        MessageCode.EVENT_BREAKS_LOOPS,
         String.format(
             Locale.ROOT,
             "The loops give state \"%s\" another value, %.6g, than the event sets, %.6g.",
@@ -45,7 +46,8 @@ final class EventFailures {
         "Set as many coordinates as the mechanism has degrees of freedom, to values that fit.");
   }
 
-  private static Failure atEvent(String code, String cause, double t, String event, String advice) {
+  private static Failure atEvent(
+      MessageCode code, String cause, double t, String event, String advice) {
     return new Failure(code, cause, t, 0, 0, event, advice);
   }
 }

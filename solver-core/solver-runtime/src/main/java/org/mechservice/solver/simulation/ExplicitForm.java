@@ -2,6 +2,7 @@ package org.mechservice.solver.simulation;
 
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** y' = f(t, y) of open chains. */
 public final class ExplicitForm implements EquationForm {
@@ -15,6 +16,9 @@ public final class ExplicitForm implements EquationForm {
       return explicit;
     }
     throw new IllegalArgumentException(
-        "S-061 model \"" + model.description().name() + "\" has no explicit form y' = f(t, y)");
+        MessageCode.EQUATION_FORM_MISSING
+            + " model \""
+            + model.description().name()
+            + "\" has no explicit form y' = f(t, y)");
   }
 }

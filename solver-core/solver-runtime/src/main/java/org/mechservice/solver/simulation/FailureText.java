@@ -10,9 +10,10 @@ import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.RunSettings;
-import org.mechservice.solver.ode.Attempt;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.IntegrationFailure;
 import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.TrialOutcome;
 
 /** Says in the words of mechanics why a run could not go on. */
 final class FailureText {
@@ -39,7 +40,7 @@ final class FailureText {
       case NOT_FINITE ->
           singularJoint == ExplicitModel.REGULAR
               ? failure(
-                  "N-001",
+                  MessageCode.NOT_FINITE,
                   "The accelerations are not finite.",
                   failure,
                   state(model, failure.worstComponent()),
@@ -48,25 +49,25 @@ final class FailureText {
                   failure.time(), failure.stepSize(), failure.order(), model, singularJoint);
       case STEP_TOO_SMALL ->
           failure(
-              "N-003",
+              MessageCode.STEP_TOO_SMALL,
               "The error test fails however small the step.",
               failure,
               state(model, failure.worstComponent()),
               Math.ulp(failure.time()) > COARSE
                   ? "Times this large lie too far apart for steps: begin the run near t = 0."
                   : motion
-                      + "The motion is singular or very stiff there; take ode15s, loosen the tolerances,"
-                      + " or check the values that act on this joint.");
+                      + "The motion is singular or very stiff there; take ode15s, loosen the"
+                      + " tolerances, or check the values that act on this joint.");
       case TOLERANCE_TOO_TIGHT ->
           failure(
-              "N-004",
+              MessageCode.TOLERANCE_TOO_TIGHT,
               "The tolerances ask for more digits than double precision has.",
               failure,
               state(model, failure.worstComponent()),
               "Loosen the relative or the absolute tolerance.");
       case NO_CONVERGENCE ->
           failure(
-              "N-006",
+              MessageCode.NEWTON_DIVERGES,
               "The equations of an implicit step cannot be solved at any step size.",
               failure,
               state(model, failure.worstComponent()),
@@ -75,21 +76,21 @@ final class FailureText {
                   + " tolerances if it does not.");
       case SINGULAR_MATRIX ->
           failure(
-              "N-007",
+              MessageCode.SINGULAR_ITERATION_MATRIX,
               "The matrix of an implicit step is singular at every step size.",
               failure,
               state(model, failure.worstComponent()),
               "Check the values that act on this joint for huge ones.");
       case INCONSISTENT_START ->
           failure(
-              "N-011",
+              MessageCode.NO_CONSISTENT_INITIAL_VALUES,
               "No accelerations and multipliers were found that obey the equations at the start.",
               failure,
               state(model, failure.worstComponent()),
               "Check the initial state, masses and inertias, and constraints that contradict.");
       case NOT_COMPLETED ->
           failure(
-              "N-020",
+              MessageCode.LOOPS_NOT_CLOSED,
               "The loops cannot be closed at any step size: no position fits the independent"
                   + " coordinates.",
               failure,
@@ -98,7 +99,7 @@ final class FailureText {
                   + " before.");
       case EVENTS_ACCUMULATE ->
           failure(
-              "N-021",
+              MessageCode.EVENTS_ACCUMULATE,
               "Events follow each other ever closer.",
               failure,
               event,
@@ -106,20 +107,20 @@ final class FailureText {
                   + " certain speed, a switch without play.");
       case EVENT_NOT_FINITE ->
           failure(
-              "N-022",
+              MessageCode.EVENT_FUNCTION_NOT_FINITE,
               "A quantity whose change of sign is an event is not finite.",
               failure,
               event,
               "Check the expressions of the model's events.");
       case TOO_MANY_STEPS ->
           failure(
-              "N-005",
+              MessageCode.TOO_MANY_STEPS,
               "The steps allowed are used up: the end is more than 1e11 steps away.",
               failure,
               state(model, failure.worstComponent()),
               motion
-                  + "Lower the stiffness or frequency that acts on this joint, give it damping and take"
-                  + " ode15s, allow longer steps, or end the run earlier.");
+                  + "Lower the stiffness or frequency that acts on this joint, give it damping and"
+                  + " take ode15s, allow longer steps, or end the run earlier.");
     };
   }
 
@@ -130,7 +131,7 @@ final class FailureText {
         .toList();
   }
 
-  private static String told(Attempt attempt) {
+  private static String told(TrialOutcome attempt) {
     return switch (attempt) {
       case PASSED -> "accepted";
       case TOO_INACCURATE -> "error too large";
@@ -167,7 +168,7 @@ final class FailureText {
   /** Explains an output time at which dependent coordinates were not found. */
   static Failure loopsOpen(double t) {
     return new Failure(
-        "N-020",
+        MessageCode.LOOPS_NOT_CLOSED,
         "The loops cannot be closed at this output time.",
         t,
         0,
@@ -205,7 +206,7 @@ final class FailureText {
     double scale = energy.scale().orElse(0);
     String tighter = "Tighten the tolerances: the relative one is " + settings.relativeTolerance();
     return new Failure(
-        "N-016",
+        MessageCode.ENERGY_DRIFT,
         String.format(
             Locale.ROOT,
             "The energy, less the work put in, has drifted by %.4g J, which is %.4g of the energy"
@@ -232,7 +233,7 @@ final class FailureText {
   /** Explains an evaluation of generated code at which a force lost its direction. */
   static Defects.Defect withoutDirection(DirectedForces forces, int result) {
     return new Defects.Defect(
-        "N-031",
+        MessageCode.FORCE_WITHOUT_DIRECTION,
         "force " + forces.directedForce(DirectedForces.force(result)),
         "It has no direction: its two points coincide, or its frames are turned by half a turn.",
         "Move a point or turn a frame, or use an element that suits the motion.");
@@ -246,7 +247,7 @@ final class FailureText {
   /** Explains a row that holds a number that is not finite, although the state was accepted. */
   static Failure notFiniteColumn(double t, String column, String largestState) {
     return new Failure(
-        "N-001",
+        MessageCode.NOT_FINITE,
         "An output is not finite.",
         t,
         0,
@@ -258,7 +259,7 @@ final class FailureText {
   private static Failure singularInertia(
       double t, double stepSize, int order, ModelDescription model, int joint) {
     return new Failure(
-        "N-002",
+        MessageCode.SINGULAR_INERTIA,
         "The inertia is singular: nothing beyond this joint resists its motion.",
         t,
         stepSize,
@@ -269,7 +270,7 @@ final class FailureText {
   }
 
   private static Failure failure(
-      String code, String cause, IntegrationFailure failure, String part, String advice) {
+      MessageCode code, String cause, IntegrationFailure failure, String part, String advice) {
     return new Failure(
         code, cause, failure.time(), failure.stepSize(), failure.order(), part, advice);
   }

@@ -3,12 +3,13 @@ package org.mechservice.solver.simulation;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.MethodChange;
 
 /** Says in the run report where the integrator changed its method, and why. */
 final class MethodNotes {
-  private static final String CODE = "N-015";
+  private static final MessageCode CODE = MessageCode.METHOD_SWITCHED;
 
   private MethodNotes() {}
 
@@ -30,8 +31,8 @@ final class MethodNotes {
   private static String text(MethodChange change) {
     float size = (float) Math.abs(change.stepSize());
     return change.stiff()
-        ? "ode15s takes over from ode113: the motion has become stiff; stability, not accuracy, held"
-            + " the step at "
+        ? "ode15s takes over from ode113: the motion has become stiff; stability, not accuracy,"
+            + " held the step at "
             + size
             + " s."
         : "ode113 takes over from ode15s: the motion is no longer stiff; at a step of "

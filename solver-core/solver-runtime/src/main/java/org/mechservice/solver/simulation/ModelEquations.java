@@ -18,16 +18,16 @@ import org.mechservice.solver.api.StateJumps;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.PiecewiseSystem;
+import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.SavedSystem;
-import org.mechservice.solver.ode.StateTransfer;
 import org.mechservice.solver.ode.StepResult;
-import org.mechservice.solver.ode.UnitGroups;
+import org.mechservice.solver.ode.UnitNormGroups;
 
 /**
  * What every form of a model's equations tells an integrator: which states are Euler parameters;
  * and what the last evaluation that failed had to say.
  */
-public abstract class ModelEquations implements UnitGroups, PiecewiseSystem, SavedSystem {
+public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem, SavedSystem {
   private static final int EULER_PARAMETERS = 4;
 
   private final ExplicitModel model;
@@ -99,14 +99,14 @@ public abstract class ModelEquations implements UnitGroups, PiecewiseSystem, Sav
 
   /** Carries the model's own state over, if it has one. */
   @Override
-  public final void transfer(StateTransfer state) {
+  public final void transfer(SavedState state) {
     if (model instanceof ModelState own) {
       transfer(own, state);
     }
   }
 
   /** Carries over what has a state of its own. */
-  static void transfer(ModelState own, StateTransfer state) {
+  static void transfer(ModelState own, SavedState state) {
     double[] numbers = new double[own.stateLength()];
     own.saveState(numbers);
     state.numbers(numbers);

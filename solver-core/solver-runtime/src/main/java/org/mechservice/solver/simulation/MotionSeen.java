@@ -10,6 +10,7 @@ import org.mechservice.solver.api.RunNotes.Note;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Watches the rows of a run for how far states move, and warns if all of them stay below their
@@ -17,7 +18,7 @@ import org.mechservice.solver.api.Variable;
  * step over all of it.
  */
 final class MotionSeen implements ResultSink {
-  private static final String CODE = "N-029";
+  private static final MessageCode CODE = MessageCode.ABSOLUTE_TOLERANCE_TOO_LARGE;
 
   /** Motion of a position over one and its size that is rounding, of a mechanism at rest. */
   private static final double ROUNDING = 1e-12;

@@ -7,11 +7,14 @@ import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.MomentumBalance;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.Integrator;
-import org.mechservice.solver.ode.StateTransfer;
+import org.mechservice.solver.ode.SavedState;
 
 /** What is noted in a run: by its model, its rows, its events and its method. */
 final class NotesOfRun {
+  private static final Note NOT_READ_YET = new Note(MessageCode.EVENT_OCCURRED, 0, false, "");
+
   private final ExplicitModel model;
   private final RowWriter rows;
   private final RunEvents events;
@@ -58,12 +61,12 @@ final class NotesOfRun {
   }
 
   /** Carries the model's notes over. */
-  void transfer(StateTransfer state) {
+  void transfer(SavedState state) {
     List<Note> noted = ofModel();
     int count = state.integer(noted.size());
     for (int i = 0; i < count; i++) {
-      Note note = i < noted.size() ? noted.get(i) : new Note("", 0, false, "");
-      String code = state.text(note.code());
+      Note note = i < noted.size() ? noted.get(i) : NOT_READ_YET;
+      MessageCode code = MessageCode.of(state.text(note.code().code()));
       double time = state.number(note.time());
       boolean warning = state.flag(note.warning());
       Note carried = new Note(code, time, warning, state.text(note.text()));

@@ -1,6 +1,7 @@
 package org.mechservice.solver.simulation;
 
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * The times of the rows: the start, then every multiple of the output distance, then the end.
@@ -52,7 +53,13 @@ final class OutputTimes {
   private static void require(boolean met, String what, double value, String expected) {
     if (!met) {
       throw new IllegalArgumentException(
-          "S-062 the " + what + " is " + value + " s; it must be " + expected);
+          MessageCode.TIME_SETTING
+              + " the "
+              + what
+              + " is "
+              + value
+              + " s; it must be "
+              + expected);
     }
   }
 

@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ResidualModel;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.ResidualIntegrator;
 import org.mechservice.solver.ode.ResidualSystem;
@@ -49,7 +50,7 @@ class ResidualEquations extends ModelEquations implements ResidualSystem {
         ? ofModel
         : Optional.of(
             new Defects.Defect(
-                "N-001",
+                MessageCode.NOT_FINITE,
                 name(startNotFinite),
                 "The accelerations are not finite.",
                 "Check masses, inertias and forces for values that are zero, huge or opposite."));
@@ -65,7 +66,8 @@ class ResidualEquations extends ModelEquations implements ResidualSystem {
       return method;
     }
     throw new IllegalArgumentException(
-        "S-061 the integrator takes no residual form F(t, y, y') = 0");
+        MessageCode.EQUATION_FORM_MISSING
+            + " the integrator takes no residual form F(t, y, y') = 0");
   }
 
   @Override

@@ -5,6 +5,7 @@ import org.mechservice.solver.api.LinearisedModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ProjectedStates;
 import org.mechservice.solver.api.ResidualModel;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.LinearisedSystem;
 import org.mechservice.solver.ode.ProjectedSystem;
 
@@ -14,7 +15,8 @@ public final class ResidualForm implements EquationForm {
   public ModelEquations of(Model model) {
     if (!(model instanceof ResidualModel residual)) {
       throw new IllegalArgumentException(
-          "S-061 model \""
+          MessageCode.EQUATION_FORM_MISSING
+              + " model \""
               + model.description().name()
               + "\" has no residual form F(t, y, y') = 0");
     }

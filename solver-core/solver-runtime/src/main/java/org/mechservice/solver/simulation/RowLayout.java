@@ -13,6 +13,7 @@ import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Which columns a row has, and where each group begins. */
 final class RowLayout {
@@ -91,7 +92,8 @@ final class RowLayout {
   /** Returns the refusal of a group that a model was built without. */
   static IllegalArgumentException builtWithout(Model model, ColumnGroup group) {
     return new IllegalArgumentException(
-        "S-060 model \""
+        MessageCode.COLUMN_GROUP_MISSING
+            + " model \""
             + model.description().name()
             + "\" was built without the column group \""
             + group.label()

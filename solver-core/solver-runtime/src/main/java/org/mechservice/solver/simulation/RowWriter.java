@@ -11,7 +11,7 @@ import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunNotes.Note;
 import org.mechservice.solver.api.RunRequest;
-import org.mechservice.solver.ode.StateTransfer;
+import org.mechservice.solver.ode.SavedState;
 
 /** Completes states to rows and hands them to the sink. */
 final class RowWriter {
@@ -157,7 +157,7 @@ final class RowWriter {
   }
 
   /** Carries the number of rows and what was observed in them over. */
-  void transfer(StateTransfer state) {
+  void transfer(SavedState state) {
     rows = state.integer(rows);
     energyMonitor.transfer(state);
   }

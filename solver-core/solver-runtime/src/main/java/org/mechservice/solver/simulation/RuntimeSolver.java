@@ -13,12 +13,13 @@ import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.WatchedModel;
-import org.mechservice.solver.ode.De;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.IntegratorFactory;
-import org.mechservice.solver.ode.Ode113;
-import org.mechservice.solver.ode.Ode15s;
-import org.mechservice.solver.ode.Ode15sR;
-import org.mechservice.solver.ode.Switching;
+import org.mechservice.solver.ode.adams.De;
+import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.stiff.Ode15s;
+import org.mechservice.solver.ode.stiff.Ode15sR;
+import org.mechservice.solver.ode.switching.Switching;
 
 /**
  * The solver of the runtime JAR: holds every integrator and takes the one a run names, with the
@@ -74,7 +75,8 @@ public final class RuntimeSolver implements Solver {
       case "switching" -> Switching::new;
       default ->
           throw new IllegalArgumentException(
-              "S-063 integrator \""
+              MessageCode.INTEGRATOR_UNKNOWN
+                  + " integrator \""
                   + name
                   + "\" is unknown; there are ode113, DE, ode15s, ode15sR and switching");
     };

@@ -21,11 +21,12 @@ import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.IntegrationStatistics;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.IntegratorFactory;
 import org.mechservice.solver.ode.IntegratorSettings;
-import org.mechservice.solver.ode.StateTransfer;
+import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.StepResult;
 
 /**
@@ -183,7 +184,8 @@ public final class Simulation implements Solver {
                 Long.MAX_VALUE,
                 control::stopRequested));
       } catch (IllegalArgumentException e) {
-        throw new IllegalArgumentException("S-066 " + e.getMessage(), e);
+        throw new IllegalArgumentException(
+            MessageCode.INTEGRATOR_SETTINGS + " " + e.getMessage(), e);
       }
     }
 
@@ -236,7 +238,7 @@ public final class Simulation implements Solver {
     }
 
     /** Carries the run between two steps over. */
-    private void transfer(StateTransfer state) {
+    private void transfer(SavedState state) {
       timeReached = state.number(timeReached);
       nextRow = state.integer(nextRow);
       steps = state.integer(steps);

@@ -5,6 +5,7 @@ import java.util.List;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.EulerParameters;
 
 /**
@@ -79,6 +80,6 @@ final class UnitOutput {
             "The norm of the Euler parameters of joint \"%s\" had left one by %.1e, the most of"
                 + " all; they are put out with norm one.",
             joints.get(worst), largest);
-    return List.of(new Note("N-010", time, false, text));
+    return List.of(new Note(MessageCode.EULER_PARAMETER_NORM, time, false, text));
   }
 }

@@ -11,11 +11,12 @@ import org.mechservice.solver.api.ModelEvents;
 import org.mechservice.solver.api.ModelEvents.Action;
 import org.mechservice.solver.api.MomentumBalance;
 import org.mechservice.solver.api.RunNotes.Note;
-import org.mechservice.solver.ode.EventFunctions;
-import org.mechservice.solver.ode.EventIntegration;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.SavedSystem;
-import org.mechservice.solver.ode.StateTransfer;
+import org.mechservice.solver.ode.events.EventFunctions;
+import org.mechservice.solver.ode.events.EventIntegration;
 
 /** The events of a model in a run: they are looked for, done and remembered. */
 final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem {
@@ -182,7 +183,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   /** Explains a prescribed position that jumps. */
   private static Failure motionJumps(double t, String joint) {
     return new Failure(
-        "N-026",
+        MessageCode.DRIVEN_POSITION_JUMPS,
         "The position prescribed for a driven joint jumps, and no mechanism can follow.",
         t,
         0,
@@ -254,13 +255,14 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   List<Note> notes() {
     List<Note> notes = new ArrayList<>();
     for (Occurrence one : told) {
-      String code = isMotion(one.event()) ? "N-027" : "N-012";
+      MessageCode code =
+          isMotion(one.event()) ? MessageCode.DRIVEN_VELOCITY_JUMPED : MessageCode.EVENT_OCCURRED;
       notes.add(new Note(code, one.time(), false, what(one.event()) + energy(one) + "."));
     }
     if (count > told.size()) {
       Occurrence last = told.get(told.size() - 1);
       String text = (count - told.size()) + " more events after this time.";
-      notes.add(new Note("N-012", last.time(), false, text));
+      notes.add(new Note(MessageCode.EVENT_OCCURRED, last.time(), false, text));
     }
     return notes;
   }
@@ -290,7 +292,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   }
 
   @Override
-  public void transfer(StateTransfer state) {
+  public void transfer(SavedState state) {
     for (String name : names) {
       state.require("event", name);
     }

@@ -5,7 +5,7 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.MomentumBalance;
 import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.ode.Integrator;
-import org.mechservice.solver.ode.StateTransfer;
+import org.mechservice.solver.ode.SavedState;
 
 /**
  * The work of everything that has no potential energy, and the impulse of what acts on the whole:
@@ -100,7 +100,7 @@ final class WorkMeter {
   }
 
   /** Carries the work over. */
-  void transfer(StateTransfer state) {
+  void transfer(SavedState state) {
     reached = state.number(reached);
     work = state.number(work);
     turnover = state.number(turnover);

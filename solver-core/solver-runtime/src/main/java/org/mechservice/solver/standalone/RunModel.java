@@ -13,6 +13,7 @@ import java.util.jar.Attributes;
 import java.util.jar.JarFile;
 import java.util.jar.Manifest;
 import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
 /**
@@ -41,7 +42,8 @@ public final class RunModel {
       Map<String, Attributes> models = models(classPath);
       if (models.size() != 1) {
         err.println(
-            "S-069 the class path has "
+            MessageCode.STANDALONE_JAR_DAMAGED
+                + " the class path has "
                 + (models.isEmpty() ? "no model JAR" : "more than one model: " + models.keySet())
                 + "; it must have exactly one JAR whose manifest names a "
                 + MODEL);
@@ -59,7 +61,10 @@ public final class RunModel {
               err)
           .run(args);
     } catch (ReflectiveOperationException | IOException e) {
-      err.println("S-069 the model JAR on the class path cannot be used: " + e);
+      err.println(
+          MessageCode.STANDALONE_JAR_DAMAGED
+              + " the model JAR on the class path cannot be used: "
+              + e);
       return BAD_USAGE;
     }
   }

@@ -11,6 +11,7 @@ import java.util.TreeMap;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * The command line of a model's own JAR.
@@ -134,18 +135,25 @@ record StandaloneOptions(
         case "--quiet" -> quiet = true;
         case "--json" -> json = true;
         case "--help" -> help = true;
-        default -> throw new OptionException("S-065 unknown option " + word + "\n" + HELP);
+        default ->
+            throw new OptionException(
+                MessageCode.STANDALONE_USAGE + " unknown option " + word + "\n" + HELP);
       }
     }
 
     private void set(String assignment) throws OptionException {
       int equals = assignment.indexOf('=');
       if (equals < 1) {
-        throw new OptionException("S-065 --set takes PARAMETER=VALUE, not \"" + assignment + "\"");
+        throw new OptionException(
+            MessageCode.STANDALONE_USAGE
+                + " --set takes PARAMETER=VALUE, not \""
+                + assignment
+                + "\"");
       }
       String name = assignment.substring(0, equals).strip();
       if (parameters.put(name, assignment.substring(equals + 1)) != null) {
-        throw new OptionException("S-065 --set names parameter \"" + name + "\" twice");
+        throw new OptionException(
+            MessageCode.STANDALONE_USAGE + " --set names parameter \"" + name + "\" twice");
       }
     }
 
@@ -154,7 +162,7 @@ record StandaloneOptions(
         return inline;
       }
       if (next == args.length) {
-        throw new OptionException("S-065 " + option + " lacks its value");
+        throw new OptionException(MessageCode.STANDALONE_USAGE + " " + option + " lacks its value");
       }
       return args[next++];
     }
@@ -165,7 +173,11 @@ record StandaloneOptions(
         tolerances.add(parse("--atol", one));
       }
       if (tolerances.size() != 1 && tolerances.size() != 4) {
-        throw new OptionException("S-065 --atol takes one number or four, not \"" + text + "\"");
+        throw new OptionException(
+            MessageCode.STANDALONE_USAGE
+                + " --atol takes one number or four, not \""
+                + text
+                + "\"");
       }
       return tolerances;
     }
@@ -177,7 +189,8 @@ record StandaloneOptions(
     private double positive(String option, String inline) throws OptionException {
       double number = number(option, inline);
       if (number <= 0) {
-        throw new OptionException("S-065 " + option + " must be positive, not " + number);
+        throw new OptionException(
+            MessageCode.STANDALONE_USAGE + " " + option + " must be positive, not " + number);
       }
       return number;
     }
@@ -191,7 +204,13 @@ record StandaloneOptions(
       } catch (NumberFormatException e) {
         // Said below, as for numbers that are not finite.
       }
-      throw new OptionException("S-065 " + option + " takes a finite number, not \"" + text + "\"");
+      throw new OptionException(
+          MessageCode.STANDALONE_USAGE
+              + " "
+              + option
+              + " takes a finite number, not \""
+              + text
+              + "\"");
     }
 
     private Set<ColumnGroup> groups(String list) throws OptionException {
@@ -214,7 +233,12 @@ record StandaloneOptions(
         known.append(group.label()).append(", ");
       }
       throw new OptionException(
-          "S-065 --columns: \"" + name + "\" is no column group; there are " + known + "and all");
+          MessageCode.STANDALONE_USAGE
+              + " --columns: \""
+              + name
+              + "\" is no column group; there are "
+              + known
+              + "and all");
     }
   }
 }

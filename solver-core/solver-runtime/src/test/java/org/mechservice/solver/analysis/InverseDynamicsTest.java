@@ -11,6 +11,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.force.user.UserForceSource;
@@ -126,6 +127,7 @@ class InverseDynamicsTest {
     double[] tau = new double[3];
     InverseDynamics inverse = new InverseDynamics(tree, UserForceSource.NONE);
     assertThat(inverse.forces(0, y, accelerations(forward, y), new int[] {0, 2}, tau))
-        .hasValueSatisfying(defect -> assertThat(defect.code()).isEqualTo("N-067"));
+        .hasValueSatisfying(
+            defect -> assertThat(defect.code()).isEqualTo(MessageCode.FORCES_CANNOT_DRIVE));
   }
 }

@@ -33,6 +33,7 @@ import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
@@ -205,7 +206,7 @@ class MomentumTest {
       // a hundred steps, each held to 1e-9
       assertThat(run.drift(i)).isLessThan(1e-6 * size);
     }
-    assertThat(run.report.notes()).anyMatch(note -> note.code().equals("N-018"));
+    assertThat(run.report.notes()).anyMatch(note -> note.code() == MessageCode.MOMENTUM_BALANCE);
   }
 
   @ParameterizedTest
@@ -233,7 +234,7 @@ class MomentumTest {
     double bound = 1.5e-6;
     Run watched = new Run(tree, ASKED, OptionalDouble.of(bound), Checkpoints.NONE);
     Failure failure = ((Outcome.Failed) watched.report.outcome()).failure();
-    assertThat(failure.code()).isEqualTo("N-017");
+    assertThat(failure.code()).isEqualTo(MessageCode.MOMENTUM_DRIFT);
     assertThat(failure.cause()).contains("momentum").contains("1.5E-6 is allowed");
     double[] last = watched.rows.get(watched.rows.size() - 1);
     assertThat(failure.time()).isEqualTo(last[0]).isLessThan(0.5);
@@ -273,7 +274,7 @@ class MomentumTest {
   @Test
   void whatAnEventSetsIsAnImpulse() throws IOException {
     Run run = run(model(bouncingBall(), "DTR", "none", 2, 1e-9));
-    assertThat(run.report.notes()).anyMatch(note -> note.code().equals("N-012"));
+    assertThat(run.report.notes()).anyMatch(note -> note.code() == MessageCode.EVENT_OCCURRED);
     // parabolas are exact but for rounding and the time of the bounce
     assertThat(run.drift(2)).isLessThan(1e-11);
     double[] last = run.rows.get(run.rows.size() - 1);

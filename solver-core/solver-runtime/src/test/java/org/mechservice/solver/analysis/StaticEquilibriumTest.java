@@ -17,6 +17,7 @@ import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
@@ -128,7 +129,9 @@ class StaticEquilibriumTest {
     Body bob = mass("bob", 1, Z);
     StaticEquilibrium found = of(with(List.of(bob), List.of(joint), List.of(), List.of()));
     assertThat(found.find(0)).isTrue();
-    assertThat(found.notes()).extracting(Note::code).containsExactly("N-064");
+    assertThat(found.notes())
+        .extracting(Note::code)
+        .containsExactly(MessageCode.UNSTABLE_EQUILIBRIUM);
     assertThat(found.notes().get(0).text()).contains("3.16/s", "coordinate \"j\"");
   }
 
@@ -138,7 +141,7 @@ class StaticEquilibriumTest {
     Body stone = mass("stone", 1, Vector3.ZERO);
     StaticEquilibrium found = of(with(List.of(stone), List.of(joint), List.of(), List.of()));
     assertThat(found.find(0)).isFalse();
-    assertThat(found.defect().code()).isEqualTo("N-063");
+    assertThat(found.defect().code()).isEqualTo(MessageCode.NO_EQUILIBRIUM);
     assertThat(found.defect().part()).isEqualTo("coordinate \"fall\"");
   }
 
@@ -150,7 +153,9 @@ class StaticEquilibriumTest {
     StaticEquilibrium found = of(with(List.of(stone), List.of(joint), List.of(), List.of()));
     assertThat(found.find(0)).isTrue();
     assertThat(found.state()[0]).isEqualTo(0.5);
-    assertThat(found.notes()).extracting(Note::code).containsExactly("N-065");
+    assertThat(found.notes())
+        .extracting(Note::code)
+        .containsExactly(MessageCode.EQUILIBRIUM_NOT_UNIQUE);
     assertThat(found.notes().get(0).text()).contains("coordinate \"glide\"");
   }
 
@@ -193,7 +198,9 @@ class StaticEquilibriumTest {
   void paperPendulumHangsInEquilibrium() {
     StaticEquilibrium found = of(FiveBarPendulum.mechanism());
     assertThat(found.find(0)).isTrue();
-    assertThat(found.notes()).filteredOn(note -> note.code().equals("N-064")).isEmpty();
+    assertThat(found.notes())
+        .filteredOn(note -> note.code() == MessageCode.UNSTABLE_EQUILIBRIUM)
+        .isEmpty();
   }
 
   /** The loop with a damper in its universal joint, until nothing moves any more. */

@@ -1,14 +1,14 @@
 package org.mechservice.solver.closure;
 
-import org.mechservice.solver.closure.model.ProjectionModel;
 import java.util.List;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.closure.JumpingLoops.Law;
 import org.mechservice.solver.closure.JumpingLoops.Side;
+import org.mechservice.solver.closure.model.ProjectionModel;
 import org.mechservice.solver.ode.IntegratorSettings;
-import org.mechservice.solver.ode.Ode113;
 import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.StepResult;
+import org.mechservice.solver.ode.adams.Ode113;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
 /** The motion of a loop from any of its states, far more accurate than a run to be judged. */

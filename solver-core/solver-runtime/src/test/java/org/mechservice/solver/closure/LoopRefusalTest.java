@@ -1,6 +1,5 @@
 package org.mechservice.solver.closure;
 
-import org.mechservice.solver.closure.assembly.LoopFinding;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
@@ -18,6 +17,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.closure.assembly.LoopFinding;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
@@ -117,7 +118,7 @@ class LoopRefusalTest {
     Outcome outcome = LoopModels.run(across, formulation, settings).report.outcome();
     assertThat(outcome).isInstanceOf(Outcome.Failed.class);
     Failure failure = ((Outcome.Failed) outcome).failure();
-    assertThat(failure.code()).isEqualTo("N-023");
+    assertThat(failure.code()).isEqualTo(MessageCode.SINGULAR_POSITION);
     assertThat(failure.message()).contains("rod at", "start in a singular position", "penalty");
   }
 
@@ -191,7 +192,7 @@ class LoopRefusalTest {
         Linkages.mechanism("massless", massless, FOUR_BAR.joints(), FOUR_BAR.closures());
     SceneRun run = LoopModels.run(empty, formulation, SETTINGS);
     Failure failure = ((Outcome.Failed) run.report.outcome()).failure();
-    assertThat(failure.code()).isEqualTo("N-002");
+    assertThat(failure.code()).isEqualTo(MessageCode.SINGULAR_INERTIA);
     assertThat(failure.part()).startsWith("joint \"");
   }
 
@@ -220,7 +221,7 @@ class LoopRefusalTest {
     RunSettings settings = SceneRun.settings(3, 0.1, integrator, 1e-6);
     SceneRun run = LoopModels.run(pushed, formulation, settings);
     Failure failure = ((Outcome.Failed) run.report.outcome()).failure();
-    assertThat(failure.code()).isEqualTo("N-030");
+    assertThat(failure.code()).isEqualTo(MessageCode.FORCE_NOT_FINITE);
     assertThat(failure.part()).contains("breaking");
     assertThat(failure.time()).isPositive();
     assertThat(run.rows).allMatch(row -> Arrays.stream(row).allMatch(Double::isFinite));

@@ -1,8 +1,5 @@
 package org.mechservice.solver.closure;
 
-import org.mechservice.solver.closure.model.LoopModel;
-import org.mechservice.solver.closure.model.PenaltyModel;
-import org.mechservice.solver.closure.model.ProjectionModel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -11,6 +8,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.closure.model.LoopModel;
+import org.mechservice.solver.closure.model.PenaltyModel;
+import org.mechservice.solver.closure.model.ProjectionModel;
 import org.mechservice.solver.scenes.SharedScene;
 import org.mechservice.solver.scenes.SharedScene.ReferenceState;
 

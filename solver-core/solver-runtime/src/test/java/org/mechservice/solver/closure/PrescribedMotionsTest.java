@@ -8,6 +8,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
@@ -71,7 +72,7 @@ class PrescribedMotionsTest {
     SceneRun run =
         LoopModels.run(mechanism, formulation, SceneRun.settings(1.5, 0.1, integrator, 1e-6));
     Failure failure = ((Outcome.Failed) run.report.outcome()).failure();
-    assertThat(failure.code()).isEqualTo("N-003");
+    assertThat(failure.code()).isEqualTo(MessageCode.STEP_TOO_SMALL);
     assertThat(failure.cause()).contains("no bound near t = 1.00000 s");
     return failure;
   }

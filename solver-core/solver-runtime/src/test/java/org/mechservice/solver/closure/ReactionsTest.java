@@ -1,8 +1,5 @@
 package org.mechservice.solver.closure;
 
-import org.mechservice.solver.closure.model.LoopModel;
-import org.mechservice.solver.closure.equations.LoopEquations;
-import org.mechservice.solver.closure.model.ProjectionModel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 import static org.mechservice.solver.api.JointType.C;
@@ -21,6 +18,9 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.closure.equations.LoopEquations;
+import org.mechservice.solver.closure.model.LoopModel;
+import org.mechservice.solver.closure.model.ProjectionModel;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Joint;

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
@@ -137,7 +138,7 @@ class RoundedPlacesTest {
     RunSettings settings = SceneRun.settings(1, 0.1, integrator, 1e-8);
     Outcome outcome = LoopModels.run(stretched, formulation, settings).report.outcome();
     Failure failure = ((Outcome.Failed) outcome).failure();
-    assertThat(failure.code()).isEqualTo("N-023");
+    assertThat(failure.code()).isEqualTo(MessageCode.SINGULAR_POSITION);
     assertThat(failure.part()).contains("rod");
   }
 

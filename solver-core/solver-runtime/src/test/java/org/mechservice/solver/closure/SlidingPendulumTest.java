@@ -1,12 +1,12 @@
 package org.mechservice.solver.closure;
 
-import org.mechservice.solver.closure.model.ProjectionModel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.closure.model.ProjectionModel;
 import org.mechservice.solver.force.user.UserForceSource;
 
 class SlidingPendulumTest {

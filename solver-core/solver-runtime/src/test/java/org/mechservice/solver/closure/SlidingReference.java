@@ -1,11 +1,11 @@
 package org.mechservice.solver.closure;
 
-import org.mechservice.solver.closure.model.ProjectionModel;
 import java.util.Arrays;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.closure.JumpingLoops.Law;
 import org.mechservice.solver.closure.JumpingLoops.Side;
+import org.mechservice.solver.closure.model.ProjectionModel;
 
 /**
  * The motion of a loop with one jump in the sense of Filippov 1988, §4: on either side as the

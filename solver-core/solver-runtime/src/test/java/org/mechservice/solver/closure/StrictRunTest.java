@@ -1,11 +1,12 @@
 package org.mechservice.solver.closure;
 
-import org.mechservice.solver.closure.model.LoopModel;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.closure.model.LoopModel;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.scenes.SharedScene;
 
@@ -32,7 +33,8 @@ class StrictRunTest {
   @Test
   void passageThroughASingularPositionEndsItThere() {
     SceneRun run = SceneRun.strict(model(Linkages.windows(1, 5), 2));
-    assertThat(((Outcome.Failed) run.report.outcome()).failure().code()).isEqualTo("N-046");
+    assertThat(((Outcome.Failed) run.report.outcome()).failure().code())
+        .isEqualTo(MessageCode.SINGULAR_POSITION_PASSED);
     assertThat(run.rows).isNotEmpty();
   }
 
@@ -40,7 +42,9 @@ class StrictRunTest {
   void redundantEquationsAreNoWarning() {
     Mechanism mechanism = SharedScene.named("fourbar_redundant").mechanism();
     SceneRun run = SceneRun.strict(model(mechanism, 0.2));
-    assertThat(run.report.notes()).extracting(Note::code).contains("N-044");
+    assertThat(run.report.notes())
+        .extracting(Note::code)
+        .contains(MessageCode.REDUNDANT_CONSTRAINTS);
     assertThat(run.report.outcome()).isEqualTo(new Outcome.Completed());
   }
 }

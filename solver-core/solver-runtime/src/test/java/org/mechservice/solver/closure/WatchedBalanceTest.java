@@ -1,11 +1,12 @@
 package org.mechservice.solver.closure;
 
-import org.mechservice.solver.closure.model.LoopModel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
 import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.closure.model.LoopModel;
 import org.mechservice.solver.scenes.SharedScene;
 
 /** The energy balance of mechanisms with loops, watched while they run. */
@@ -34,7 +35,8 @@ class WatchedBalanceTest {
   @Test
   void boundBelowTheAccuracyOfTheRunEndsIt() {
     SceneRun watched = SceneRun.watched(model("fourbar_redundant", "DSR", "ode113"), 1e-15);
-    assertThat(((Outcome.Failed) watched.report.outcome()).failure().code()).isEqualTo("N-016");
+    assertThat(((Outcome.Failed) watched.report.outcome()).failure().code())
+        .isEqualTo(MessageCode.ENERGY_DRIFT);
     assertThat(watched.rows).isNotEmpty();
   }
 

@@ -18,6 +18,7 @@ import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
@@ -146,7 +147,7 @@ class DrivenKinkTest {
   private static void assertToldOnce(RunReport report) {
     assertThat(report.outcome()).isEqualTo(new Outcome.Completed());
     assertThat(report.notes())
-        .filteredOn(note -> note.code().equals("N-027"))
+        .filteredOn(note -> note.code() == MessageCode.DRIVEN_VELOCITY_JUMPED)
         .singleElement()
         .satisfies(note -> assertThat(note.text()).contains("\"drive\""))
         .satisfies(note -> assertThat(note.time()).isCloseTo(TURN, within(1e-12)));
@@ -212,7 +213,7 @@ class DrivenKinkTest {
     RunReport report = run(cartAndBar(step), "DTR", "none", "DE");
 
     Failure failure = ((Outcome.Failed) report.outcome()).failure();
-    assertThat(failure.code()).isEqualTo("N-026");
+    assertThat(failure.code()).isEqualTo(MessageCode.DRIVEN_POSITION_JUMPS);
     assertThat(failure.part()).isEqualTo("joint \"drive\"");
     assertThat(failure.time()).isCloseTo(TURN, within(1e-12));
     assertThat(rows.rows).hasSize(3);

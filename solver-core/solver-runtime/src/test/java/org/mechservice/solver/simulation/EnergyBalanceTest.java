@@ -19,6 +19,7 @@ import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** A run may be told to end where its energy balance no longer holds. */
 class EnergyBalanceTest {
@@ -113,7 +114,7 @@ class EnergyBalanceTest {
     RunReport watched = run(new Pushed(), OptionalDouble.of(bound), Set.of(ColumnGroup.ENERGY));
 
     Failure failure = ((Outcome.Failed) watched.outcome()).failure();
-    assertThat(failure.code()).isEqualTo("N-016");
+    assertThat(failure.code()).isEqualTo(MessageCode.ENERGY_DRIFT);
     assertThat(failure.stepSize()).isPositive();
     assertThat(failure.order()).isPositive();
     assertThat(failure.cause()).contains("0.001 is allowed").contains(" J");

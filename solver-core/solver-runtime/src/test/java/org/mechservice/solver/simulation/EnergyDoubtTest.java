@@ -13,6 +13,7 @@ import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** An energy balance that is far off tells of a motion that is wrong. */
 class EnergyDoubtTest {
@@ -55,7 +56,7 @@ class EnergyDoubtTest {
         .singleElement()
         .satisfies(
             note -> {
-              assertThat(note.code()).isEqualTo("N-034");
+              assertThat(note.code()).isEqualTo(MessageCode.ENERGY_BALANCE_OFF);
               assertThat(note.warning()).isTrue();
               assertThat(note.text()).containsPattern("off by 0\\.\\d+ of the energy scale");
             });
@@ -64,7 +65,7 @@ class EnergyDoubtTest {
   @Test
   void itEndsAStrictRun() throws IOException {
     Failure failure = ((Outcome.Failed) run(new Pushed(0.1, 1), 1e-8, true).outcome()).failure();
-    assertThat(failure.code()).isEqualTo("N-034");
+    assertThat(failure.code()).isEqualTo(MessageCode.ENERGY_BALANCE_OFF);
   }
 
   @Test

@@ -25,6 +25,7 @@ import org.mechservice.solver.api.RunNotes.Note;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
@@ -172,7 +173,10 @@ class EventRunTest {
   }
 
   private static List<Double> times(RunReport report) {
-    return report.notes().stream().filter(n -> n.code().equals("N-012")).map(Note::time).toList();
+    return report.notes().stream()
+        .filter(n -> n.code() == MessageCode.EVENT_OCCURRED)
+        .map(Note::time)
+        .toList();
   }
 
   /** Fall from the height, then flights of 2 v/g, each slower by the restitution. */
@@ -270,7 +274,7 @@ class EventRunTest {
     RunReport report = run(model(ball(List.of(), bounce()), "DTR"), "ode113", 20);
 
     Failure failure = ((Outcome.Failed) report.outcome()).failure();
-    assertThat(failure.code()).isEqualTo("N-021");
+    assertThat(failure.code()).isEqualTo(MessageCode.EVENTS_ACCUMULATE);
     assertThat(failure.part()).contains("bounce");
     double rest = Math.sqrt(2 * HEIGHT / GRAVITY) * (1 + RESTITUTION) / (1 - RESTITUTION);
     assertThat(failure.time()).isCloseTo(rest, within(1e-3));
@@ -285,7 +289,7 @@ class EventRunTest {
     RunReport report = run(model(ball(List.of(), event), "DTR"), "ode113", 5);
 
     Failure failure = ((Outcome.Failed) report.outcome()).failure();
-    assertThat(failure.code()).isEqualTo("N-013");
+    assertThat(failure.code()).isEqualTo(MessageCode.EVENT_VALUE_NOT_FINITE);
     assertThat(failure.message()).contains("broken").contains("z.v");
   }
 
@@ -296,7 +300,7 @@ class EventRunTest {
     RunReport report = run(model(ball(List.of(), event), "DTR"), "ode113", 5);
 
     Failure failure = ((Outcome.Failed) report.outcome()).failure();
-    assertThat(failure.code()).isEqualTo("N-022");
+    assertThat(failure.code()).isEqualTo(MessageCode.EVENT_FUNCTION_NOT_FINITE);
     assertThat(failure.part()).contains("rooted");
   }
 
@@ -339,7 +343,10 @@ class EventRunTest {
 
     double taken = GRAVITY * Math.sqrt(0.75);
     assertThat(report.energyDrift().orElseThrow()).isLessThan(1e-8 * taken);
-    assertThat(report.notes().stream().filter(note -> note.code().equals("N-012")).findFirst())
+    assertThat(
+            report.notes().stream()
+                .filter(note -> note.code() == MessageCode.EVENT_OCCURRED)
+                .findFirst())
         .get()
         .extracting(Note::text)
         .asString()
@@ -355,7 +362,7 @@ class EventRunTest {
     RunReport report = run(model(slidingPendulum(tear), "DSR"), "ode113", 6);
 
     Failure failure = ((Outcome.Failed) report.outcome()).failure();
-    assertThat(failure.code()).isEqualTo("N-014");
+    assertThat(failure.code()).isEqualTo(MessageCode.EVENT_BREAKS_LOOPS);
     assertThat(failure.part()).contains("tear");
   }
 

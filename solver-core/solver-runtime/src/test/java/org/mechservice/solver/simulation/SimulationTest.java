@@ -25,6 +25,7 @@ import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 
 class SimulationTest {
   private final RecordedRows rows = new RecordedRows();
@@ -127,7 +128,7 @@ class SimulationTest {
             HarmonicOscillator.SETTINGS,
             Set.of());
     Outcome.Failed failed = (Outcome.Failed) report.outcome();
-    assertThat(failed.failure().code()).isEqualTo("N-001");
+    assertThat(failed.failure().code()).isEqualTo(MessageCode.NOT_FINITE);
     assertThat(failed.failure().time()).isCloseTo(1, within(0.1));
     List<Failure.Step> steps = failed.failure().lastSteps();
     assertThat(steps).hasSize(10);
@@ -154,7 +155,7 @@ class SimulationTest {
             HarmonicOscillator.SETTINGS,
             Set.of(ColumnGroup.ENERGY));
     Failure failure = ((Outcome.Failed) report.outcome()).failure();
-    assertThat(failure.code()).isEqualTo("N-001");
+    assertThat(failure.code()).isEqualTo(MessageCode.NOT_FINITE);
     assertThat(failure.part()).startsWith("column energy.");
     assertThat(failure.advice()).matches("The largest state is .*\\.v, .*E[12]\\d\\d: .*");
   }
@@ -172,7 +173,7 @@ class SimulationTest {
             HarmonicOscillator.SETTINGS,
             Set.of());
     Outcome.Failed failed = (Outcome.Failed) report.outcome();
-    assertThat(failed.failure().code()).isEqualTo("N-002");
+    assertThat(failed.failure().code()).isEqualTo(MessageCode.SINGULAR_INERTIA);
     assertThat(failed.failure().part()).isEqualTo("joint \"slide\"");
     assertThat(rows.rows).isEmpty();
   }

@@ -15,6 +15,7 @@ import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** A run that changes its method where the motion gets stiff says so, and when. */
 class SwitchingRunTest {
@@ -48,7 +49,7 @@ class SwitchingRunTest {
     assertThat(report.outcome()).isInstanceOf(Outcome.Completed.class);
     List<RunNotes.Note> notes = report.notes();
     assertThat(notes).hasSize(1);
-    assertThat(notes.get(0).code()).isEqualTo("N-015");
+    assertThat(notes.get(0).code()).isEqualTo(MessageCode.METHOD_SWITCHED);
     assertThat(notes.get(0).time()).isBetween(1e-4, 0.1);
     assertThat(notes.get(0).text()).startsWith("ode15s takes over from ode113: ").contains(" s.");
     assertThat(report.factorisations()).isPositive();

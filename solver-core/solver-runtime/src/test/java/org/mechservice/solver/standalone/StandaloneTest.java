@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.mechanism.FiveBarPendulum;
-import org.mechservice.solver.ode.De;
+import org.mechservice.solver.ode.adams.De;
 import org.mechservice.solver.simulation.ExplicitForm;
 import org.mechservice.solver.simulation.Simulation;
 

@@ -1,6 +1,7 @@
 package org.mechservice.sim.emit.bytes;
 
 import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.objectweb.asm.ClassReader;
 
 /** Lengths of the methods of a class file, read from their Code attributes (JVMS §4.7.3). */
@@ -27,7 +28,7 @@ public final class MethodSizes {
     int longest = longest(classFile);
     if (longest >= LONGEST) {
       throw new ModelBuildException(
-          "S-085",
+          MessageCode.MODEL_CLASS_TOO_LARGE,
           "a method of the generated class is too large ("
               + longest
               + " bytes, the limit is "

@@ -18,8 +18,8 @@ import org.mechservice.solver.spatial.Rotation;
 
 /**
  * The coordinates of cut joints in one program. Where an angle was at the last accepted step is an
- * input behind the state, in the order of {@link UnwrappedAngles}: of the angles that differ by whole
- * turns the nearest is meant.
+ * input behind the state, in the order of {@link UnwrappedAngles}: of the angles that differ by
+ * whole turns the nearest is meant.
  */
 public final class CutCoordinateTerms {
   private final Expressions expressions;

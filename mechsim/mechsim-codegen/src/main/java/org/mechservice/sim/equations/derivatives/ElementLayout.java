@@ -42,7 +42,8 @@ sealed interface ElementLayout {
   }
 
   /**
-   * Whole matrices, as {@link org.mechservice.solver.closure.equations.LoopTerms.OfDerivatives} has them.
+   * Whole matrices, as {@link org.mechservice.solver.closure.equations.LoopTerms.OfDerivatives} has
+   * them.
    *
    * @param places of the velocities
    */

@@ -9,6 +9,7 @@ import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * A spring and damper along the line between two points: the force on point 2 is −T n. Where the
@@ -40,7 +41,7 @@ final class SpringTerm implements ForceTerm {
     boolean coincident = length.isZero();
     if (coincident && !slack && !pair.isRigid()) {
       throw new ModelBuildException(
-          "N-031",
+          MessageCode.FORCE_WITHOUT_DIRECTION,
           "force \""
               + name
               + "\" has no direction: its two points coincide in every position; move one of them,"

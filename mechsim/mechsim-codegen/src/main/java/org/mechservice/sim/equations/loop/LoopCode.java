@@ -17,8 +17,8 @@ import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
-import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.closure.equations.LoopTerms;
+import org.mechservice.solver.closure.equations.UnwrappedAngles;
 
 /**
  * The terms of the equations of a mechanism with loops as programs, laid out as {@link LoopTerms}

@@ -83,9 +83,9 @@ public final class ForceSweep {
       default ->
           link.inverse()
               ? "omega = R' omega_p - v, alpha = R' (alpha_p) - R' omega_p x v, a = R' (a_p + W_p"
-                    + " r)"
+                  + " r)"
               : "omega = R' (omega_p + v), alpha = R' (alpha_p + omega_p x v), a = R' (a_p + W_p"
-                    + " r)";
+                  + " r)";
     };
   }
 

@@ -15,8 +15,9 @@ import org.mechservice.idl.OPT_SET;
 import org.mechservice.idl.ServerFailure;
 import org.mechservice.idl.SimState;
 import org.mechservice.mechml.diagnosis.Diagnostic;
-import org.mechservice.mechml.diagnosis.Severity;
 import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.Severity;
 
 /**
  * Makes the exceptions of the contract, each with its code of the error catalogue, also from the
@@ -27,17 +28,17 @@ public final class ContractErrors {
 
   /** The interface has it, this version has not. */
   public static NotAvailable notAvailable(String text) {
-    return new NotAvailable("S-007", text);
+    return new NotAvailable(MessageCode.NOT_AVAILABLE.code(), text);
   }
 
   /** An option is unknown or its value is not usable. */
   public static InvalidOption option(String name, String text) {
-    return new InvalidOption("S-008", text, name);
+    return new InvalidOption(MessageCode.OPTION_VALUE.code(), text, name);
   }
 
   /** Not possible now. */
   public static InvalidState state(SimState current, String text) {
-    return new InvalidState("S-009", text, current);
+    return new InvalidState(MessageCode.WRONG_STATE.code(), text, current);
   }
 
   /**
@@ -48,17 +49,17 @@ public final class ContractErrors {
    * @param requested what was asked for
    */
   public static LimitExceeded limit(String name, long value, long requested, String text) {
-    return new LimitExceeded("S-010", text, name, value, requested);
+    return new LimitExceeded(MessageCode.LIMIT_EXCEEDED.code(), text, name, value, requested);
   }
 
   /** No host takes a session now. */
   public static LimitExceeded noPlace(String text) {
-    return new LimitExceeded("S-012", text, "places", 0, 1);
+    return new LimitExceeded(MessageCode.NO_PLACE_FOR_SESSION.code(), text, "places", 0, 1);
   }
 
   /** There is no such thing, or no longer. */
   public static NotFound notFound(String text) {
-    return new NotFound("S-011", text);
+    return new NotFound(MessageCode.NO_SUCH_OBJECT.code(), text);
   }
 
   /**
@@ -69,7 +70,7 @@ public final class ContractErrors {
   public static InvalidModel model(List<Diagnostic> diagnostics) {
     long errors = diagnostics.stream().filter(said -> said.severity() == Severity.ERROR).count();
     return new InvalidModel(
-        "S-016",
+        MessageCode.MODEL_FILE_UNUSABLE.code(),
         "the model has " + errors + (errors == 1 ? " error" : " errors"),
         ContractTypes.diagnostics(diagnostics));
   }
@@ -78,7 +79,7 @@ public final class ContractErrors {
   public static InvalidModel strict(List<Diagnostic> warnings) {
     int count = warnings.size();
     return new InvalidModel(
-        "S-164",
+        MessageCode.WARNINGS_REFUSED.code(),
         "the model has " + count + (count == 1 ? " warning" : " warnings") + ", and strict was set",
         ContractTypes.diagnostics(warnings));
   }
@@ -96,17 +97,23 @@ public final class ContractErrors {
     } catch (ModelBuildException e) {
       String text = withoutCode(e.code(), e);
       switch (e.code()) {
-        case "S-081" -> throw new InvalidOption(e.code(), text, OPT_FORMULATION.value);
-        case "S-082" -> throw new InvalidOption(e.code(), text, OPT_INTEGRATOR.value);
-        case "S-084" -> throw new ServerFailure(e.code(), text, "");
+        case FORMULATION_NOT_AVAILABLE ->
+            throw new InvalidOption(e.code().code(), text, OPT_FORMULATION.value);
+        case INTEGRATOR_NOT_AVAILABLE ->
+            throw new InvalidOption(e.code().code(), text, OPT_INTEGRATOR.value);
+        case NO_COMPILER -> throw new ServerFailure(e.code().code(), text, "");
         default -> throw invalidModel(e.code(), text);
       }
     } catch (IllegalArgumentException e) {
       String message = String.valueOf(e.getMessage());
-      if (message.startsWith("S-060 ")) {
-        throw new InvalidOption("S-060", withoutCode("S-060", e), OPT_COLUMNS.value);
-      } else if (message.startsWith("S-068 ")) {
-        throw invalidModel("S-068", withoutCode("S-068", e));
+      if (message.startsWith(MessageCode.COLUMN_GROUP_MISSING + " ")) {
+        throw new InvalidOption(
+            MessageCode.COLUMN_GROUP_MISSING.code(),
+            withoutCode(MessageCode.COLUMN_GROUP_MISSING, e),
+            OPT_COLUMNS.value);
+      } else if (message.startsWith(MessageCode.FORCE_CLASS_UNUSABLE + " ")) {
+        throw invalidModel(
+            MessageCode.FORCE_CLASS_UNUSABLE, withoutCode(MessageCode.FORCE_CLASS_UNUSABLE, e));
       }
       throw e;
     }
@@ -118,20 +125,21 @@ public final class ContractErrors {
    * @param refusal its message begins with S-125 or S-126; any other is thrown as it is
    */
   public static InvalidOption parameter(IllegalArgumentException refusal) {
-    for (String code : List.of("S-125", "S-126")) {
+    for (MessageCode code :
+        List.of(MessageCode.PARAMETER_FIXED, MessageCode.PARAMETER_NOT_A_NUMBER)) {
       if (String.valueOf(refusal.getMessage()).startsWith(code + " ")) {
-        return new InvalidOption(code, withoutCode(code, refusal), OPT_SET.value);
+        return new InvalidOption(code.code(), withoutCode(code, refusal), OPT_SET.value);
       }
     }
     throw refusal;
   }
 
-  private static InvalidModel invalidModel(String code, String text) {
+  private static InvalidModel invalidModel(MessageCode code, String text) {
     return model(List.of(new Diagnostic(Severity.ERROR, code, text, "", 0, 0, "")));
   }
 
-  private static String withoutCode(String code, RuntimeException e) {
+  private static String withoutCode(MessageCode code, RuntimeException e) {
     String message = String.valueOf(e.getMessage());
-    return message.startsWith(code + " ") ? message.substring(code.length() + 1) : message;
+    return message.startsWith(code + " ") ? message.substring(code.code().length() + 1) : message;
   }
 }

@@ -10,6 +10,7 @@ import org.mechservice.idl.Severity;
 import org.mechservice.idl.StepTried;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** What the modules know, in the types of the contract. */
 public final class ContractTypes {
@@ -27,15 +28,21 @@ public final class ContractTypes {
           case ERROR -> Severity.SEV_ERROR;
         };
     return new Diagnostic(
-        level, said.code(), said.message(), said.file(), said.path(), said.line(), said.column());
+        level,
+        said.code().code(),
+        said.message(),
+        said.file(),
+        said.path(),
+        said.line(),
+        said.column());
   }
 
-  public static Diagnostic information(String code, String text) {
+  public static Diagnostic information(MessageCode code, String text) {
     return diagnostic(Severity.SEV_INFO, code, text);
   }
 
-  public static Diagnostic diagnostic(Severity weight, String code, String text) {
-    return new Diagnostic(weight, code, text, "", "", 0, 0);
+  public static Diagnostic diagnostic(Severity weight, MessageCode code, String text) {
+    return new Diagnostic(weight, code.code(), text, "", "", 0, 0);
   }
 
   public static Channel[] channels(List<Variable> variables) {
@@ -56,7 +63,7 @@ public final class ContractTypes {
 
   public static FailureRecord failure(Failure failure) {
     return new FailureRecord(
-        failure.code(),
+        failure.code().code(),
         failure.cause(),
         failure.time(),
         failure.stepSize(),

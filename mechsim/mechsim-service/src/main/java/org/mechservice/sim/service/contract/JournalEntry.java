@@ -2,6 +2,7 @@ package org.mechservice.sim.service.contract;
 
 import org.mechservice.idl.ServiceEvent;
 import org.mechservice.idl.Severity;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Something operators hear of.
@@ -31,8 +32,8 @@ public record JournalEntry(
   }
 
   /** Something an operator should look at. */
-  public static JournalEntry warning(String kind, String code, String text) {
-    return new JournalEntry(kind, Severity.SEV_WARNING, code, "", "", "", "", text);
+  public static JournalEntry warning(String kind, MessageCode code, String text) {
+    return new JournalEntry(kind, Severity.SEV_WARNING, code.code(), "", "", "", "", text);
   }
 
   /** Returns the same about a host. */

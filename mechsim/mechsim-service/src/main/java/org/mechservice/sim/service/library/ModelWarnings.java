@@ -8,11 +8,11 @@ import java.util.Optional;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.diagnosis.Diagnostic;
-import org.mechservice.mechml.diagnosis.Severity;
 import org.mechservice.sim.scene.Finding;
 import org.mechservice.sim.scene.RunForecast;
 import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.Severity;
 
 /** The warnings of a model and of its runs that are known before a run begins. */
 public final class ModelWarnings {
@@ -87,7 +87,7 @@ public final class ModelWarnings {
   private static String text(Diagnostic said) {
     return String.join(
         "\t",
-        said.code(),
+        said.code().code(),
         said.file(),
         String.valueOf(said.line()),
         String.valueOf(said.column()),

@@ -31,7 +31,7 @@ import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.sim.model.BuildOptions;
-import org.mechservice.sim.model.BuiltColumns;
+import org.mechservice.sim.model.ModelColumns;
 import org.mechservice.sim.scene.IntegratorSelection;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.solver.api.ColumnGroup;
@@ -226,7 +226,7 @@ public record SimulationRequest(
   }
 
   private static String ofFile(SimulationSettings file) {
-    return BuiltColumns.shown(file).stream()
+    return ModelColumns.shown(file).stream()
         .map(ColumnGroup::label)
         .collect(Collectors.joining(","));
   }

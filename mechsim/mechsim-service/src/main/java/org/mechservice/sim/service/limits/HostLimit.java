@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MAX_MECHML_BYTES;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * What an operator can bound, each with its name, unit, value if he does not, and the page of the
@@ -11,34 +12,98 @@ import org.mechservice.idl.MAX_MECHML_BYTES;
  */
 public enum HostLimit {
   /** A client renews at a third of it, so two renewals may be lost. */
-  LEASE("lease", "s", 120, 1, "S-010", "a session lives this long without a call"),
+  LEASE(
+      "lease", "s", 120, 1, MessageCode.LIMIT_EXCEEDED, "a session lives this long without a call"),
   /** Together with the next keeps one client from taking all memory. */
-  SESSIONS("sessions", "1", 200, 0, "S-100", "sessions on one host at once"),
-  SIMULATIONS("simulations", "1", 64, 0, "S-101", "simulations of one session at once"),
-  CLIENT_RUNS("clientRuns", "1", 64, 0, "S-102", "runs of one client on one host at once"),
-  CURSORS("cursors", "1", 16, 0, "S-103", "open cursors of one simulation at once"),
-  QUEUE("queue", "1", 1000, 0, "S-104", "runs that wait for a place on one host"),
+  SESSIONS("sessions", "1", 200, 0, MessageCode.TOO_MANY_SESSIONS, "sessions on one host at once"),
+  SIMULATIONS(
+      "simulations",
+      "1",
+      64,
+      0,
+      MessageCode.TOO_MANY_SIMULATIONS,
+      "simulations of one session at once"),
+  CLIENT_RUNS(
+      "clientRuns",
+      "1",
+      64,
+      0,
+      MessageCode.TOO_MANY_RUNS,
+      "runs of one client on one host at once"),
+  CURSORS(
+      "cursors",
+      "1",
+      16,
+      0,
+      MessageCode.TOO_MANY_CURSORS,
+      "open cursors of one simulation at once"),
+  QUEUE("queue", "1", 1000, 0, MessageCode.QUEUE_FULL, "runs that wait for a place on one host"),
   MODEL_BYTES(
-      "modelBytes", "B", MAX_MECHML_BYTES.value, 1, "S-105", "size of a model with its user files"),
-  RESULT_BYTES("resultBytes", "B", 64L << 30, 1, "S-106", "size of the rows of one run"),
+      "modelBytes",
+      "B",
+      MAX_MECHML_BYTES.value,
+      1,
+      MessageCode.MODEL_TOO_LARGE,
+      "size of a model with its user files"),
+  RESULT_BYTES(
+      "resultBytes",
+      "B",
+      64L << 30,
+      1,
+      MessageCode.RESULTS_TOO_LARGE,
+      "size of the rows of one run"),
   SPOOL_BYTES(
-      "spoolBytes", "B", 256L << 30, 1, "S-107", "size of the rows of all runs of one host"),
+      "spoolBytes",
+      "B",
+      256L << 30,
+      1,
+      MessageCode.SPOOL_FULL,
+      "size of the rows of all runs of one host"),
   WALL_TIME(
-      "wallTime", "s", HostLimits.UNLIMITED, 1, "S-108", "time one run takes, without pauses"),
-  CPU_TIME("cpuTime", "s", HostLimits.UNLIMITED, 1, "S-109", "processor time of one run"),
-  MEMORY("memory", "B", HostLimits.UNLIMITED, 1, "S-110", "memory of one host, or of one worker"),
-  CONNECTIONS("connections", "1", 280, 1, "S-111", "connections to one process at once"),
+      "wallTime",
+      "s",
+      HostLimits.UNLIMITED,
+      1,
+      MessageCode.RUN_TOO_LONG,
+      "time one run takes, without pauses"),
+  CPU_TIME(
+      "cpuTime",
+      "s",
+      HostLimits.UNLIMITED,
+      1,
+      MessageCode.PROCESSOR_TIME_EXCEEDED,
+      "processor time of one run"),
+  MEMORY(
+      "memory",
+      "B",
+      HostLimits.UNLIMITED,
+      1,
+      MessageCode.OUT_OF_MEMORY,
+      "memory of one host, or of one worker"),
+  CONNECTIONS(
+      "connections",
+      "1",
+      280,
+      1,
+      MessageCode.TOO_MANY_CONNECTIONS,
+      "connections to one process at once"),
   /** A week, so that who went home on Friday finds his results on Monday. */
-  RETENTION("retention", "s", 7 * 86_400, 0, "S-010", "an ended run is kept this long");
+  RETENTION(
+      "retention",
+      "s",
+      7 * 86_400,
+      0,
+      MessageCode.LIMIT_EXCEEDED,
+      "an ended run is kept this long");
 
   private final String label;
   private final String unit;
   private final long initial;
   private final long least;
-  private final String code;
+  private final MessageCode code;
   private final String text;
 
-  HostLimit(String label, String unit, long initial, long least, String code, String text) {
+  HostLimit(String label, String unit, long initial, long least, MessageCode code, String text) {
     this.label = label;
     this.unit = unit;
     this.initial = initial;
@@ -71,7 +136,7 @@ public enum HostLimit {
   }
 
   /** Returns the entry of the error catalogue for what is beyond it. */
-  public String code() {
+  public MessageCode code() {
     return code;
   }
 
@@ -88,6 +153,6 @@ public enum HostLimit {
    * @param message what was asked for, and what to do
    */
   public LimitExceeded refusal(long value, long requested, String message) {
-    return new LimitExceeded(code, message, label, value, requested);
+    return new LimitExceeded(code.code(), message, label, value, requested);
   }
 }

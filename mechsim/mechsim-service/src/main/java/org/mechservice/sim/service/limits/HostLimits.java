@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.Limit;
 import org.mechservice.idl.LimitExceeded;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** What a host allows. Immutable. */
 public final class HostLimits {
@@ -62,7 +63,8 @@ public final class HostLimits {
     boolean unlimited = value == UNLIMITED && !NEVER_UNLIMITED.contains(limit);
     if (value < limit.least() && !unlimited) {
       throw new IllegalArgumentException(
-          "S-015 limit "
+          MessageCode.LIMIT_VALUE
+              + " limit "
               + limit.label()
               + " cannot be "
               + value
@@ -90,7 +92,8 @@ public final class HostLimits {
             .orElseThrow(
                 () ->
                     new IllegalArgumentException(
-                        "S-015 there is no limit \""
+                        MessageCode.LIMIT_VALUE
+                            + " there is no limit \""
                             + label
                             + "\"; there are "
                             + Arrays.stream(HostLimit.values())
@@ -110,7 +113,10 @@ public final class HostLimits {
       try {
         limits = limits.with(limit.name, limit.value);
       } catch (IllegalArgumentException e) {
-        throw new InvalidOption("S-015", String.valueOf(e.getMessage()).substring(6), limit.name);
+        throw new InvalidOption(
+            MessageCode.LIMIT_VALUE.code(),
+            String.valueOf(e.getMessage()).substring(6),
+            limit.name);
       }
     }
     return limits;

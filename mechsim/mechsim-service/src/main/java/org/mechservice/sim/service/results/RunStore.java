@@ -29,6 +29,7 @@ import org.mechservice.sim.service.contract.FileErrors;
 import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.SpoolQuota;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -111,7 +112,8 @@ public final class RunStore implements AutoCloseable {
       }
     } catch (IOException e) {
       throw new IllegalArgumentException(
-          "S-114 the spool folder cannot be read: " + FileErrors.reason(e), e);
+          MessageCode.SPOOL_FOLDER + " the spool folder cannot be read: " + FileErrors.reason(e),
+          e);
     }
   }
 
@@ -126,7 +128,14 @@ public final class RunStore implements AutoCloseable {
     String text = "the run was cut off by the end of its host; its rows up to then are kept";
     FailureRecord failure =
         new FailureRecord(
-            "S-112", text + ".", last.simTime, 0, 0, "", "Start it again.", new StepTried[0]);
+            MessageCode.RUN_CUT_OFF.code(),
+            text + ".",
+            last.simTime,
+            0,
+            0,
+            "",
+            "Start it again.",
+            new StepTried[0]);
     return new RunRecord(
         run.identity(),
         run.columns(),
@@ -134,7 +143,7 @@ public final class RunStore implements AutoCloseable {
         last,
         run.startedAt(),
         System.currentTimeMillis(),
-        "S-112 " + text,
+        MessageCode.RUN_CUT_OFF + " " + text,
         "",
         Optional.of(failure),
         List.of());
@@ -170,7 +179,10 @@ public final class RunStore implements AutoCloseable {
     try {
       return disk.submit(() -> tried(simId, work));
     } catch (RejectedExecutionException e) {
-      LOG.warn("S-014 run {} ended after its host: on disk it is one that was cut off", simId);
+      LOG.warn(
+          MessageCode.RESULTS_NOT_KEPT
+              + " run {} ended after its host: on disk it is one that was cut off",
+          simId);
       return CompletableFuture.completedFuture(null);
     }
   }
@@ -179,7 +191,10 @@ public final class RunStore implements AutoCloseable {
     try {
       work.run();
     } catch (IOException | UncheckedIOException e) {
-      LOG.warn("S-014 what is on disk of run {} is not up to date: {}", simId, e.toString());
+      LOG.warn(
+          MessageCode.RESULTS_NOT_KEPT + " what is on disk of run {} is not up to date: {}",
+          simId,
+          e.toString());
     }
   }
 

@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.mechservice.sim.service.contract.FileErrors;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -66,7 +67,8 @@ final class SpoolFolder implements AutoCloseable {
   private static IllegalArgumentException unusable(
       Path folder, String why, @org.jspecify.annotations.Nullable Exception cause) {
     return new IllegalArgumentException(
-        "S-114 the spool folder " + folder + " cannot be used: " + why, cause);
+        MessageCode.SPOOL_FOLDER + " the spool folder " + folder + " cannot be used: " + why,
+        cause);
   }
 
   /** Returns where the rows of a run are. */
@@ -139,7 +141,10 @@ final class SpoolFolder implements AutoCloseable {
         try {
           found.add(RunRecord.ofJson(Files.readString(file)));
         } catch (JsonParseException | IOException e) {
-          LOG.warn("S-114 {} cannot be read and is left as it is: {}", file, e.toString());
+          LOG.warn(
+              MessageCode.SPOOL_FOLDER + " {} cannot be read and is left as it is: {}",
+              file,
+              e.toString());
         }
       }
     }

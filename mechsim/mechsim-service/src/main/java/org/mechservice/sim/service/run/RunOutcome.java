@@ -12,6 +12,7 @@ import org.mechservice.sim.worker.WorkerResult;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * How a run ended, as the service sees it.
@@ -38,12 +39,16 @@ record RunOutcome(Optional<Map<String, Object>> report, Outcome outcome) {
     } else if (thrown instanceof LimitReachedException limit) {
       return failed(atLimit(limit, control));
     } else if (thrown instanceof IllegalArgumentException refusal) {
-      return failed(coded("S-008", String.valueOf(refusal.getMessage()), control));
+      return failed(coded(MessageCode.OPTION_VALUE, String.valueOf(refusal.getMessage()), control));
     } else if (thrown instanceof IOException unkept) {
       return failed(notKept(unkept, control));
     }
     String incident = GuardedServant.record("run " + simId, thrown);
-    return failed(coded("S-001", "the server failed unexpectedly, incident " + incident, control));
+    return failed(
+        coded(
+            MessageCode.INTERNAL_SERVER_ERROR,
+            "the server failed unexpectedly, incident " + incident,
+            control));
   }
 
   /** A worker process that ignores a stop request is killed: then its run was cancelled. */
@@ -53,7 +58,7 @@ record RunOutcome(Optional<Map<String, Object>> report, Outcome outcome) {
     }
     return failed(
         failure(
-            lost.outOfMemory() ? HostLimit.MEMORY.code() : "S-157",
+            lost.outOfMemory() ? HostLimit.MEMORY.code() : MessageCode.WORKER_ENDED,
             String.valueOf(lost.getMessage()),
             control,
             "Look for what the classes of the model's users do there; the rows up to then are"
@@ -65,17 +70,20 @@ record RunOutcome(Optional<Map<String, Object>> report, Outcome outcome) {
   }
 
   /** Takes the code at the start of a solver's message; a message without one gets that given. */
-  private static Failure coded(String code, String message, RunControl control) {
+  private static Failure coded(MessageCode code, String message, RunControl control) {
     boolean hasCode = message.matches("(?s)[MNS]-\\d{3} .*");
     return failure(
-        hasCode ? message.substring(0, 5) : code,
+        hasCode ? MessageCode.find(message.substring(0, 5)).orElse(code) : code,
         hasCode ? message.substring(6) : message,
         control,
         "");
   }
 
   private static Failure notKept(IOException unkept, RunControl control) {
-    return coded("S-014", "the results cannot be kept: " + unkept.getMessage(), control);
+    return coded(
+        MessageCode.RESULTS_NOT_KEPT,
+        "the results cannot be kept: " + unkept.getMessage(),
+        control);
   }
 
   private static Failure atLimit(LimitReachedException limit, RunControl control) {
@@ -88,7 +96,7 @@ record RunOutcome(Optional<Map<String, Object>> report, Outcome outcome) {
             + "\".");
   }
 
-  private static Failure failure(String code, String text, RunControl control, String advice) {
+  private static Failure failure(MessageCode code, String text, RunControl control, String advice) {
     double time = Double.isNaN(control.time()) ? 0 : control.time();
     return new Failure(code, text, time, control.stepSize(), control.order(), "", advice);
   }

@@ -25,6 +25,7 @@ import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -232,7 +233,8 @@ public final class SimulationRun implements Runnable {
     RunCheckpoints checkpoints = task().checkpoints();
     if (!checkpoints.possible()) {
       throw new NotAvailable(
-          "S-072", "a run of the model cannot be saved: its loops do not tell their state");
+          MessageCode.MODEL_CANNOT_BE_SAVED.code(),
+          "a run of the model cannot be saved: its loops do not tell their state");
     }
     return checkpoints;
   }

@@ -34,14 +34,15 @@ import org.mechservice.idl.SimEvent;
 import org.mechservice.idl.SimState;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.sim.check.CheckReport;
 import org.mechservice.sim.model.BuildOptions;
-import org.mechservice.sim.model.CheckReport;
 import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.model.GeneratedFacts;
 import org.mechservice.sim.model.GeneratedModel;
-import org.mechservice.sim.model.JarImage;
-import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.model.SourceFile;
+import org.mechservice.sim.packaging.JarImage;
+import org.mechservice.sim.packaging.ModelJars;
+import org.mechservice.sim.packaging.RuntimeJar;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.contract.ContractTypes;
 import org.mechservice.sim.service.library.LoadedModel;
@@ -60,6 +61,7 @@ import org.mechservice.sim.service.run.RunTask;
 import org.mechservice.sim.service.run.SimulationRun;
 import org.mechservice.sim.user.UserFile;
 import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.simulation.SolverVersion;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -317,7 +319,7 @@ final class MechSimServant implements MechSimOperations {
       throws NotAvailable, InvalidModel {
     if (compiled.hasUserClasses() && !session.host().userCode()) {
       throw new NotAvailable(
-          "S-120",
+          MessageCode.USER_CODE_NOT_ALLOWED.code(),
           "host "
               + hostName()
               + " runs no classes of users, and forces of this model are such classes; run it with"
@@ -338,7 +340,7 @@ final class MechSimServant implements MechSimOperations {
     System.arraycopy(warnings, 0, all, 0, warnings.length);
     all[warnings.length] =
         ContractTypes.information(
-            "S-017",
+            MessageCode.SERVER_CHOICE,
             "formulation "
                 + generated.formulation()
                 + " ("
@@ -363,9 +365,9 @@ final class MechSimServant implements MechSimOperations {
     long start = System.nanoTime();
     JarImage jar =
         asked.standalone()
-            ? ModelFactory.standaloneJar(compiled, source.sha256())
-            : ModelFactory.modelJar(compiled, source.sha256());
-    String runtime = asked.standalone() ? "" : ModelFactory.runtimeJar().sha256();
+            ? ModelJars.standalone(compiled, source.sha256())
+            : ModelJars.model(compiled, source.sha256());
+    String runtime = asked.standalone() ? "" : RuntimeJar.current().sha256();
     times.addPacking(System.nanoTime() - start);
     info.value =
         new JarInfo(
@@ -403,13 +405,13 @@ final class MechSimServant implements MechSimOperations {
 
   @Override
   public RuntimeInfo getRuntimeInfo() {
-    JarImage jar = ModelFactory.runtimeJar();
+    JarImage jar = RuntimeJar.current();
     return new RuntimeInfo(jar.sha256(), jar.bytes().length, signature(jar), SolverVersion.CURRENT);
   }
 
   @Override
   public byte[] fetchRuntime(String sha256) throws NotFound {
-    JarImage jar = ModelFactory.runtimeJar();
+    JarImage jar = RuntimeJar.current();
     if (!jar.sha256().equals(sha256)) {
       throw ContractErrors.notFound(
           "this server's runtime JAR is " + jar.sha256() + ", not " + sha256);

@@ -32,6 +32,7 @@ import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.service.results.ResultCursors;
 import org.mechservice.sim.service.results.RunStore;
 import org.mechservice.sim.service.run.SimulationRun;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 import org.omg.PortableServer.Servant;
 
@@ -247,7 +248,7 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
    */
   void hostIsDraining(SimulationRun run) {
     boolean movable = run.canBeSaved();
-    String code = movable ? "S-115" : "S-116";
+    MessageCode code = movable ? MessageCode.HOST_DRAINING : MessageCode.RUN_STAYS_ON_DRAINING_HOST;
     String text =
         "host "
             + host.hostName()
@@ -267,17 +268,18 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
             + "; they are there as long as host "
             + host.hostName()
             + " runs";
-    report(run, "sim-not-kept", Severity.SEV_WARNING, "S-014", text);
+    report(run, "sim-not-kept", Severity.SEV_WARNING, MessageCode.RESULTS_NOT_KEPT, text);
   }
 
-  private void report(SimulationRun run, String kind, Severity weight, String code, String text) {
+  private void report(
+      SimulationRun run, String kind, Severity weight, MessageCode code, String text) {
     said(run, new Diagnostic[] {ContractTypes.diagnostic(weight, code, text)});
     host.journal()
         .add(
             new JournalEntry(
                 kind,
                 weight,
-                code,
+                code.code(),
                 host.hostName(),
                 id,
                 run.simId(),

@@ -49,6 +49,7 @@ import org.mechservice.sim.service.run.RunFactory;
 import org.mechservice.sim.service.run.RunQueue;
 import org.mechservice.sim.service.run.SimulationRun;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * The sessions of one host. Its clock ends sessions whose lease is over and runs that have reached
@@ -319,11 +320,12 @@ public final class SessionTable implements AutoCloseable {
 
   private void kill(Session session, SimulationRun run, String reason) {
     String text = "cancelled by the operator: " + reason;
-    session.said(run, new Diagnostic[] {ContractTypes.information("S-018", text)});
+    session.said(
+        run, new Diagnostic[] {ContractTypes.information(MessageCode.CANCELLED_BY_OPERATOR, text)});
     run.stop();
     host.journal()
         .add(
-            JournalEntry.warning("sim-killed", "S-018", text)
+            JournalEntry.warning("sim-killed", MessageCode.CANCELLED_BY_OPERATOR, text)
                 .onHost(host.hostName())
                 .inSession(session.id(), session.owner())
                 .ofSimulation(run.simId()));

@@ -41,6 +41,7 @@ import org.mechservice.sim.service.results.RunStore;
 import org.mechservice.sim.service.run.RunFactory;
 import org.mechservice.sim.service.run.RunQueue;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.UserException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -90,7 +91,9 @@ public final class WarmUp implements AutoCloseable {
       run();
     } catch (UserException | IOException | RuntimeException e) {
       if (!closed) {
-        LOG.warn("S-001 the first client will wait longer: {}", e.toString());
+        LOG.warn(
+            MessageCode.INTERNAL_SERVER_ERROR + " the first client will wait longer: {}",
+            e.toString());
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -179,7 +182,7 @@ public final class WarmUp implements AutoCloseable {
     try {
       build();
     } catch (MechmlException | InvalidOption | IOException | RuntimeException e) {
-      LOG.warn("S-001 the model will take longer: {}", e.toString());
+      LOG.warn(MessageCode.INTERNAL_SERVER_ERROR + " the model will take longer: {}", e.toString());
     }
   }
 

@@ -181,10 +181,10 @@ class LimitsTest {
       run.start();
       Eventually.holds(() -> run.getProgress().state == SimState.SIM_FAILED);
       FailureRecord failure = run.failure();
-      assertThat(failure.code).isEqualTo(limit.code());
+      assertThat(failure.code).isEqualTo(limit.code().code());
       assertThat(failure.advice).contains("the operator can raise the limit \"" + limit.label());
       assertThat(run.getProgress().rowsReady).isPositive();
-      assertThat(run.report()).contains("\"outcome\":\"failed\"").contains(limit.code());
+      assertThat(run.report()).contains("\"outcome\":\"failed\"").contains(limit.code().code());
       assertRowsAreKept(run);
       return failure;
     }

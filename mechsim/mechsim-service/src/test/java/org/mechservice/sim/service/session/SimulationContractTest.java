@@ -31,6 +31,7 @@ import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.simulation.SolverVersion;
 import org.omg.CORBA.DoubleHolder;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
@@ -262,7 +263,9 @@ class SimulationContractTest {
         List.of(
             new Failure.Step(1, 1e-3, 4, 0.5, "accepted"),
             new Failure.Step(1.001, 1e-3, 4, Double.NaN, "something was not finite"));
-    Failure failed = new Failure("N-001", "It is not finite.", 1.001, 1e-3, 4, "", "").after(steps);
+    Failure failed =
+        new Failure(MessageCode.NOT_FINITE, "It is not finite.", 1.001, 1e-3, 4, "", "")
+            .after(steps);
     Solver failing =
         (model, request, sink, control) ->
             new RunReport(

@@ -1,12 +1,12 @@
 package org.mechservice.solver.closure.assembly;
 
-import org.mechservice.solver.closure.equations.CoordinateUnits;
-import org.mechservice.solver.closure.equations.LoopEquations;
-import org.mechservice.solver.closure.equations.LoopRounding;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import org.mechservice.solver.closure.equations.CoordinateUnits;
+import org.mechservice.solver.closure.equations.LoopEquations;
+import org.mechservice.solver.closure.equations.LoopRounding;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;

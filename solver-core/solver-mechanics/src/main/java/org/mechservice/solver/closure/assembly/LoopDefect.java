@@ -2,6 +2,7 @@ package org.mechservice.solver.closure.assembly;
 
 import java.util.Locale;
 import org.mechservice.solver.api.Defects.Defect;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Says why loops cannot go on. */
 public final class LoopDefect {
@@ -10,7 +11,7 @@ public final class LoopDefect {
   /** The loops lock or branch at the last accepted state. */
   public static Defect singular(String equation, double closeness) {
     return new Defect(
-        "N-023",
+        MessageCode.SINGULAR_POSITION,
         equation,
         "The loops are in a singular position, in which the mechanism locks or branches: the"
             + " smallest pivot of their equations has sunk to "
@@ -23,7 +24,7 @@ public final class LoopDefect {
   /** The start hides equations, so that no independent coordinates can be chosen. */
   public static Defect singularStart(String equation) {
     return new Defect(
-        "N-023",
+        MessageCode.SINGULAR_POSITION,
         equation,
         "The loops start in a singular position: fewer of their equations are independent than"
             + " close by, and no independent coordinates can be chosen.",
@@ -33,7 +34,7 @@ public final class LoopDefect {
   /** No positions or velocities fit the independent ones. */
   public static Defect open(String equation, double residual, String unit) {
     return new Defect(
-        "N-020",
+        MessageCode.LOOPS_NOT_CLOSED,
         equation,
         "The loops cannot be closed: no positions and velocities were found that fit the"
             + " independent coordinates; the residual of this constraint is "
@@ -47,7 +48,7 @@ public final class LoopDefect {
   /** An equation that seemed to follow from the others does not. */
   public static Defect leftOut(String equation, double residual, String unit) {
     return new Defect(
-        "N-024",
+        MessageCode.CONSTRAINT_NO_LONGER_REDUNDANT,
         equation,
         "An equation of the loops that followed from the others at the start no longer does: its"
             + " residual has grown to "

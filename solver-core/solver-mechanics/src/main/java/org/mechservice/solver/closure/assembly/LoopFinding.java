@@ -2,6 +2,7 @@ package org.mechservice.solver.closure.assembly;
 
 import java.util.Locale;
 import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Something about a mechanism's loops that its user should know.
@@ -18,35 +19,35 @@ public record LoopFinding(Kind kind, String part, double amount, String unit, do
   /** Kinds of findings. */
   public enum Kind {
     /** The start positions did not close the loops and were moved; the amount is the residual. */
-    START_MOVED("N-040", true),
+    START_MOVED(MessageCode.START_POSITION_CORRECTED, true),
     /** The start velocities did not fit the loops and were changed. */
-    START_VELOCITY_CHANGED("N-041", true),
+    START_VELOCITY_CHANGED(MessageCode.START_VELOCITY_CORRECTED, true),
     /** No positions near the start close the loops; the amount is the least residual found. */
-    NOT_CLOSED("N-042", false),
+    NOT_CLOSED(MessageCode.START_POSITION_NOT_CLOSED, false),
     /** No velocities fit the loops; the amount is the least residual found. */
-    NO_VELOCITIES("N-043", false),
+    NO_VELOCITIES(MessageCode.NO_START_VELOCITY, false),
     /** Equations that say nothing new and are left out; the amount is their number. */
-    REDUNDANT("N-044", true),
+    REDUNDANT(MessageCode.REDUNDANT_CONSTRAINTS, true),
     /** The loops start in a singular position; the amount is the number of equations it hides. */
-    SINGULAR_START("N-045", true),
+    SINGULAR_START(MessageCode.START_POSITION_SINGULAR, true),
     /**
      * The loops came through a singular position, or very near to one; the amount is the smallest
      * pivot of their equations over the largest it was in the run.
      */
-    SINGULAR_PASSED("N-046", true),
+    SINGULAR_PASSED(MessageCode.SINGULAR_POSITION_PASSED, true),
     /** Other coordinates are independent from here; the part names them. */
-    CHOSEN_ANEW("N-047", true);
+    CHOSEN_ANEW(MessageCode.INDEPENDENT_COORDINATES_CHANGED, true);
 
-    private final String code;
+    private final MessageCode code;
     private final boolean warning;
 
-    Kind(String code, boolean warning) {
+    Kind(MessageCode code, boolean warning) {
       this.code = code;
       this.warning = warning;
     }
 
     /** Returns the entry of the error catalogue. */
-    public String code() {
+    public MessageCode code() {
       return code;
     }
 

@@ -1,7 +1,7 @@
 package org.mechservice.solver.closure.assembly;
 
-import org.mechservice.solver.closure.equations.LoopEquations;
 import java.util.Arrays;
+import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.kinematics.StateCoordinates;
 
 /**

@@ -1,7 +1,5 @@
 package org.mechservice.solver.closure.assembly;
 
-import org.mechservice.solver.closure.equations.CoordinateUnits;
-import org.mechservice.solver.closure.equations.LoopEquations;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -10,6 +8,8 @@ import java.util.Random;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.closure.equations.CoordinateUnits;
+import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.dynamics.OpenTree;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.kinematics.StateCoordinates;

@@ -61,7 +61,13 @@ final class PairRows extends ClosureRows {
 
   private PairRows(
       LoopClosure closure, RelativeMotion relative, List<PairFunction> functions, double length) {
-    this(closure, relative, functions, new PrescribedPairMotion(List.of(), new double[0]), length, false);
+    this(
+        closure,
+        relative,
+        functions,
+        new PrescribedPairMotion(List.of(), new double[0]),
+        length,
+        false);
   }
 
   /** What a cut joint forbids, and its prescribed coordinates. */

@@ -6,7 +6,8 @@
  * by the tree velocities, and the right-hand side of the acceleration equations. {@link
  * org.mechservice.solver.closure.equations.PairRows} writes the rows of one cut joint, {@link
  * org.mechservice.solver.closure.equations.CouplingRows} those of couplings between coordinates.
- * {@link org.mechservice.solver.closure.equations.LoopTerms} is the same as generated code gives it.
+ * {@link org.mechservice.solver.closure.equations.LoopTerms} is the same as generated code gives
+ * it.
  *
  * <p>{@link org.mechservice.solver.closure.equations.LengthScale} makes rows in m and rad
  * comparable, and {@link org.mechservice.solver.closure.equations.LoopRounding} says which residual

@@ -1,5 +1,9 @@
 package org.mechservice.solver.closure.model;
 
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.mechservice.solver.api.Defects.Defect;
 import org.mechservice.solver.closure.ClosedTree;
 import org.mechservice.solver.closure.assembly.LoopDefect;
 import org.mechservice.solver.closure.assembly.LoopFinding;
@@ -7,10 +11,6 @@ import org.mechservice.solver.closure.assembly.PositionEquations;
 import org.mechservice.solver.closure.equations.CoordinateUnits;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.closure.equations.LoopRounding;
-import java.util.Arrays;
-import java.util.Optional;
-import java.util.function.Consumer;
-import org.mechservice.solver.api.Defects.Defect;
 import org.mechservice.solver.kinematics.StateCoordinates;
 
 /**

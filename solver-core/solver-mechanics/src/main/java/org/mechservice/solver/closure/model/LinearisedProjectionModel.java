@@ -1,8 +1,8 @@
 package org.mechservice.solver.closure.model;
 
-import org.mechservice.solver.closure.ClosedMechanism;
 import java.util.Arrays;
 import org.mechservice.solver.api.LinearisedModel;
+import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
 import org.mechservice.solver.dynamics.tree.TreePattern;

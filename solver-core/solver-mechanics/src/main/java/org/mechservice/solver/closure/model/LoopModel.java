@@ -1,11 +1,5 @@
 package org.mechservice.solver.closure.model;
 
-import org.mechservice.solver.closure.ClosedMechanism;
-import org.mechservice.solver.closure.ClosedTree;
-import org.mechservice.solver.closure.LoopProjection;
-import org.mechservice.solver.closure.PrescribedMotions;
-import org.mechservice.solver.closure.Reactions;
-import org.mechservice.solver.closure.assembly.LoopFinding;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumMap;
@@ -21,6 +15,12 @@ import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.StateJumps;
+import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.closure.ClosedTree;
+import org.mechservice.solver.closure.LoopProjection;
+import org.mechservice.solver.closure.PrescribedMotions;
+import org.mechservice.solver.closure.Reactions;
+import org.mechservice.solver.closure.assembly.LoopFinding;
 import org.mechservice.solver.closure.assembly.LoopFinding.Kind;
 import org.mechservice.solver.force.formula.FormulaCheck;
 import org.mechservice.solver.force.formula.SampleStates;

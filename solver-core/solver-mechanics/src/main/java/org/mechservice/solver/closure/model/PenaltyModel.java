@@ -1,12 +1,13 @@
 package org.mechservice.solver.closure.model;
 
-import org.mechservice.solver.closure.ClosedMechanism;
-import org.mechservice.solver.closure.LoopProjection;
-import org.mechservice.solver.closure.PenaltySettings;
 import java.util.Arrays;
 import java.util.Optional;
 import org.mechservice.solver.api.ModelState;
 import org.mechservice.solver.api.ProjectedStates;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.closure.LoopProjection;
+import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.force.user.UserForceSource;
 
 /**
@@ -44,7 +45,7 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
     watch = new SingularityMonitor(work.loops, partition, this::note);
     right = new double[work.nv];
     offset = new double[work.loops.count()];
-    note(new Note("N-048", closed.startTime(), false, settings.text()));
+    note(new Note(MessageCode.PENALTY_SETTINGS, closed.startTime(), false, settings.text()));
     beginWatch(closed.startTime(), closed.start());
   }
 

@@ -1,7 +1,5 @@
 package org.mechservice.solver.closure.model;
 
-import org.mechservice.solver.closure.ClosedMechanism;
-import org.mechservice.solver.closure.assembly.LoopFinding;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -9,6 +7,8 @@ import java.util.stream.IntStream;
 import org.mechservice.solver.api.DependentStates;
 import org.mechservice.solver.api.ModelState;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.closure.assembly.LoopFinding;
 import org.mechservice.solver.force.user.UserForceSource;
 
 /**

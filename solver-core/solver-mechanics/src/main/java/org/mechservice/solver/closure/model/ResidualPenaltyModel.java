@@ -1,11 +1,11 @@
 package org.mechservice.solver.closure.model;
 
+import java.util.Arrays;
+import org.mechservice.solver.api.LinearisedModel;
 import org.mechservice.solver.closure.AugmentedEquations;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.closure.equations.LoopRounding;
-import java.util.Arrays;
-import org.mechservice.solver.api.LinearisedModel;
 import org.mechservice.solver.dynamics.derivative.ResidualDifferences;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;

@@ -1,11 +1,11 @@
 package org.mechservice.solver.closure.model;
 
-import org.mechservice.solver.closure.assembly.LoopDefect;
-import org.mechservice.solver.closure.assembly.LoopFinding;
-import org.mechservice.solver.closure.equations.LoopEquations;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.mechservice.solver.api.Defects.Defect;
+import org.mechservice.solver.closure.assembly.LoopDefect;
+import org.mechservice.solver.closure.assembly.LoopFinding;
+import org.mechservice.solver.closure.equations.LoopEquations;
 
 /**
  * Watches how close the loops come to positions in which their equations lose rank, from one

@@ -1,9 +1,10 @@
 /**
  * Models of closed loops as an integrator sees them, one class per formulation and closure.
  *
- * <p>{@link org.mechservice.solver.closure.model.ProjectionModel} integrates independent coordinates
- * (second velocity transformation); {@link org.mechservice.solver.closure.model.Partition} chooses
- * them, {@link org.mechservice.solver.closure.model.Completion} finds the dependent ones, and {@link
+ * <p>{@link org.mechservice.solver.closure.model.ProjectionModel} integrates independent
+ * coordinates (second velocity transformation); {@link
+ * org.mechservice.solver.closure.model.Partition} chooses them, {@link
+ * org.mechservice.solver.closure.model.Completion} finds the dependent ones, and {@link
  * org.mechservice.solver.closure.model.SingularityMonitor} watches the rank on the way. {@link
  * org.mechservice.solver.closure.model.PenaltyModel} integrates all tree coordinates with the
  * augmented Lagrangian and projects at accepted steps. Each has a residual form for ode15sR, and

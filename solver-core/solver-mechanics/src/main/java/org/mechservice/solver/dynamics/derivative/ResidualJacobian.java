@@ -1,5 +1,12 @@
 package org.mechservice.solver.dynamics.derivative;
 
+import static org.mechservice.solver.spatial.Blocks.addCross;
+import static org.mechservice.solver.spatial.Blocks.apply;
+import static org.mechservice.solver.spatial.Blocks.applyTransposed;
+import static org.mechservice.solver.spatial.Blocks.cross;
+import static org.mechservice.solver.spatial.Blocks.dot;
+
+import java.util.Arrays;
 import org.mechservice.solver.dynamics.recursion.CompositeInertias;
 import org.mechservice.solver.dynamics.recursion.LinkDerivatives;
 import org.mechservice.solver.dynamics.recursion.LinkInertias;
@@ -10,13 +17,6 @@ import org.mechservice.solver.dynamics.tree.BallColumns;
 import org.mechservice.solver.dynamics.tree.TreeMatrix;
 import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.dynamics.tree.TreeSquare;
-import static org.mechservice.solver.spatial.Blocks.addCross;
-import static org.mechservice.solver.spatial.Blocks.apply;
-import static org.mechservice.solver.spatial.Blocks.applyTransposed;
-import static org.mechservice.solver.spatial.Blocks.cross;
-import static org.mechservice.solver.spatial.Blocks.dot;
-
-import java.util.Arrays;
 import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;

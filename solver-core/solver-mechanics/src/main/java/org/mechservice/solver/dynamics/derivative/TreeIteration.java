@@ -1,12 +1,13 @@
 package org.mechservice.solver.dynamics.derivative;
 
+import java.util.List;
+import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.dynamics.tree.BallColumns;
 import org.mechservice.solver.dynamics.tree.TreeElements;
 import org.mechservice.solver.dynamics.tree.TreeLu;
 import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.dynamics.tree.TreeSquare;
-import java.util.List;
-import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.spatial.EulerParameters;
@@ -109,7 +110,9 @@ public final class TreeIteration {
         dense
             + " iteration matrices lost digits when eliminated along the tree and were factored"
             + " with interchanges instead.";
-    return dense == 0 ? List.of() : List.of(new RunNotes.Note("N-009", 0, false, text));
+    return dense == 0
+        ? List.of()
+        : List.of(new RunNotes.Note(MessageCode.DENSE_FACTORISATION, 0, false, text));
   }
 
   /** Returns the n × n matrix formed last. */

@@ -1,12 +1,12 @@
 package org.mechservice.solver.dynamics.derivative;
 
-import org.mechservice.solver.dynamics.recursion.LinkInertias;
 import static org.mechservice.solver.spatial.Blocks.apply;
 import static org.mechservice.solver.spatial.Blocks.applyTransposed;
 import static org.mechservice.solver.spatial.Blocks.congruence;
 import static org.mechservice.solver.spatial.Blocks.cross;
 import static org.mechservice.solver.spatial.Blocks.dot;
 
+import org.mechservice.solver.dynamics.recursion.LinkInertias;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 

@@ -1,6 +1,5 @@
 package org.mechservice.solver.dynamics.event;
 
-import org.mechservice.solver.dynamics.SemiRecursive;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -8,6 +7,7 @@ import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ModelEvents.Action;
 import org.mechservice.solver.api.ModelEvents.Direction;
 import org.mechservice.solver.api.ModelEvents.Kind;
+import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.MotionJump;
 

@@ -1,13 +1,13 @@
 package org.mechservice.solver.dynamics.recursion;
 
-import org.mechservice.solver.dynamics.SemiRecursive;
-import org.mechservice.solver.dynamics.tree.PivotCheck;
 import static org.mechservice.solver.spatial.Blocks.addCross;
 import static org.mechservice.solver.spatial.Blocks.applyTransposed;
 import static org.mechservice.solver.spatial.Blocks.dot;
 
 import java.util.Arrays;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.dynamics.SemiRecursive;
+import org.mechservice.solver.dynamics.tree.PivotCheck;
 import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;

@@ -1,9 +1,9 @@
 package org.mechservice.solver.dynamics.recursion;
 
-import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
-import org.mechservice.solver.dynamics.tree.TreeSquare;
 import static org.mechservice.solver.spatial.Blocks.dot;
 
+import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
+import org.mechservice.solver.dynamics.tree.TreeSquare;
 import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;

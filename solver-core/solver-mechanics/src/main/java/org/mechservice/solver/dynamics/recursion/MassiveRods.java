@@ -1,12 +1,12 @@
 package org.mechservice.solver.dynamics.recursion;
 
-import org.mechservice.solver.dynamics.tree.TreeMatrix;
-import org.mechservice.solver.dynamics.tree.TreePattern;
 import static org.mechservice.solver.spatial.Blocks.addCross;
 import static org.mechservice.solver.spatial.Blocks.dot;
 
 import java.util.Arrays;
 import java.util.List;
+import org.mechservice.solver.dynamics.tree.TreeMatrix;
+import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;

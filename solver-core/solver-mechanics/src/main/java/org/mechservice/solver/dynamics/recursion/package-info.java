@@ -2,8 +2,8 @@
  * The recursions over a tree of bodies that all formulations are made of.
  *
  * <ul>
- *   <li>{@link org.mechservice.solver.dynamics.recursion.NewtonEuler}: inverse dynamics, outward for
- *       velocities and accelerations, inward for forces.
+ *   <li>{@link org.mechservice.solver.dynamics.recursion.NewtonEuler}: inverse dynamics, outward
+ *       for velocities and accelerations, inward for forces.
  *   <li>{@link org.mechservice.solver.dynamics.recursion.CompositeInertias}: the mass matrix.
  *   <li>{@link org.mechservice.solver.dynamics.recursion.ArticulatedBody}: accelerations in O(n).
  *   <li>{@link org.mechservice.solver.dynamics.recursion.MassiveRods}: rods with mass between two

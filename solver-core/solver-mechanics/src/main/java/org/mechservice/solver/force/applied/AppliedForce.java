@@ -3,6 +3,7 @@ package org.mechservice.solver.force.applied;
 import java.util.List;
 import org.mechservice.solver.api.Defects.Defect;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
@@ -12,7 +13,7 @@ import org.mechservice.solver.mechanism.force.ForceElement;
  */
 public abstract class AppliedForce {
   private final ForceElement element;
-  private Defect defect = new Defect("", "", "", "");
+  private Defect defect = new Defect(MessageCode.FORCE_COEFFICIENT, "", "", "");
 
   public AppliedForce(ForceElement element) {
     this.element = element;
@@ -61,7 +62,7 @@ public abstract class AppliedForce {
   }
 
   /** Remembers a failure and returns false. */
-  public boolean fail(String code, String cause, String advice) {
+  public boolean fail(MessageCode code, String cause, String advice) {
     defect = new Defect(code, "force " + element.name(), cause, advice);
     return false;
   }
@@ -69,7 +70,7 @@ public abstract class AppliedForce {
   /** Remembers that a coefficient cannot be used and returns false. */
   public boolean refuse(String quantity, double value, String condition) {
     return fail(
-        "N-032",
+        MessageCode.FORCE_COEFFICIENT,
         "The " + quantity + " is " + value + "; it must be " + condition + ".",
         "Check the parameters it is computed from.");
   }
@@ -77,7 +78,7 @@ public abstract class AppliedForce {
   /** Remembers that a result is not finite and returns false. */
   public boolean notFinite(String quantity, double value) {
     return fail(
-        "N-030",
+        MessageCode.FORCE_NOT_FINITE,
         "The " + quantity + " is not finite but " + value + ".",
         "Look for a division by zero or a root of a negative number in its law.");
   }

@@ -1,11 +1,11 @@
 package org.mechservice.solver.force.formula;
 
-import org.mechservice.solver.force.applied.CutCoordinates;
-import org.mechservice.solver.force.applied.FrameMotion;
-import org.mechservice.solver.force.applied.GradientSink;
 import java.util.Arrays;
 import java.util.function.IntConsumer;
 import org.mechservice.solver.expression.ClosureCoordinate;
+import org.mechservice.solver.force.applied.CutCoordinates;
+import org.mechservice.solver.force.applied.FrameMotion;
+import org.mechservice.solver.force.applied.GradientSink;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.kinematics.pair.CutJoint;

@@ -1,5 +1,8 @@
 package org.mechservice.solver.force.formula;
 
+import java.util.List;
+import java.util.function.IntConsumer;
+import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.force.applied.AppliedForce;
 import org.mechservice.solver.force.applied.Couplings;
 import org.mechservice.solver.force.applied.CutCoordinates;
@@ -10,9 +13,6 @@ import org.mechservice.solver.force.applied.NoJacobian;
 import org.mechservice.solver.force.applied.OuterProduct;
 import org.mechservice.solver.force.law.CutCoordinateLaw;
 import org.mechservice.solver.force.law.ExternalForceLaw;
-import java.util.List;
-import java.util.function.IntConsumer;
-import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.kinematics.pair.CutJoint;

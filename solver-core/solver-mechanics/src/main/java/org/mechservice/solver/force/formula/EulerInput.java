@@ -1,8 +1,8 @@
 package org.mechservice.solver.force.formula;
 
-import org.mechservice.solver.force.applied.GradientSink;
 import java.util.function.IntConsumer;
 import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.force.applied.GradientSink;
 import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;

@@ -1,11 +1,11 @@
 package org.mechservice.solver.force.formula;
 
-import org.mechservice.solver.force.applied.GradientSink;
 import java.util.List;
 import java.util.function.IntConsumer;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.force.applied.GradientSink;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Parameter;
 

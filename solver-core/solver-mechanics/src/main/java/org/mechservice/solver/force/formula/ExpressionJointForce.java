@@ -1,12 +1,12 @@
 package org.mechservice.solver.force.formula;
 
+import java.util.List;
 import org.mechservice.solver.force.applied.AppliedForce;
 import org.mechservice.solver.force.applied.Couplings;
 import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.force.applied.NoJacobian;
 import org.mechservice.solver.force.applied.OuterProduct;
 import org.mechservice.solver.force.applied.TreeCoordinate;
-import java.util.List;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.force.JointForce;
 

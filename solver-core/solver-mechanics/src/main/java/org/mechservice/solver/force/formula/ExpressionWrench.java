@@ -1,14 +1,14 @@
 package org.mechservice.solver.force.formula;
 
+import static org.mechservice.solver.spatial.Blocks.addCross;
+import static org.mechservice.solver.spatial.Blocks.dot;
+
+import java.util.Arrays;
 import org.mechservice.solver.force.applied.AppliedForce;
 import org.mechservice.solver.force.applied.Couplings;
 import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.force.applied.NoJacobian;
 import org.mechservice.solver.force.applied.OuterProduct;
-import static org.mechservice.solver.spatial.Blocks.addCross;
-import static org.mechservice.solver.spatial.Blocks.dot;
-
-import java.util.Arrays;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.force.ForceTorque;

@@ -32,7 +32,10 @@ public final class ForceFormulas {
         add(force.name(), "joint force", joint.force());
       } else if (force instanceof ForceTorque given) {
         for (int i = 0; i < given.components().size(); i++) {
-          add(force.name(), given.values(mechanism::jointOf).get(i).name(), given.components().get(i));
+          add(
+              force.name(),
+              given.values(mechanism::jointOf).get(i).name(),
+              given.components().get(i));
         }
       }
     }

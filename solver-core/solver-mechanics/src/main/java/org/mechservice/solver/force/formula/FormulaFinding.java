@@ -3,6 +3,7 @@ package org.mechservice.solver.force.formula;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.Defects.Defect;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Says in words which part of which force's formula has no finite value. */
 final class FormulaFinding {
@@ -50,7 +51,7 @@ final class FormulaFinding {
         .map(
             changed ->
                 changed.defect(
-                    "N-003",
+                    MessageCode.STEP_TOO_SMALL,
                     "The error test fails however small the step: "
                         + changed.says(" within one", t),
                     "A pole, an overflow or a jump lies there: give the formula a bounded value"
@@ -68,7 +69,7 @@ final class FormulaFinding {
         .map(
             changed ->
                 changed.defect(
-                    "N-006",
+                    MessageCode.NEWTON_DIVERGES,
                     "The equations of an implicit step cannot be solved at any step size: "
                         + changed.says(" between neighbouring states", t),
                     "Give the formula a slope in place of the jump, such as tanh(x/eps) for"
@@ -93,7 +94,7 @@ final class FormulaFinding {
           + ".";
     }
 
-    Defect defect(String code, String cause, String advice) {
+    Defect defect(MessageCode code, String cause, String advice) {
       return new Defect(code, "force " + fields.get(0), cause, advice);
     }
   }
@@ -128,7 +129,7 @@ final class FormulaFinding {
       cause.append(values[at + 1 + i - HEAD]);
     }
     return new Defect(
-        "N-030",
+        MessageCode.FORCE_NOT_FINITE,
         "force " + fields[0],
         cause.append('.').toString(),
         "Give the formula a finite value in all states near the motion, such as sqrt(max(x, 0)) or"

@@ -1,7 +1,5 @@
 package org.mechservice.solver.force.formula;
 
-import org.mechservice.solver.force.applied.GradientSink;
-import org.mechservice.solver.force.applied.TreeCoordinate;
 import java.util.function.IntConsumer;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Coordinate;
@@ -13,6 +11,8 @@ import org.mechservice.solver.expression.Expression.PointPosition;
 import org.mechservice.solver.expression.Expression.PointVelocity;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.force.applied.GradientSink;
+import org.mechservice.solver.force.applied.TreeCoordinate;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 

@@ -1,12 +1,12 @@
 package org.mechservice.solver.force.formula;
 
-import org.mechservice.solver.force.applied.GradientSink;
 import static org.mechservice.solver.spatial.Blocks.addCross;
 import static org.mechservice.solver.spatial.Blocks.cross;
 
 import java.util.Arrays;
 import java.util.function.IntConsumer;
 import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.force.applied.GradientSink;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 

@@ -1,10 +1,10 @@
 package org.mechservice.solver.force.formula;
 
-import org.mechservice.solver.force.applied.GradientSink;
 import static org.mechservice.solver.spatial.Blocks.cross;
 
 import java.util.Arrays;
 import java.util.function.IntConsumer;
+import org.mechservice.solver.force.applied.GradientSink;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 

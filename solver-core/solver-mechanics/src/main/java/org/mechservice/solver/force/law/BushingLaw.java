@@ -1,12 +1,13 @@
 package org.mechservice.solver.force.law;
 
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.force.applied.AppliedForce;
 import org.mechservice.solver.force.applied.Coefficients;
 import org.mechservice.solver.force.applied.FrameLaw;
 import org.mechservice.solver.force.applied.FrameMotion;
-import java.util.ArrayList;
-import java.util.List;
-import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.spatial.RotationVector;
 
@@ -63,7 +64,7 @@ public final class BushingLaw implements FrameLaw {
   public boolean wrench(FrameMotion motion, double[] w, AppliedForce force) {
     if (!phi.set(motion.rotation, 0)) {
       return force.fail(
-          "N-031",
+          MessageCode.FORCE_WITHOUT_DIRECTION,
           "Its frames are turned by half a turn, where a rotation vector changes its sign.",
           "Turn one of the frames, or use a joint with a spring for large rotations.");
     }

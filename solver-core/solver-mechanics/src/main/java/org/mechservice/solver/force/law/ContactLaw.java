@@ -1,15 +1,15 @@
 package org.mechservice.solver.force.law;
 
-import org.mechservice.solver.force.applied.AppliedForce;
-import org.mechservice.solver.force.applied.Coefficients;
-import org.mechservice.solver.force.applied.FrameLaw;
-import org.mechservice.solver.force.applied.FrameMotion;
 import java.util.List;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Argument;
 import org.mechservice.solver.expression.Expression.ParameterValue;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.force.applied.AppliedForce;
+import org.mechservice.solver.force.applied.Coefficients;
+import org.mechservice.solver.force.applied.FrameLaw;
+import org.mechservice.solver.force.applied.FrameMotion;
 import org.mechservice.solver.mechanism.force.Contact;
 
 /**

@@ -1,10 +1,10 @@
 package org.mechservice.solver.force.law;
 
+import java.util.Arrays;
 import org.mechservice.solver.force.applied.AppliedForce;
 import org.mechservice.solver.force.applied.FrameLaw;
 import org.mechservice.solver.force.applied.FrameMotion;
 import org.mechservice.solver.force.applied.ScalarLaw;
-import java.util.Arrays;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.kinematics.pair.CutJoint;
 import org.mechservice.solver.kinematics.pair.PairFunction;

@@ -1,9 +1,9 @@
 package org.mechservice.solver.force.law;
 
+import java.util.List;
 import org.mechservice.solver.force.applied.AppliedForce;
 import org.mechservice.solver.force.applied.Coefficients;
 import org.mechservice.solver.force.applied.ScalarLaw;
-import java.util.List;
 import org.mechservice.solver.mechanism.force.JointFriction;
 
 /** τ = −coulomb v / √(v² + speed²) − viscous v. */

@@ -1,10 +1,10 @@
 package org.mechservice.solver.force.law;
 
+import java.util.List;
+import org.mechservice.solver.expression.Expression.Negation;
 import org.mechservice.solver.force.applied.AppliedForce;
 import org.mechservice.solver.force.applied.Coefficients;
 import org.mechservice.solver.force.applied.ScalarLaw;
-import java.util.List;
-import org.mechservice.solver.expression.Expression.Negation;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
 
 /** The force of a joint's spring is its tension turned round. */

@@ -1,10 +1,11 @@
 package org.mechservice.solver.force.law;
 
+import java.util.List;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.force.applied.AppliedForce;
 import org.mechservice.solver.force.applied.Coefficients;
 import org.mechservice.solver.force.applied.FrameLaw;
 import org.mechservice.solver.force.applied.FrameMotion;
-import java.util.List;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 
 /**
@@ -69,7 +70,7 @@ public final class SpringDamperLaw implements FrameLaw {
     spring.evaluate(0, 0);
     if (Math.abs(spring.tension()) > NO_TENSION * spring.scale()) {
       return force.fail(
-          "N-031",
+          MessageCode.FORCE_WITHOUT_DIRECTION,
           "Its two points coincide, so its tension of " + spring.tension() + " N has no direction.",
           "Move one of the points, or use a bushing, which needs no direction.");
     }

@@ -8,8 +8,8 @@
  * formulas. A law knows nothing of the tree: it sees the relative motion of its two frames or one
  * coordinate, and the classes of {@code force.applied} carry the result to the joints.
  *
- * <p>Each law is an energy with a dissipation: the spring part is the gradient of its potential, the
- * damper part never adds energy. Tests compare derivatives with differences and power with the
+ * <p>Each law is an energy with a dissipation: the spring part is the gradient of its potential,
+ * the damper part never adds energy. Tests compare derivatives with differences and power with the
  * change of energy.
  */
 package org.mechservice.solver.force.law;

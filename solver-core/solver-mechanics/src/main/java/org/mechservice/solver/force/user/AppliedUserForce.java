@@ -1,14 +1,5 @@
 package org.mechservice.solver.force.user;
 
-import org.mechservice.solver.force.applied.AppliedForce;
-import org.mechservice.solver.force.applied.Couplings;
-import org.mechservice.solver.force.applied.ForceJacobian;
-import org.mechservice.solver.force.applied.NoJacobian;
-import org.mechservice.solver.force.applied.OuterProduct;
-import org.mechservice.solver.force.applied.TreeCoordinate;
-import org.mechservice.solver.force.formula.LeafInput;
-import org.mechservice.solver.force.formula.PointInput;
-import org.mechservice.solver.force.formula.TurnInput;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumMap;
@@ -18,6 +9,16 @@ import org.mechservice.solver.api.ForceBlocks;
 import org.mechservice.solver.api.ForceDeclaration.Reads;
 import org.mechservice.solver.api.UserForce;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.force.applied.AppliedForce;
+import org.mechservice.solver.force.applied.Couplings;
+import org.mechservice.solver.force.applied.ForceJacobian;
+import org.mechservice.solver.force.applied.NoJacobian;
+import org.mechservice.solver.force.applied.OuterProduct;
+import org.mechservice.solver.force.applied.TreeCoordinate;
+import org.mechservice.solver.force.formula.LeafInput;
+import org.mechservice.solver.force.formula.PointInput;
+import org.mechservice.solver.force.formula.TurnInput;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -190,7 +191,7 @@ public final class AppliedUserForce extends AppliedForce implements ForceBlocks 
 
   private boolean thrown(Throwable failure) {
     return fail(
-        "N-033",
+        MessageCode.USER_FORCE_FAILED,
         "Its class threw " + failure + ".",
         "Correct the class; in a state it cannot handle it may give forces that are not finite.");
   }

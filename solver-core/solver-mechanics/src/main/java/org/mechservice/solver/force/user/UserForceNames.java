@@ -1,14 +1,15 @@
 package org.mechservice.solver.force.user;
 
-import org.mechservice.solver.force.applied.TreeCoordinate;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import org.mechservice.solver.api.ForceDeclaration;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.force.applied.TreeCoordinate;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.NamedPoint;
@@ -18,7 +19,7 @@ import org.mechservice.solver.spatial.Vector3;
 /** Answers a user force by the names of its model and remembers what it asked for. */
 final class UserForceNames implements ForceDeclaration {
   /** How the message begins that a class of a user cannot be used; the force's name follows. */
-  static final String REFUSED = "S-068 force \"";
+  static final String REFUSED = MessageCode.FORCE_CLASS_UNUSABLE + " force \"";
 
   private final UserForceElement element;
   private final TreeGeometry tree;

@@ -1,10 +1,10 @@
 package org.mechservice.solver.force.user;
 
-import org.mechservice.solver.force.applied.TreeCoordinate;
 import java.util.Arrays;
 import org.mechservice.solver.api.ForceDeclaration.Reads;
 import org.mechservice.solver.api.ForceLoads;
 import org.mechservice.solver.api.ForceState;
+import org.mechservice.solver.force.applied.TreeCoordinate;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**

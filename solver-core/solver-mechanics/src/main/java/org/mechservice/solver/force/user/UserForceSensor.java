@@ -1,9 +1,9 @@
 package org.mechservice.solver.force.user;
 
-import org.mechservice.solver.force.formula.LeafInput;
 import static org.mechservice.solver.spatial.Blocks.multiply;
 import static org.mechservice.solver.spatial.Blocks.rotationAbout;
 
+import org.mechservice.solver.force.formula.LeafInput;
 import org.mechservice.solver.spatial.SinCos;
 
 /** One number that a user force reads: it can be shifted, and knows what it depends on. */

@@ -1,8 +1,8 @@
 package org.mechservice.solver.mechanism.force;
 
 import java.util.List;
-import org.mechservice.solver.api.Variable;
 import java.util.function.Function;
+import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Origin;
@@ -25,8 +25,8 @@ public sealed interface ForceElement
 
   /**
    * Returns the values it can put out, with their names after the force's ({@code length} for the
-   * column {@code f1.length}) and their SI units. A user force declares its own,
-   * so its list is empty here.
+   * column {@code f1.length}) and their SI units. A user force declares its own, so its list is
+   * empty here.
    *
    * @param jointOf joint of a coordinate, tree or cut, as {@code Mechanism.jointOf} gives it
    */

@@ -1,8 +1,8 @@
 package org.mechservice.solver.mechanism.force;
 
 import java.util.List;
-import org.mechservice.solver.api.Variable;
 import java.util.function.Function;
+import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Origin;

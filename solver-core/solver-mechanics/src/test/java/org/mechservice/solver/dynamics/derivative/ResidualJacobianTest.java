@@ -1,8 +1,5 @@
 package org.mechservice.solver.dynamics.derivative;
 
-import org.mechservice.solver.dynamics.Evaluation;
-import org.mechservice.solver.dynamics.recursion.MassiveRods;
-import org.mechservice.solver.dynamics.tree.TreePattern;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Random;
@@ -10,6 +7,9 @@ import java.util.function.Function;
 import java.util.stream.LongStream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.mechservice.solver.dynamics.Evaluation;
+import org.mechservice.solver.dynamics.recursion.MassiveRods;
+import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.mechanism.RandomTrees;
 
 /**

@@ -1,9 +1,5 @@
 package org.mechservice.solver.dynamics.derivative;
 
-import org.mechservice.solver.dynamics.Evaluation;
-import org.mechservice.solver.dynamics.WholeStep;
-import org.mechservice.solver.dynamics.tree.TreePattern;
-import org.mechservice.solver.dynamics.tree.TreeSquare;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
@@ -14,6 +10,10 @@ import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.RealVector;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.mechservice.solver.dynamics.Evaluation;
+import org.mechservice.solver.dynamics.WholeStep;
+import org.mechservice.solver.dynamics.tree.TreePattern;
+import org.mechservice.solver.dynamics.tree.TreeSquare;
 import org.mechservice.solver.mechanism.RandomTrees;
 
 /** The n equations of an implicit step against the 2n they are reduced from. */

@@ -1,8 +1,5 @@
 package org.mechservice.solver.dynamics.recursion;
 
-import org.mechservice.solver.dynamics.DataDrivenModel;
-import org.mechservice.solver.dynamics.PublishedChain;
-import org.mechservice.solver.dynamics.WorldMotion;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -22,6 +19,9 @@ import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.dynamics.DataDrivenModel;
+import org.mechservice.solver.dynamics.PublishedChain;
+import org.mechservice.solver.dynamics.WorldMotion;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Attachment;

@@ -1,7 +1,5 @@
 package org.mechservice.solver.force.formula;
 
-import org.mechservice.solver.force.ForcedTree;
-import org.mechservice.solver.force.RandomForces;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -18,6 +16,8 @@ import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.force.ForcedTree;
+import org.mechservice.solver.force.RandomForces;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Joint;

@@ -1,0 +1,109 @@
+package org.mechservice.admin.web;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.time.Instant;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Optional;
+import org.mechservice.admin.PlainText;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Who did what on the page, and who was refused: one JSON object per line in a file, if there is
+ * one, and the latest on the page itself. Refusals are warned of in the log, too. Thread-safe.
+ */
+final class AdminAuditLog implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(AdminAuditLog.class);
+  private static final int KEPT = 500;
+
+  private final Deque<JsonObject> latest = new ArrayDeque<>();
+  private final Optional<BufferedWriter> file;
+
+  /**
+   * Opens the log.
+   *
+   * @param file is added to; empty: none
+   * @throws IOException if the file cannot be written
+   */
+  AdminAuditLog(Optional<Path> file) throws IOException {
+    this.file =
+        file.isPresent()
+            ? Optional.of(
+                Files.newBufferedWriter(
+                    file.get(),
+                    StandardCharsets.UTF_8,
+                    StandardOpenOption.CREATE,
+                    StandardOpenOption.APPEND))
+            : Optional.empty();
+  }
+
+  /** Notes that something was done. */
+  void done(Request request, Right right, String server, String what) {
+    add(request, right, server, what, "done");
+  }
+
+  /**
+   * Notes that something was refused or failed.
+   *
+   * @param why code and text
+   */
+  void refused(Request request, Right right, String server, String what, String why) {
+    add(request, right, server, what, why);
+    LOG.warn(
+        "{}: {} ({}) at {} from {}",
+        PlainText.of(why),
+        PlainText.of(what),
+        right.label(),
+        PlainText.of(server),
+        request.from());
+  }
+
+  private synchronized void add(
+      Request request, Right right, String server, String what, String result) {
+    JsonObject entry = new JsonObject();
+    entry.addProperty("at", Instant.now().toString());
+    entry.addProperty("from", request.from());
+    entry.addProperty("right", right.label());
+    entry.addProperty("server", server);
+    entry.addProperty("action", what);
+    entry.addProperty("result", result);
+    latest.addLast(entry);
+    if (latest.size() > KEPT) {
+      latest.removeFirst();
+    }
+    file.ifPresent(out -> write(out, entry));
+  }
+
+  private static void write(BufferedWriter out, JsonObject entry) {
+    try {
+      out.write(entry + "\n");
+      out.flush();
+    } catch (IOException e) {
+      LOG.error(
+          MessageCode.CONSOLE_AUDIT_LOG + " the audit log cannot be written: {}", e.toString());
+    }
+  }
+
+  /** Returns the latest entries, oldest first. */
+  synchronized JsonArray latest() {
+    JsonArray entries = new JsonArray();
+    latest.forEach(entries::add);
+    return entries;
+  }
+
+  @Override
+  public void close() throws IOException {
+    if (file.isPresent()) {
+      file.get().close();
+    }
+  }
+}

@@ -1,0 +1,345 @@
+package org.mechservice.cli.admin;
+
+import com.google.gson.JsonElement;
+import java.io.PrintWriter;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.mechservice.admin.AdminConsole;
+import org.mechservice.admin.AdminJson;
+import org.mechservice.admin.AdminTarget;
+import org.mechservice.admin.DetailJson;
+import org.mechservice.admin.DetailText;
+import org.mechservice.admin.KnownSimulation;
+import org.mechservice.admin.Measures;
+import org.mechservice.admin.PlainText;
+import org.mechservice.admin.ServerReading;
+import org.mechservice.admin.StatusText;
+import org.mechservice.admin.TextTable;
+import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.cli.shell.MechVersion;
+import org.mechservice.cli.shell.TlsOption;
+import org.mechservice.cli.shell.UsageException;
+import org.mechservice.idl.LogLine;
+import org.mechservice.idl.SimDetail;
+import org.mechservice.solver.catalogue.MessageCode;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.ScopeType;
+import picocli.CommandLine.Spec;
+
+/** {@code mech admin}: what an operator sees; what he does is in {@link AdminActions}. */
+@Command(
+    name = "admin",
+    description = "Shows servers, their hosts and what runs on them, and steers them.",
+    subcommands = {
+      AdminActions.Stop.class,
+      AdminActions.Drain.class,
+      AdminActions.Undrain.class,
+      AdminActions.Shutdown.class,
+      AdminActions.Limits.class,
+      AdminActions.Placement.class,
+      AdminWatchCommand.class,
+      AdminWebCommand.class,
+      CommandLine.HelpCommand.class
+    },
+    synopsisSubcommandLabel = "[COMMAND]",
+    mixinStandardHelpOptions = true,
+    scope = ScopeType.INHERIT,
+    versionProvider = MechVersion.class)
+public final class AdminCommand implements Callable<Integer> {
+  private static final int LOG_LINES_KEPT = 1000;
+
+  /** Reads from the console and prints. */
+  interface Work {
+    int with(AdminConsole console, PrintWriter out) throws Exception;
+  }
+
+  @Option(
+      names = "--server",
+      paramLabel = "URL",
+      scope = ScopeType.INHERIT,
+      split = ",",
+      description =
+          "Server as host:port or URL; may be given several times (default: localhost:15000).")
+  private List<String> servers = List.of();
+
+  @Option(
+      names = "--timeout",
+      paramLabel = "S",
+      scope = ScopeType.INHERIT,
+      description = "Longest wait for a server's answer, s (default: 4).")
+  private int timeout = (int) AdminConsole.PATIENCE.toSeconds();
+
+  @Mixin private TlsOption tls = new TlsOption();
+
+  @Option(
+      names = "--json",
+      scope = ScopeType.INHERIT,
+      description = "Print one JSON object instead of text.")
+  private boolean json;
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  private List<String> servers() {
+    return servers.isEmpty() ? List.of("localhost:15000") : servers;
+  }
+
+  boolean asJson() {
+    return json;
+  }
+
+  PrintWriter out() {
+    return spec.commandLine().getOut();
+  }
+
+  PrintWriter err() {
+    return spec.commandLine().getErr();
+  }
+
+  /** Opens a console. */
+  AdminConsole open() {
+    if (timeout < 1) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE + " --timeout is " + timeout + "; it must be 1 or more");
+    }
+    return new AdminConsole(servers(), Duration.ofSeconds(timeout), tls.identity());
+  }
+
+  /** Opens a console for some work. */
+  int console(Work work) throws Exception {
+    try (AdminConsole console = open()) {
+      return work.with(console, out());
+    }
+  }
+
+  /** Prints JSON. */
+  void print(JsonElement object) {
+    out().println(AdminJson.text(object));
+  }
+
+  /** Names the servers that do not answer; the others are shown all the same. */
+  int tellSilent(List<ServerReading> readings) {
+    int status = ExitStatus.DONE;
+    for (ServerReading reading : readings) {
+      if (reading instanceof ServerReading.Silent silent) {
+        err().println(PlainText.of(silent.why()));
+        status = ExitStatus.SERVER;
+      }
+    }
+    return status;
+  }
+
+  private static boolean anyAnswers(List<ServerReading> readings) {
+    return readings.stream().anyMatch(ServerReading.Answering.class::isInstance);
+  }
+
+  /** What is shown of all servers, in both forms. */
+  private interface Shown {
+    JsonElement json(List<ServerReading> readings);
+
+    Object text(List<ServerReading> readings);
+  }
+
+  private int show(Shown shown) throws Exception {
+    return console(
+        (console, out) -> {
+          List<ServerReading> readings = console.read();
+          if (json) {
+            print(shown.json(readings));
+          } else if (anyAnswers(readings)) {
+            out.print(shown.text(readings));
+          }
+          return tellSilent(readings);
+        });
+  }
+
+  private static StatusText text() {
+    return new StatusText(Instant.now());
+  }
+
+  @Override
+  public Integer call() throws Exception {
+    return status();
+  }
+
+  /** Prints the state of every server. */
+  @Command(name = "status", description = "Lists servers, hosts and running simulations.")
+  int status() throws Exception {
+    return show(
+        new Shown() {
+          @Override
+          public JsonElement json(List<ServerReading> readings) {
+            return AdminJson.status(readings);
+          }
+
+          @Override
+          public Object text(List<ServerReading> readings) {
+            return AdminCommand.text().all(readings);
+          }
+        });
+  }
+
+  /** Prints the servers. */
+  @Command(name = "servers", description = "Lists servers.")
+  int listServers() throws Exception {
+    return show(
+        new Shown() {
+          @Override
+          public JsonElement json(List<ServerReading> readings) {
+            return AdminJson.servers(readings);
+          }
+
+          @Override
+          public Object text(List<ServerReading> readings) {
+            return AdminCommand.text().servers(readings);
+          }
+        });
+  }
+
+  /** Prints the hosts. */
+  @Command(name = "hosts", description = "Lists hosts with their load, also those lately lost.")
+  int listHosts() throws Exception {
+    return show(
+        new Shown() {
+          @Override
+          public JsonElement json(List<ServerReading> readings) {
+            return AdminJson.hosts(readings);
+          }
+
+          @Override
+          public Object text(List<ServerReading> readings) {
+            return AdminCommand.text().hosts(readings);
+          }
+        });
+  }
+
+  /** Prints simulations. */
+  @Command(
+      name = "sims",
+      description = "Lists simulations that wait or run; with --all or --state also others.")
+  int listSimulations(
+      @Option(names = "--all", description = "Also those that have ended.") boolean all,
+      @Option(
+              names = "--state",
+              paramLabel = "S",
+              description =
+                  "Only created, queued, running, paused, done, failed or cancelled ones.")
+          @Nullable String state)
+      throws Exception {
+    if (state != null && !KnownSimulation.states().contains(state)) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE
+              + " --state takes "
+              + String.join(" or ", KnownSimulation.states())
+              + ", not "
+              + state);
+    }
+    return show(
+        new Shown() {
+          private List<KnownSimulation> chosen(List<ServerReading> readings) {
+            return KnownSimulation.all(readings).stream()
+                .filter(
+                    known -> state == null ? all || known.goesOn() : known.state().equals(state))
+                .toList();
+          }
+
+          @Override
+          public JsonElement json(List<ServerReading> readings) {
+            return AdminJson.named(
+                "simulations", AdminJson.list(chosen(readings), AdminJson::simulation));
+          }
+
+          @Override
+          public Object text(List<ServerReading> readings) {
+            return AdminCommand.text().simulations(chosen(readings));
+          }
+        });
+  }
+
+  /** Prints one simulation in full. */
+  @Command(name = "show", description = "Shows one simulation in full.")
+  int show(
+      @Parameters(
+              paramLabel = "ID",
+              description = "Id of the simulation, or its first characters (at least four).")
+          String id,
+      @Option(names = "--model", description = "Print the model's text instead.") boolean model)
+      throws Exception {
+    return console(
+        (console, out) -> {
+          KnownSimulation known = KnownSimulation.find(console.read(), id);
+          SimDetail detail = console.show(known.server(), known.summary().simId);
+          if (model) {
+            out.print(PlainText.lines(detail.modelText));
+          } else if (json) {
+            print(DetailJson.of(known.server(), detail));
+          } else {
+            out.print(new DetailText(Instant.now()).format(detail));
+          }
+          return ExitStatus.DONE;
+        });
+  }
+
+  /** Prints log lines. */
+  @Command(name = "logs", description = "Shows what servers or a host wrote down lately.")
+  int logs(
+      @Parameters(
+              arity = "0..1",
+              paramLabel = "NAME",
+              description = "A host or server; without it all servers.")
+          @Nullable String name,
+      @Option(
+              names = "--lines",
+              paramLabel = "N",
+              defaultValue = "100",
+              description = "The latest N lines (default: ${DEFAULT-VALUE}).")
+          int lines)
+      throws Exception {
+    if (lines < 1) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE + " --lines is " + lines + "; it must be 1 or more");
+    }
+    return console(
+        (console, out) -> {
+          List<LogLine> found = new ArrayList<>();
+          List<AdminTarget> places = placesOf(console, name);
+          for (AdminTarget place : places) {
+            List<LogLine> there = console.logs(place.server(), place.host(), 0, LOG_LINES_KEPT);
+            if (places.size() > 1) {
+              there.forEach(line -> line.source += " " + place.server());
+            }
+            found.addAll(there);
+          }
+          found.sort(Comparator.comparingLong(line -> line.writtenAt));
+          List<LogLine> latest = found.subList(Math.max(0, found.size() - lines), found.size());
+          if (json) {
+            print(AdminJson.named("lines", AdminJson.list(latest, AdminJson::logLine)));
+          } else {
+            out.print(table(latest));
+          }
+          return ExitStatus.DONE;
+        });
+  }
+
+  private static List<AdminTarget> placesOf(AdminConsole console, @Nullable String name) {
+    return name == null
+        ? console.servers().stream().map(server -> new AdminTarget(server, "")).toList()
+        : List.of(AdminTarget.named(console.read(), name));
+  }
+
+  private static TextTable table(List<LogLine> lines) {
+    TextTable table = new TextTable("AT", "LEVEL", "OF", "LINE");
+    lines.forEach(
+        line -> table.add(Measures.instant(line.writtenAt), line.level, line.source, line.text));
+    return table;
+  }
+}

@@ -1,0 +1,149 @@
+package org.mechservice.cli.model;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.cli.shell.MechVersion;
+import org.mechservice.cli.shell.OutputFile;
+import org.mechservice.cli.shell.ServerOption;
+import org.mechservice.cli.shell.ServiceConnection;
+import org.mechservice.cli.shell.UsageException;
+import org.mechservice.client.GeneratedSource;
+import org.mechservice.client.MechSession;
+import org.mechservice.client.SimulationOptions;
+import org.mechservice.client.jar.BuiltJar;
+import org.mechservice.solver.catalogue.MessageCode;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code mech build}: a model as a JAR. */
+@Command(
+    name = "build",
+    description = "Compiles a model into a JAR.",
+    mixinStandardHelpOptions = true,
+    versionProvider = MechVersion.class)
+public final class BuildCommand implements Callable<Integer> {
+  @Parameters(paramLabel = "MODEL.xml", description = "Model in MechML.")
+  private Path model = Path.of("");
+
+  @Option(
+      names = {"-o", "--output"},
+      required = true,
+      paramLabel = "FILE.jar",
+      description = "The JAR to write.")
+  private Path target = Path.of("");
+
+  @Option(
+      names = "--standalone",
+      description = "Include the solver classes the model needs, so that java -jar runs it.")
+  private boolean standalone;
+
+  @Option(
+      names = "--compact",
+      description = "Carry the mechanism as data instead of generated code: the smallest file.")
+  private boolean compact;
+
+  @Option(
+      names = "--code",
+      paramLabel = "auto|straight|shared",
+      hideParamSyntax = true,
+      description =
+          "How generated code is laid out, with the same results: straight writes every operation"
+              + " out, shared has one method for bodies that are alike, auto chooses.")
+  private String code = "";
+
+  @Option(
+      names = "--source",
+      paramLabel = "DIR",
+      description = "Write the generated Java classes into this folder.")
+  private Optional<Path> sourceFolder = Optional.empty();
+
+  @Mixin private ModelOptions method = new ModelOptions();
+
+  @Mixin private ParameterOption parameters = new ParameterOption();
+
+  @Mixin private ServerOption server = new ServerOption();
+
+  @Option(names = "--host", paramLabel = "NAME", description = "Host of the server to build on.")
+  private String host = "";
+
+  @Mixin private UserCodeOption userCode = new UserCodeOption();
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Override
+  public Integer call() throws IOException {
+    OutputFile.requireUsable(target);
+    SimulationOptions asInFile = parameters.addTo(SimulationOptions.asInFile());
+    SimulationOptions laidOut = code.isEmpty() ? asInFile : asInFile.code(code);
+    SimulationOptions options = method.addTo(compact ? laidOut.compact() : laidOut);
+    try (ServiceConnection service = ServiceConnection.open(server);
+        MechSession session = service.connection().openSession(host)) {
+      session.loadModel(model, userCode.folder()).forEach(spec.commandLine().getErr()::println);
+      BuiltJar jar = session.build(options, standalone);
+      if (sourceFolder.isPresent()) {
+        for (GeneratedSource source : session.generatedSources(options)) {
+          writeSource(source, sourceFolder.get());
+        }
+      }
+      OutputFile.write(target, jar.bytes());
+      if (jar.signature().length > 0) {
+        OutputFile.write(
+            target.resolveSibling(target.getFileName() + VerifyCommand.SIGNATURE_SUFFIX),
+            jar.signature());
+      }
+      tell(jar, session.runtimeJarBytes());
+      return ExitStatus.DONE;
+    }
+  }
+
+  private static void writeSource(GeneratedSource source, Path folder) throws IOException {
+    Path file = folder.resolve(source.fileName()).normalize();
+    if (!file.startsWith(folder.normalize())) {
+      throw new UsageException(
+          MessageCode.OUTPUT_PLACE + " the server names a source file outside the folder: " + file);
+    }
+    Files.createDirectories(file.resolveSibling("."));
+    OutputFile.write(file, source.text().getBytes(StandardCharsets.UTF_8));
+  }
+
+  private void tell(BuiltJar jar, long runtimeBytes) {
+    size(target.toString(), jar.bytes().length);
+    size("model classes, compressed", jar.modelClassBytes());
+    size(standalone ? "runtime JAR (not needed)" : "runtime JAR (needed)", runtimeBytes);
+    Map<String, String> manifest = jar.manifest();
+    fact("formulation", manifest.getOrDefault("Mech-Formulation", ""));
+    fact("because", manifest.getOrDefault("Mech-Formulation-Reason", ""));
+    fact("code", manifest.getOrDefault("Mech-Code", ""));
+    fact("integrator", manifest.getOrDefault("Mech-Integrator", ""));
+    fact("columns", manifest.getOrDefault("Mech-Columns", ""));
+    facts("left out", manifest.getOrDefault("Mech-Left-Out", ""));
+    facts("from data", manifest.getOrDefault("Mech-From-Data", ""));
+  }
+
+  private void facts(String name, String values) {
+    for (String value : values.split("; ", -1)) {
+      fact(name, value);
+    }
+  }
+
+  private void size(String what, long bytes) {
+    spec.commandLine().getOut().printf(Locale.ROOT, "%-28s%9d B%n", what, bytes);
+  }
+
+  private void fact(String name, String value) {
+    if (!value.isEmpty()) {
+      spec.commandLine().getOut().printf(Locale.ROOT, "%-28s%s%n", name, value);
+    }
+  }
+}

@@ -1,0 +1,73 @@
+package org.mechservice.cli.model;
+
+import com.google.gson.JsonParser;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.cli.shell.MechVersion;
+import org.mechservice.cli.shell.ServerOption;
+import org.mechservice.cli.shell.ServiceConnection;
+import org.mechservice.client.MechSession;
+import org.mechservice.solver.catalogue.MessageCode;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code mech check}: what the service makes of a model. */
+@Command(
+    name = "check",
+    description = "Reads a model and tells its topology, degrees of freedom and doubtful values.",
+    mixinStandardHelpOptions = true,
+    versionProvider = MechVersion.class)
+public final class CheckCommand implements Callable<Integer> {
+  @Parameters(paramLabel = "MODEL.xml", description = "Model in MechML.")
+  private Path model = Path.of("");
+
+  @Mixin private ServerOption server = new ServerOption();
+
+  @Mixin private UserCodeOption userCode = new UserCodeOption();
+
+  @Option(
+      names = "--strict",
+      description = "Take warnings for errors: exit status 2 if there are any.")
+  private boolean strict;
+
+  @Option(names = "--json", description = "Print one JSON object.")
+  private boolean json;
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Override
+  public Integer call() throws IOException {
+    try (ServiceConnection service = ServiceConnection.open(server);
+        MechSession session = service.connection().openSession()) {
+      session.loadModel(model, userCode.folder());
+      spec.commandLine().getOut().println(session.checkReport(json).stripTrailing());
+      return strict ? judged(session) : ExitStatus.DONE;
+    }
+  }
+
+  private int judged(MechSession session) {
+    int warnings =
+        JsonParser.parseString(session.checkReport(true))
+            .getAsJsonObject()
+            .getAsJsonArray("warnings")
+            .size();
+    if (warnings == 0) {
+      return ExitStatus.DONE;
+    }
+    spec.commandLine().getOut().flush();
+    spec.commandLine()
+        .getErr()
+        .println(
+            MessageCode.WARNINGS_REFUSED
+                + " the model has "
+                + (warnings == 1 ? "1 warning" : warnings + " warnings")
+                + ", and --strict was given");
+    return ExitStatus.BAD_INPUT;
+  }
+}

@@ -1,0 +1,44 @@
+package org.mechservice.cli.service;
+
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import org.mechservice.sim.host.HostOptions;
+import org.mechservice.sim.service.limits.HostLimits;
+import picocli.CommandLine.Option;
+
+/** What a process that runs simulations allows, and where it keeps them. */
+final class HostingOptions {
+  @Option(
+      names = "--limit",
+      paramLabel = "NAME=VALUE",
+      description =
+          "What clients may use at most, such as sessions, wallTime or memory; -1: unlimited; may"
+              + " be given several times (docs/service.md lists them).")
+  private Map<String, Long> limits = Map.of();
+
+  @Option(
+      names = "--spool",
+      paramLabel = "DIR",
+      description = "Keep ended runs in this folder, where they outlive the process.")
+  private Optional<Path> spool = Optional.empty();
+
+  @Option(
+      names = "--allow-user-code",
+      description =
+          "Compile and run the classes of user forces that clients send; for trusted clients only.")
+  private boolean userCode;
+
+  /**
+   * Returns what the host is like.
+   *
+   * @throws IllegalArgumentException with code S-015 if a limit is unknown or makes no sense
+   */
+  HostOptions of(String name, int capacity) {
+    HostLimits all = HostLimits.DEFAULT;
+    for (Map.Entry<String, Long> limit : limits.entrySet()) {
+      all = all.with(limit.getKey(), limit.getValue());
+    }
+    return new HostOptions(name, capacity, all, spool, userCode);
+  }
+}

@@ -1,0 +1,14 @@
+package org.mechservice.cli.shell;
+
+/** What the process says to the shell. */
+public final class ExitStatus {
+  public static final int DONE = 0;
+  public static final int SIMULATION_FAILED = 1;
+  public static final int BAD_INPUT = 2;
+  public static final int SERVER = 3;
+
+  /** As a shell reports a program that was ended by Ctrl-C. */
+  public static final int INTERRUPTED = 130;
+
+  private ExitStatus() {}
+}

@@ -1,0 +1,70 @@
+package org.mechservice.cli.shell;
+
+import java.util.Optional;
+import org.mechservice.client.MechConnection;
+import org.mechservice.client.failure.ServiceException;
+import org.mechservice.client.jar.JarCache;
+import org.mechservice.server.MechServerProcess;
+import org.mechservice.server.ServerSettings;
+import org.mechservice.sim.host.HostOptions;
+import org.mechservice.sim.service.session.WarmUp;
+
+/** The service a command asks: one on the network, or one started for this command alone. */
+public final class ServiceConnection implements AutoCloseable {
+  /** Name of the host within a command. */
+  static final String EMBEDDED_NAME = "embedded";
+
+  private final Optional<MechServerProcess> embedded;
+  private final MechConnection connection;
+
+  private ServiceConnection(Optional<MechServerProcess> embedded, MechConnection connection) {
+    this.embedded = embedded;
+    this.connection = connection;
+  }
+
+  /**
+   * Connects to a service.
+   *
+   * @param asked which; none: an embedded server on a free loopback port
+   * @throws org.mechservice.client.failure.ServerLostException if nobody answers there
+   */
+  public static ServiceConnection open(ServerOption asked) {
+    return open(asked, 1);
+  }
+
+  /**
+   * Connects to a service.
+   *
+   * @param asked which; none: an embedded server on a free loopback port
+   * @param capacity simulations that an embedded server runs at once
+   * @throws org.mechservice.client.failure.ServerLostException if nobody answers there
+   */
+  public static ServiceConnection open(ServerOption asked, int capacity) {
+    if (!asked.address().isEmpty()) {
+      return new ServiceConnection(
+          Optional.empty(),
+          MechConnection.open(asked.address(), JarCache.ofUser(), asked.identity()));
+    }
+    // What the user of this process has written may run in it.
+    WarmUp.beginToBuild();
+    HostOptions embedded = new HostOptions(EMBEDDED_NAME, capacity).withUserCode(true);
+    MechServerProcess server =
+        MechServerProcess.start(new ServerSettings("127.0.0.1", 0, embedded));
+    try {
+      return new ServiceConnection(Optional.of(server), MechConnection.open(server.url()));
+    } catch (ServiceException e) {
+      server.close();
+      throw e;
+    }
+  }
+
+  public MechConnection connection() {
+    return connection;
+  }
+
+  @Override
+  public void close() {
+    connection.close();
+    embedded.ifPresent(MechServerProcess::close);
+  }
+}

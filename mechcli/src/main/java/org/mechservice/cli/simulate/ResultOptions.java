@@ -1,0 +1,96 @@
+package org.mechservice.cli.simulate;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.client.run.RunResult;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.text.JsonText;
+import org.mechservice.solver.text.ReportText;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/**
+ * Where a command puts what a run gives, and what it does when the run has come to its end: it
+ * keeps the rows, prints the report and tells the shell.
+ */
+final class ResultOptions {
+  @Option(
+      names = "--out",
+      paramLabel = "FILE.csv",
+      description = "Write the rows here, and their units beside it; may be given several times.")
+  private List<Path> out = List.of();
+
+  @Option(names = "--quiet", description = "Print nothing but errors.")
+  private boolean quiet;
+
+  @Option(names = "--json", description = "Print the run report as one JSON object.")
+  private boolean json;
+
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec command = CommandSpec.create();
+
+  /** Returns the files for the rows. */
+  List<Path> files() {
+    return out;
+  }
+
+  boolean quiet() {
+    return quiet;
+  }
+
+  /** Returns whether a person is told how the run goes. */
+  boolean talks() {
+    return !quiet && !json;
+  }
+
+  /**
+   * Keeps the rows of a run, prints its report and says why it ended if it did not reach the end.
+   *
+   * @return exit status
+   */
+  int tell(RunResult result, ResultFiles files) throws IOException {
+    Map<String, Object> report = new LinkedHashMap<>(result.report());
+    if (files.rows() > 0) {
+      files.keep().ifPresent(hash -> report.put("resultsSha256", hash));
+    }
+    PrintWriter terminal = command.commandLine().getOut();
+    if (json) {
+      terminal.println(JsonText.write(report));
+    } else if (!quiet) {
+      terminal.print(ReportText.format(report));
+    }
+    // Now: after an interrupt the process ends as soon as the run is closed.
+    terminal.flush();
+    return status(result.outcome(), files);
+  }
+
+  private int status(Outcome outcome, ResultFiles files) {
+    PrintWriter err = command.commandLine().getErr();
+    if (outcome instanceof Outcome.Failed failed) {
+      err.println(failed.failure().message() + files.whereRowsAre());
+      return ExitStatus.SIMULATION_FAILED;
+    } else if (outcome instanceof Outcome.Stopped) {
+      err.println(
+          MessageCode.RUN_STOPPED
+              + " the run was stopped at "
+              + files.reached()
+              + "."
+              + files.whereRowsAre());
+      return ExitStatus.INTERRUPTED;
+    }
+    return ExitStatus.DONE;
+  }
+
+  /** Keeps the rows that came before a run was lost, and says where. */
+  static String keptRows(ResultFiles files) throws IOException {
+    boolean kept = files.rows() > 0 && files.keep().isPresent();
+    return kept ? "; rows up to " + files.reached() + " are in " + files : "";
+  }
+}

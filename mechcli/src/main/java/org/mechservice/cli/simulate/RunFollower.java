@@ -1,0 +1,70 @@
+package org.mechservice.cli.simulate;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.mechservice.client.failure.ModelMessage;
+import org.mechservice.client.run.LocalRun;
+import org.mechservice.client.run.PreparedRun;
+import org.mechservice.client.run.RunListener;
+import org.mechservice.client.run.RunProgress;
+import org.mechservice.solver.catalogue.MessageCode;
+
+/** What is known of a run while it goes on: told by the server, or asked of the local run. */
+final class RunFollower implements RunListener {
+  /** What is said of a run whose host is being emptied. */
+  private static final Set<String> OF_MOVES =
+      Set.of(MessageCode.RUN_STAYS_ON_DRAINING_HOST.code(), MessageCode.RUN_MOVED.code());
+
+  private final Consumer<String> aloud;
+  private final List<ModelMessage> warnings = new CopyOnWriteArrayList<>();
+  private boolean hasWaited;
+  private volatile Optional<RunProgress> told = Optional.empty();
+  private volatile Supplier<Optional<RunProgress>> latest = () -> told;
+
+  /**
+   * @param aloud hears at once where the run goes on, and that it has to wait
+   */
+  RunFollower(Consumer<String> aloud) {
+    this.aloud = aloud;
+  }
+
+  /** Follows a local run, which tells nothing by itself. */
+  PreparedRun watch(LocalRun run) {
+    latest = () -> Optional.of(run.progress());
+    return run;
+  }
+
+  @Override
+  public void onProgress(RunProgress progress) {
+    if (progress.queuePosition() > 0 && !hasWaited) {
+      hasWaited = true;
+      aloud.accept("waiting for room, place " + progress.queuePosition() + " in the queue");
+    }
+    told = Optional.of(progress);
+  }
+
+  @Override
+  public void onMessages(List<ModelMessage> messages) {
+    messages.stream()
+        .filter(message -> OF_MOVES.contains(message.code()))
+        .map(ModelMessage::toString)
+        .forEach(aloud);
+    messages.stream()
+        .filter(message -> message.severity() == ModelMessage.Severity.WARNING)
+        .forEach(warnings::add);
+  }
+
+  /** Returns the latest progress; empty if there is none yet. */
+  Optional<RunProgress> latest() {
+    return latest.get();
+  }
+
+  /** Returns the warnings of the run so far. */
+  List<ModelMessage> warnings() {
+    return warnings;
+  }
+}

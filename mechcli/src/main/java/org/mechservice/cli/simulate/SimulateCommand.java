@@ -1,0 +1,165 @@
+package org.mechservice.cli.simulate;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.mechservice.cli.model.ModelOptions;
+import org.mechservice.cli.model.ParameterOption;
+import org.mechservice.cli.model.UserCodeOption;
+import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.cli.shell.FailureReport;
+import org.mechservice.cli.shell.MechVersion;
+import org.mechservice.cli.shell.ServerOption;
+import org.mechservice.cli.shell.ServiceConnection;
+import org.mechservice.client.MechSession;
+import org.mechservice.client.SimulationOptions;
+import org.mechservice.client.failure.ServiceException;
+import org.mechservice.client.run.CheckpointStore;
+import org.mechservice.client.run.PreparedRun;
+import org.mechservice.client.run.RemoteRun;
+import org.mechservice.client.run.RunResult;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code mech simulate}: one run of one model, results to files, report to the terminal. */
+@Command(
+    name = "simulate",
+    description = "Runs a model and writes its results.",
+    mixinStandardHelpOptions = true,
+    versionProvider = MechVersion.class)
+public final class SimulateCommand implements Callable<Integer> {
+  /** Where a run takes place. */
+  enum Mode {
+    REMOTE,
+    LOCAL
+  }
+
+  @Parameters(paramLabel = "MODEL.xml", description = "Model in MechML.")
+  private Path model = Path.of("");
+
+  @Option(
+      names = "--mode",
+      paramLabel = "remote|local",
+      description = "Run at the server, or fetch the compiled model and run it here.")
+  private Mode mode = Mode.REMOTE;
+
+  @Mixin private ServerOption server = new ServerOption();
+
+  @Mixin private UserCodeOption userCode = new UserCodeOption();
+
+  @Option(names = "--host", paramLabel = "NAME", description = "Host of the server to run on.")
+  private String host = "";
+
+  @Mixin private ModelOptions method = new ModelOptions();
+
+  @Mixin private ParameterOption parameters = new ParameterOption();
+
+  @Mixin private ToleranceOptions run = new ToleranceOptions();
+
+  @Mixin private ResultOptions results = new ResultOptions();
+
+  @Mixin private CheckpointOptions checkpoints = new CheckpointOptions();
+
+  @Option(
+      names = "--strict",
+      description = "Take warnings for errors, those of the model's file and those of the run.")
+  private boolean strict;
+
+  @Option(
+      names = "--max-drift",
+      paramLabel = "R",
+      description =
+          "End the run as failed where its energy balance drifts by more than R times the energy"
+              + " scale.")
+  private Optional<Double> maxDrift = Optional.empty();
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Override
+  public Integer call() throws IOException {
+    ResultFiles.requireUsableNames(results.files());
+    checkpoints.requireUsable(results.files());
+    CheckpointStore store = checkpoints.open(lost -> err().println(lost));
+    SimulationOptions options = options();
+    try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
+        ServiceConnection service = ServiceConnection.open(server);
+        MechSession session = service.connection().openSession(host)) {
+      session.loadModel(model, userCode.folder());
+      RunFollower news = new RunFollower(this::tell);
+      try (PreparedRun run = prepare(session, options, news);
+          ResultFiles files = ResultFiles.open(results.files())) {
+        interrupt.cancels(run);
+        tellIdentity(run);
+        return simulate(run, news, files, store);
+      }
+    }
+  }
+
+  /** Who loses this process finds the run again by its identity. */
+  private void tellIdentity(PreparedRun run) {
+    if (run instanceof RemoteRun remote && !server.address().isEmpty() && results.talks()) {
+      err().println("simulation " + remote.id());
+      err().flush();
+    }
+  }
+
+  private void tell(String news) {
+    if (results.talks()) {
+      err().println(news);
+      err().flush();
+    }
+  }
+
+  /** What a run as it is asked for may make of its file is known when it is set up, or refused. */
+  private PreparedRun prepare(MechSession session, SimulationOptions options, RunFollower news) {
+    try {
+      return switch (mode) {
+        case REMOTE -> session.prepareRemoteRun(options, news);
+        case LOCAL -> news.watch(session.prepareLocalRun(options));
+      };
+    } finally {
+      if (!results.quiet() && !strict) {
+        session.warnings().forEach(warning -> err().println(warning));
+      }
+    }
+  }
+
+  private SimulationOptions options() {
+    SimulationOptions options =
+        run.addTo(method.addTo(parameters.addTo(SimulationOptions.asInFile())));
+    SimulationOptions watched = maxDrift.map(options::maxDrift).orElse(options);
+    return strict ? watched.strict() : watched;
+  }
+
+  private int simulate(PreparedRun run, RunFollower news, ResultFiles files, CheckpointStore store)
+      throws IOException {
+    RunResult result;
+    ProgressDisplay display = ProgressDisplay.of(news, results.talks());
+    try {
+      result = run.toEnd(files, store);
+    } catch (ServiceException e) {
+      int status = FailureReport.status(e);
+      // Rows that came before a server was lost are good; what bad input left is not.
+      err()
+          .println(
+              e.getMessage() + (status == ExitStatus.SERVER ? ResultOptions.keptRows(files) : ""));
+      return status;
+    } finally {
+      display.close();
+    }
+    if (results.talks()) {
+      news.warnings().forEach(warning -> err().println(warning));
+    }
+    return results.tell(result, files);
+  }
+
+  private PrintWriter err() {
+    return spec.commandLine().getErr();
+  }
+}

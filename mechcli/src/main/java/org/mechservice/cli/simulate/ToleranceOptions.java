@@ -1,0 +1,33 @@
+package org.mechservice.cli.simulate;
+
+import java.util.Optional;
+import org.mechservice.client.SimulationOptions;
+import picocli.CommandLine.Option;
+
+/** How accurately a run is computed, and for how long. */
+public final class ToleranceOptions {
+  @Option(names = "--rtol", paramLabel = "R", description = "Relative tolerance.")
+  private Optional<Double> relativeTolerance = Optional.empty();
+
+  @Option(
+      names = "--atol",
+      paramLabel = "A",
+      description =
+          "Absolute tolerance, SI: one, or four A;B;C;D for positions, angles, velocities, angular"
+              + " velocities.")
+  private Optional<String> absoluteTolerance = Optional.empty();
+
+  @Option(names = "--t-end", paramLabel = "T", description = "End of the run, s.")
+  private Optional<Double> endTime = Optional.empty();
+
+  @Option(names = "--t-step", paramLabel = "H", description = "Distance of the rows, s.")
+  private Optional<Double> outputStep = Optional.empty();
+
+  /** Returns the options given with these added. */
+  public SimulationOptions addTo(SimulationOptions options) {
+    SimulationOptions all = relativeTolerance.map(options::relativeTolerance).orElse(options);
+    all = absoluteTolerance.map(all::absoluteTolerances).orElse(all);
+    all = endTime.map(all::endTime).orElse(all);
+    return outputStep.map(all::outputStep).orElse(all);
+  }
+}

@@ -1,0 +1,91 @@
+package org.mechservice.sim.check;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.model.CodeForecast;
+import org.mechservice.sim.scene.Finding;
+import org.mechservice.sim.scene.LoopAnalysis;
+import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.sim.scene.RoadmapEntry;
+import org.mechservice.sim.scene.RunForecast;
+import org.mechservice.sim.scene.SceneAnalysis;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/**
+ * Report of a model before it runs: its tree and loops, its degrees of freedom, how well the start
+ * closes the loops, where each joint is in the state, suspicious data, and what a class generated
+ * from it leaves out.
+ *
+ * @param model the model as read
+ * @param scene its tree
+ * @param loops its loops
+ * @param findings suspicious data in the scene
+ * @param generation the code that would be generated; empty if the model cannot be built
+ * @param noGeneration why the model cannot be built; empty if it can
+ */
+public record CheckReport(
+    MechmlModel model,
+    SceneAnalysis scene,
+    LoopAnalysis loops,
+    List<Finding> findings,
+    Optional<CodeForecast> generation,
+    String noGeneration) {
+
+  public CheckReport {
+    findings = List.copyOf(findings);
+  }
+
+  /** Checks a model. */
+  public static CheckReport of(MechmlModel model) {
+    Mechanism mechanism = model.mechanism();
+    SceneAnalysis scene = SceneAnalysis.of(mechanism);
+    LoopAnalysis loops = LoopAnalysis.of(mechanism, model.settings().run());
+    List<Finding> findings =
+        new ArrayList<>(scene.findingsAtStart(model.settings().run().tStart()));
+    findings.addAll(loops.findings());
+    findings.addAll(
+        RunForecast.of(mechanism, model.settings().formulation(), model.settings().run()));
+    try {
+      return new CheckReport(
+          model, scene, loops, findings, Optional.of(CodeForecast.of(model)), "");
+    } catch (ModelBuildException e) {
+      String why = String.valueOf(e.getMessage());
+      return new CheckReport(model, scene, loops, findings, Optional.empty(), why);
+    }
+  }
+
+  /** Returns what looks odd: what the file's reader noticed, then what the scene shows. */
+  public List<String> warnings() {
+    List<String> warnings = new ArrayList<>();
+    model.warnings().forEach(diagnostic -> warnings.add(diagnostic.toString()));
+    findings.forEach(finding -> warnings.add(finding.toString()));
+    return warnings;
+  }
+
+  /** Returns the roadmap of the state. */
+  public List<RoadmapEntry> roadmap() {
+    return scene.roadmap();
+  }
+
+  /** Returns the number of degrees of freedom by count: negative where equations repeat others. */
+  public int freedomsByCount() {
+    return scene.degreesOfFreedom() - loops.equations();
+  }
+
+  /** Returns the number of degrees of freedom: by rank if it is known, else by count. */
+  public int degreesOfFreedom() {
+    return loops.isJudged() ? scene.degreesOfFreedom() - loops.independent() : freedomsByCount();
+  }
+
+  /** Returns the report for people, lines separated by line feeds. */
+  public String text() {
+    return new CheckText(this).text();
+  }
+
+  /** Returns the report as one JSON object. */
+  public String json() {
+    return new CheckJson(this).json();
+  }
+}

@@ -1,0 +1,90 @@
+package org.mechservice.sim.model;
+
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.SimulationSettings;
+import org.mechservice.mechml.SimulationTask;
+import org.mechservice.sim.scene.FormulationChoice;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.compact.CompactModel;
+
+/**
+ * Column groups of a model: which it can put out, which its results show, and which of them are
+ * computed from the mechanism as data beside the model.
+ */
+public final class ModelColumns {
+  private ModelColumns() {}
+
+  /** Returns the groups the model can put out: some always, the others if it was built for them. */
+  public static Set<ColumnGroup> of(CompiledModel model) {
+    Set<ColumnGroup> built =
+        EnumSet.of(ColumnGroup.JOINTS, ColumnGroup.ACCELERATIONS, ColumnGroup.ENERGY);
+    built.addAll(model.options().columns());
+    return built;
+  }
+
+  /** Returns those of them that its file selects. */
+  public static Set<ColumnGroup> shown(CompiledModel model) {
+    Set<ColumnGroup> shown = shown(model.source().settings());
+    shown.retainAll(of(model));
+    return shown;
+  }
+
+  /**
+   * Returns the groups that a simulation puts out where nothing else is asked for: those its file
+   * selects; else the joints, and what inverse dynamics is about.
+   */
+  public static Set<ColumnGroup> shown(SimulationSettings settings) {
+    Set<ColumnGroup> shown = EnumSet.of(ColumnGroup.JOINTS);
+    settings.columns().stream().map(ColumnGroup::of).forEach(shown::addAll);
+    if (settings.columns().isEmpty() && settings.task() instanceof SimulationTask.InverseDynamic) {
+      shown.add(ColumnGroup.ACCELERATIONS);
+      shown.add(ColumnGroup.FORCES);
+    }
+    return shown;
+  }
+
+  /** Returns the labels of groups, separated by commas. */
+  public static String labels(Set<ColumnGroup> groups) {
+    return groups.stream().sorted().map(ColumnGroup::label).collect(Collectors.joining(","));
+  }
+
+  /**
+   * Returns the wanted groups that are computed from the mechanism as data beside the model: those
+   * that the model does not put out itself and that have columns in this scene.
+   *
+   * @param hasForces whether the model puts out the values of forces itself
+   */
+  static Set<ColumnGroup> fromData(MechmlModel model, BuildOptions options, boolean hasForces) {
+    Set<ColumnGroup> groups = EnumSet.noneOf(ColumnGroup.class);
+    for (ColumnGroup group : ColumnGroup.values()) {
+      boolean some =
+          switch (group) {
+            case CONSTRAINTS -> !model.mechanism().closures().isEmpty();
+            case REACTIONS -> !model.mechanism().joints().isEmpty();
+            case FORCES -> !hasForces;
+            case OUTPUTS -> !model.outputs().isEmpty();
+            case MOMENTUM -> model.settings().task() instanceof SimulationTask.Dynamic;
+            case JOINTS, ACCELERATIONS, BODIES, ENERGY -> false;
+          };
+      if (some && options.columns().contains(group)) {
+        groups.add(group);
+      }
+    }
+    return groups;
+  }
+
+  /** Returns the mechanism as data, with the outputs if they are asked for. */
+  static CompactModel data(
+      MechmlModel model, BuildOptions options, FormulationChoice choice, Set<ColumnGroup> groups) {
+    return new CompactModel(
+        model.watchedMechanism(),
+        choice.formulation(),
+        choice.closure(),
+        options.settings(),
+        groups.contains(ColumnGroup.OUTPUTS) ? model.outputs() : List.of());
+  }
+}

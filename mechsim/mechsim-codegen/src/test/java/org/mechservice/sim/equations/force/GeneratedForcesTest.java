@@ -1,0 +1,149 @@
+package org.mechservice.sim.equations.force;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.model.BuildOptions;
+import org.mechservice.sim.model.GeneratedModel;
+import org.mechservice.sim.model.ModelFactory;
+import org.mechservice.sim.model.RandomForces;
+import org.mechservice.sim.model.RandomTrees;
+import org.mechservice.sim.model.Scenes;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.Energies;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.PowerInput;
+import org.mechservice.solver.api.ResultColumns;
+import org.mechservice.solver.dynamics.DataDrivenModel;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/** Forces in generated code against those that data drive. */
+class GeneratedForcesTest {
+  private static final double TIME = 0.4;
+
+  private static final BuildOptions ALL =
+      new BuildOptions("auto", EnumSet.of(ColumnGroup.FORCES, ColumnGroup.ENERGY), Scenes.SETTINGS);
+
+  static Stream<Named<Mechanism>> scenes() {
+    return IntStream.rangeClosed(1, 12).mapToObj(GeneratedForcesTest::scene);
+  }
+
+  static Stream<Named<Mechanism>> manyScenes() {
+    return IntStream.rangeClosed(13, 500).mapToObj(GeneratedForcesTest::scene);
+  }
+
+  private static Named<Mechanism> scene(int seed) {
+    int bodies = 2 + seed % 7;
+    Mechanism tree =
+        seed % 3 == 0
+            ? RandomTrees.driven(seed, bodies)
+            : seed % 3 == 1
+                ? RandomTrees.ofAllJoints(seed, bodies)
+                : RandomTrees.tree(seed, bodies);
+    return Named.of("seed " + seed, RandomForces.on(tree, seed));
+  }
+
+  @ParameterizedTest
+  @MethodSource("scenes")
+  void forcesAgreeWithTheDataDrivenOnes(Mechanism mechanism) {
+    assertAgreement(mechanism);
+  }
+
+  @Tag("soak")
+  @ParameterizedTest
+  @MethodSource("manyScenes")
+  void forcesOfManyScenesAgreeWithTheDataDrivenOnes(Mechanism mechanism) {
+    assertAgreement(mechanism);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {3, 4, 6})
+  void theClassFileHasTheBitsOfTheCompiledSource(int seed) {
+    Mechanism mechanism = scene(seed).getPayload();
+    MechmlModel file = Scenes.model(mechanism);
+    GeneratedModel generated = ModelFactory.generate(file, ALL);
+    double[] y = RandomTrees.state(seed, mechanism);
+    assertThat(everything(ModelFactory.compile(file, ALL, generated).newInstance(), y))
+        .containsExactly(
+            everything(ModelFactory.compileSource(file, ALL, generated).newInstance(), y));
+  }
+
+  private static double[] everything(Model model, double[] y) {
+    double[] yDot = new double[y.length];
+    ((ExplicitModel) model).derivative(TIME, y, yDot);
+    ResultColumns columns = (ResultColumns) model;
+    double[] values = new double[columns.columns(ColumnGroup.FORCES).size()];
+    columns.values(ColumnGroup.FORCES, TIME, y, values, 0);
+    double[] energy = new double[2];
+    ((Energies) model).energy(TIME, y, energy);
+    PowerInput input = (PowerInput) model;
+    double[] power = {input.power(TIME, y), input.turnover(TIME, y)};
+    return Stream.of(yDot, values, energy, power).flatMapToDouble(Arrays::stream).toArray();
+  }
+
+  private static void assertAgreement(Mechanism mechanism) {
+    MechmlModel file = Scenes.model(mechanism);
+    Model model = ModelFactory.compile(file, ALL, ModelFactory.generate(file, ALL)).newInstance();
+    DataDrivenModel reference = new DataDrivenModel(mechanism, Scenes.SETTINGS);
+    double[] y = RandomTrees.state(3, mechanism);
+    double[] actual = new double[y.length];
+    double[] expected = new double[y.length];
+    int result = reference.derivative(TIME, y, expected);
+    if (result != ExplicitModel.REGULAR) {
+      return;
+    }
+    assertThat(((ExplicitModel) model).derivative(TIME, y, actual))
+        .isEqualTo(ExplicitModel.REGULAR);
+    // Other operations in another order: rounding times depth and condition.
+    assertClose(actual, expected, 1e-10);
+    double[] energy = new double[2];
+    double[] energies = new double[2];
+    ((Energies) model).energy(TIME, y, energy);
+    reference.energy(TIME, y, energies);
+    assertClose(energy, energies, 1e-12);
+    assertClose(
+        new double[] {((PowerInput) model).power(TIME, y)},
+        new double[] {reference.power(TIME, y)},
+        1e-9);
+    assertClose(
+        new double[] {((PowerInput) model).turnover(TIME, y)},
+        new double[] {reference.turnover(TIME, y)},
+        1e-9);
+    assertValues(model, reference, y);
+  }
+
+  private static void assertValues(Model model, DataDrivenModel reference, double[] y) {
+    ResultColumns columns = (ResultColumns) model;
+    assertThat(columns.columns(ColumnGroup.FORCES))
+        .isEqualTo(reference.columns(ColumnGroup.FORCES));
+    int count = reference.columns(ColumnGroup.FORCES).size();
+    double[] values = new double[count + 1];
+    double[] expected = new double[count + 1];
+    columns.values(ColumnGroup.FORCES, TIME, y, values, 1);
+    reference.values(ColumnGroup.FORCES, TIME, y, expected, 1);
+    assertClose(values, expected, 1e-10);
+    assertThat(columns.columns(ColumnGroup.BODIES)).isEmpty();
+  }
+
+  private static void assertClose(double[] actual, double[] expected, double tolerance) {
+    double scale = 0;
+    for (double value : expected) {
+      scale = Math.max(scale, Math.abs(value));
+    }
+    for (int i = 0; i < expected.length; i++) {
+      assertThat(Math.abs(actual[i] - expected[i]))
+          .as("element %s: %s, expected %s", i, actual[i], expected[i])
+          .isLessThanOrEqualTo(tolerance * scale);
+    }
+  }
+}

@@ -1,0 +1,188 @@
+package org.mechservice.sim.packaging;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.jar.JarEntry;
+import java.util.jar.JarInputStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.compile.SolverClasses;
+import org.mechservice.sim.model.BuildOptions;
+import org.mechservice.sim.model.CompiledModel;
+import org.mechservice.sim.model.ModelFactory;
+import org.mechservice.sim.model.RandomEvents;
+import org.mechservice.sim.model.RandomForces;
+import org.mechservice.sim.model.RandomTrees;
+import org.mechservice.sim.model.Scenes;
+import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.ExtendedModel;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.ResultSink;
+import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.simulation.RuntimeSolver;
+
+/** Columns that no code is generated for travel as data with the models that asked for them. */
+class DataColumnsTest {
+  private static final RunSettings SETTINGS = new RunSettings(0, 0.2, 0.1, "DE", 1e-6, 1e-6);
+  private static final long SEED = 2;
+  private static final String ANALYSIS = "solver/analysis/";
+
+  private static CompiledModel pendulum(boolean compact, ColumnGroup... columns) {
+    BuildOptions options = new BuildOptions("DTR", "auto", compact, Set.of(columns), SETTINGS);
+    MechmlModel model = Scenes.model(Scenes.pendulum());
+    return ModelFactory.compile(model, options, ModelFactory.generate(model, options));
+  }
+
+  private static List<double[]> rows(CompiledModel model, List<Variable> names, ColumnGroup... of)
+      throws IOException {
+    List<double[]> rows = new ArrayList<>();
+    ResultSink sink =
+        new ResultSink() {
+          @Override
+          public void begin(List<Variable> columns) {
+            names.addAll(columns);
+          }
+
+          @Override
+          public void row(double[] values) {
+            rows.add(values.clone());
+          }
+        };
+    RunRequest request = new RunRequest(SETTINGS, Set.of(of));
+    RunReport report =
+        new RuntimeSolver().run(model.newInstance(), request, sink, new RunControl());
+    assertThat(report.outcome()).isInstanceOf(Outcome.Completed.class);
+    return rows;
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void motionIsTheSameToTheBitWithColumnsAndWithout(boolean compact) throws IOException {
+    List<Variable> with = new ArrayList<>();
+    List<Variable> without = new ArrayList<>();
+    List<double[]> extended =
+        rows(pendulum(compact, ColumnGroup.REACTIONS), with, ColumnGroup.REACTIONS);
+    List<double[]> plain = rows(pendulum(compact), without);
+    assertThat(with.subList(0, without.size())).isEqualTo(without);
+    assertThat(with).contains(new Variable("j3.fz", "N"), new Variable("j5.tx", "N·m"));
+    assertThat(with).hasSize(without.size() + 5 * 6);
+    for (int i = 0; i < plain.size(); i++) {
+      assertThat(Arrays.copyOf(extended.get(i), without.size())).containsExactly(plain.get(i));
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void valuesOfForcesAreColumnsAlsoWhereSomethingHappensAlongTheRun(boolean compact) {
+    Mechanism pushed = RandomForces.on(RandomTrees.driven(SEED, 4), SEED);
+    assertThat(forceColumns(RandomEvents.on(pushed, SEED), compact))
+        .isEqualTo(forceColumns(Scenes.model(pushed), compact))
+        .isNotEmpty();
+  }
+
+  private static List<Variable> forceColumns(MechmlModel model, boolean compact) {
+    BuildOptions options =
+        new BuildOptions("DTR", "auto", compact, Set.of(ColumnGroup.FORCES), SETTINGS);
+    Model built =
+        ModelFactory.compile(model, options, ModelFactory.generate(model, options)).newInstance();
+    return ExtendedModel.columnsOf(built).columns(ColumnGroup.FORCES);
+  }
+
+  /** The runtime JAR has the whole solver, so a model JAR needs none of it. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void modelJarHasNoClassOfTheSolver(boolean compact) throws IOException {
+    assertThat(entries(ModelJars.model(pendulum(compact), "")))
+        .noneMatch(name -> name.contains("solver"));
+    assertThat(entries(ModelJars.model(pendulum(compact, ColumnGroup.REACTIONS), "")))
+        .noneMatch(name -> name.contains("solver"))
+        .contains("org/mechservice/model/FiveBarPendulum.class");
+    assertThat(entries(ModelJars.model(pendulum(false, ColumnGroup.REACTIONS), "")))
+        .contains("org/mechservice/model/FiveBarPendulumWithColumns.class");
+  }
+
+  @Test
+  void standaloneJarHasColumnsOnlyIfAskedFor() throws IOException {
+    assertThat(entries(ModelJars.standalone(pendulum(false), "")))
+        .noneMatch(name -> name.contains(ANALYSIS));
+    assertThat(entries(ModelJars.standalone(pendulum(false, ColumnGroup.REACTIONS), "")))
+        .anyMatch(name -> name.contains(ANALYSIS + "ReactionColumns"));
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"REACTIONS", "MOMENTUM", "OUTPUTS"})
+  void aJarCarriesTheClassesOfTheColumnsAskedForAlone(ColumnGroup group) throws IOException {
+    CompiledModel model = pushed(group);
+    assertThat(entries(ModelJars.standalone(model, "")))
+        .filteredOn(ColumnClasses.paths()::contains)
+        .hasSize(1)
+        .allMatch(path -> ColumnClasses.needed(path, model) != null);
+  }
+
+  /** Compact, so that none of the columns is code. */
+  private static CompiledModel pushed(ColumnGroup group) {
+    Mechanism pushed = RandomForces.on(RandomTrees.driven(SEED, 4), SEED);
+    MechmlModel model = RandomEvents.on(pushed, SEED);
+    BuildOptions options = new BuildOptions("DTR", "auto", true, Set.of(group), SETTINGS);
+    return ModelFactory.compile(model, options, ModelFactory.generate(model, options));
+  }
+
+  /** The machine it runs on has nothing but the JAR. */
+  @ParameterizedTest
+  @EnumSource(names = {"REACTIONS", "FORCES", "MOMENTUM", "OUTPUTS"})
+  void aStandaloneJarPutsOutTheColumnsItWasBuiltWith(ColumnGroup group, @TempDir Path folder)
+      throws Exception {
+    Path jar = folder.resolve("p.jar");
+    Files.write(jar, ModelJars.standalone(pushed(group), "").bytes());
+    Path rows = folder.resolve("rows.csv");
+    Process process =
+        new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-jar",
+                jar.toString(),
+                "--columns",
+                group.label(),
+                "--out",
+                rows.toString())
+            .redirectErrorStream(true)
+            .start();
+    String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertThat(process.waitFor()).as(said).isZero();
+    assertThat(Files.readAllLines(rows)).hasSizeGreaterThan(1);
+  }
+
+  @Test
+  void theClassesOfColumnsAreClassesOfTheSolver() {
+    assertThat(ColumnClasses.paths())
+        .allSatisfy(p -> assertThat(SolverClasses.file(p)).isNotNull());
+  }
+
+  private static List<String> entries(JarImage jar) throws IOException {
+    List<String> names = new ArrayList<>();
+    try (JarInputStream stream = new JarInputStream(new ByteArrayInputStream(jar.bytes()))) {
+      for (JarEntry e = stream.getNextJarEntry(); e != null; e = stream.getNextJarEntry()) {
+        names.add(e.getName());
+      }
+    }
+    return names;
+  }
+}

@@ -1,0 +1,230 @@
+package org.mechservice.solver.ode.adams;
+
+import java.util.Arrays;
+import org.mechservice.solver.ode.SavedState;
+import org.mechservice.solver.ode.step.ErrorNorm;
+import org.mechservice.solver.ode.step.Manifold;
+
+/**
+ * State and modified divided differences of an Adams method, and what a step makes of them.
+ *
+ * <p>φ_1 = y'_n, and φ_i belongs to the i-th divided difference of y' over the last i points,
+ * scaled by the steps between them. A step from (t, y) with the coefficients β, g of {@link
+ * AdamsCoefficients}:
+ *
+ * <pre>
+ * predict   φ*_i = β_i φ_i;  p = y + h Σ_{i≤k} g_i φ*_i;  φ^p_i = Σ_{j=i..k} φ*_j
+ * evaluate  d = f(t + h, p) − φ^p_1
+ * correct   y ← p + h g_{k+1} d                      one order higher: local extrapolation
+ * carry     round-off of y, unless y was moved meanwhile
+ * evaluate  φ_{k+1} = f(t + h, y) − φ^p_1;  φ_i = φ^p_i + φ_{k+1}, i ≤ k
+ * </pre>
+ *
+ * <p>Nothing accepted is overwritten before {@link #accept}, so a rejected or interrupted step
+ * leaves no trace. On request the round-off of the two sums that give p and y is carried along from
+ * step to step (Shampine and Gordon 1975, ch. 9; it matters near the limits of the arithmetic).
+ */
+final class AdamsHistory implements Manifold.History {
+  private static final int LENGTH = AdamsCoefficients.HIGHEST_ORDER + 3;
+
+  /** Prediction p at the end of the step being tried, length n. */
+  final double[] predicted;
+
+  /** f of the last evaluation, length n; written by the owner before the next stage. */
+  final double[] derivative;
+
+  /** d, the discrepancy between f at the prediction and its extrapolation, length n. */
+  final double[] discrepancy;
+
+  /** φ_1 … φ_14 of the last accepted step, each of length n; counted from 1. */
+  private final double[][] differences;
+
+  /** φ^p_1 … φ^p_{k+2} of the step being tried, each of length n; counted from 1. */
+  private final double[][] extrapolated;
+
+  /** State at the last accepted step, length n, and the round-off it carries. */
+  private double[] state;
+
+  private double[] stateCarry;
+
+  /** Corrected state of the step being tried, length n, and the round-off it carries. */
+  private double[] corrected;
+
+  private double[] correctedCarry;
+
+  /** Round-off of p, length n. */
+  private final double[] predictedCarry;
+
+  private final boolean compensated;
+
+  /**
+   * @param dimension n
+   * @param compensated whether to carry the round-off along
+   */
+  AdamsHistory(int dimension, boolean compensated) {
+    this.compensated = compensated;
+    predicted = new double[dimension];
+    derivative = new double[dimension];
+    discrepancy = new double[dimension];
+    differences = new double[LENGTH][dimension];
+    extrapolated = new double[LENGTH][dimension];
+    state = new double[dimension];
+    stateCarry = new double[dimension];
+    corrected = new double[dimension];
+    correctedCarry = new double[dimension];
+    predictedCarry = new double[dimension];
+  }
+
+  /** Returns whether the round-off is carried along. */
+  boolean compensated() {
+    return compensated;
+  }
+
+  /** Forgets the history and places the state; the derivative is to be written next. */
+  void begin(double[] y) {
+    System.arraycopy(y, 0, state, 0, state.length);
+    Arrays.fill(stateCarry, 0);
+  }
+
+  /** Takes the derivative for that of the state just placed: φ_1 = y'. */
+  void beginDerivative() {
+    System.arraycopy(derivative, 0, differences[1], 0, derivative.length);
+    Arrays.fill(differences[2], 0);
+  }
+
+  /** Returns the state of the last accepted step; not to be modified. */
+  double[] state() {
+    return state;
+  }
+
+  /** Returns the corrected state of the step being tried; not to be modified. */
+  double[] corrected() {
+    return corrected;
+  }
+
+  /** Returns φ_i of the last accepted step; not to be modified. */
+  double[] difference(int i) {
+    return differences[i];
+  }
+
+  /** Forms p and φ^p. */
+  void predict(double h, int k, double[] beta, double[] g) {
+    int n = predicted.length;
+    System.arraycopy(differences[k + 1], 0, extrapolated[k + 2], 0, n);
+    Arrays.fill(extrapolated[k + 1], 0);
+    Arrays.fill(predicted, 0);
+    for (int i = k; i >= 1; i--) {
+      addTerm(differences[i], beta[i], g[i], extrapolated[i + 1], extrapolated[i], predicted);
+    }
+    if (compensated) {
+      addIncrementCompensated(h);
+    } else {
+      addIncrement(h);
+    }
+  }
+
+  /** One term of both sums: φ^p_i = φ^p_{i+1} + φ*_i and p = p + g_i φ*_i. */
+  private static void addTerm(
+      double[] difference, double beta, double g, double[] above, double[] here, double[] sum) {
+    for (int l = 0; l < sum.length; l++) {
+      double rescaled = beta * difference[l];
+      sum[l] += g * rescaled;
+      here[l] = above[l] + rescaled;
+    }
+  }
+
+  private void addIncrement(double h) {
+    for (int l = 0; l < predicted.length; l++) {
+      predicted[l] = state[l] + h * predicted[l];
+    }
+  }
+
+  private void addIncrementCompensated(double h) {
+    for (int l = 0; l < predicted.length; l++) {
+      double increment = h * predicted[l] - stateCarry[l];
+      predicted[l] = state[l] + increment;
+      predictedCarry[l] = (predicted[l] - state[l]) - increment;
+    }
+  }
+
+  /** Forms d from f at the prediction. */
+  void compareDerivative() {
+    subtract(derivative, extrapolated[1], discrepancy);
+  }
+
+  /** Returns ‖φ^p_i + d‖, the discrepancy as a formula of order i − 1 would have had it. */
+  double discrepancyNorm(ErrorNorm norm, int i) {
+    return norm.ofSum(extrapolated[i], discrepancy);
+  }
+
+  /** Forms the corrected state; {@code weight} is h g_{k+1}. */
+  void correct(double weight) {
+    // Without compensation the carry stays 0.
+    for (int l = 0; l < corrected.length; l++) {
+      corrected[l] = predicted[l] + (weight * discrepancy[l] - predictedCarry[l]);
+    }
+  }
+
+  /** Keeps the round-off of the corrected state, of those components that were not moved since. */
+  void carry(double weight) {
+    if (!compensated) {
+      return;
+    }
+    for (int l = 0; l < corrected.length; l++) {
+      double increment = weight * discrepancy[l] - predictedCarry[l];
+      boolean moved = corrected[l] != predicted[l] + increment;
+      correctedCarry[l] = moved ? 0 : (corrected[l] - predicted[l]) - increment;
+    }
+  }
+
+  /** Accepts the corrected state and forms φ_1 … φ_{k+2} from f there. */
+  void accept(int k) {
+    double[] change = differences[k + 1];
+    subtract(derivative, extrapolated[1], change);
+    subtract(change, extrapolated[k + 2], differences[k + 2]);
+    for (int i = 1; i <= k; i++) {
+      add(extrapolated[i], change, differences[i]);
+    }
+    double[] freed = state;
+    state = corrected;
+    corrected = freed;
+    double[] freedCarry = stateCarry;
+    stateCarry = correctedCarry;
+    correctedCarry = freedCarry;
+  }
+
+  /** {@inheritDoc} All differences of the accepted state have the factor too. */
+  @Override
+  public void scale(int start, int size, double factor) {
+    for (int l = start; l < start + size; l++) {
+      state[l] *= factor;
+      stateCarry[l] *= factor;
+      derivative[l] *= factor;
+      for (int i = 1; i < LENGTH; i++) {
+        differences[i][l] *= factor;
+      }
+    }
+  }
+
+  private static void add(double[] x1, double[] x2, double[] sum) {
+    for (int l = 0; l < sum.length; l++) {
+      sum[l] = x1[l] + x2[l];
+    }
+  }
+
+  private static void subtract(double[] x1, double[] x2, double[] difference) {
+    for (int l = 0; l < difference.length; l++) {
+      difference[l] = x1[l] - x2[l];
+    }
+  }
+
+  /** Carries the state between two steps over. */
+  void transfer(SavedState state) {
+    state.numbers(this.state);
+    state.numbers(stateCarry);
+    state.numbers(derivative);
+    state.numbers(discrepancy);
+    state.numbers(differences);
+    state.numbers(extrapolated);
+  }
+}

@@ -1,0 +1,76 @@
+package org.mechservice.solver.ode.adams;
+
+import java.util.Arrays;
+
+/**
+ * The polynomial of degree k + 1 that belongs to the last accepted step, and its derivative.
+ *
+ * <p>At t = t_n + s, s between −h and 0:
+ *
+ * <pre>
+ * y  = y_n + s Σ_{i=1..k+1} g_i φ_i        y' = Σ_{i=1..k+1} ρ_i φ_i
+ * γ_j = (s + ψ_{j−1}) / ψ_j,  η_j = s / ψ_j                 with ψ_0 = 0
+ * g_{1,q} = 1/q,  g_{j+1,q} = γ_j g_{j,q} − η_j g_{j,q+1},  g_j = g_{j,1}
+ * ρ_1 = 1,        ρ_{j+1} = γ_j ρ_j
+ * </pre>
+ *
+ * Shampine and Gordon 1975, ch. 5 and 10. It has its own tables and leaves the history as it is.
+ */
+final class AdamsInterpolant {
+  private static final int LENGTH = AdamsCoefficients.HIGHEST_ORDER + 2;
+
+  private final double[] g = new double[LENGTH];
+  private final double[] rho = new double[LENGTH];
+  private final double[] w = new double[LENGTH];
+
+  /**
+   * Evaluates the polynomial.
+   *
+   * @param s distance from the end of the step, of the sign opposite to h, or 0
+   * @param k order of the step; 0 if none was taken, where only s = 0 makes sense
+   * @param psi ψ_1 … ψ_k of the step; not modified
+   * @param history not modified
+   * @param y overwritten
+   * @param yDot overwritten
+   */
+  void evaluate(double s, int k, double[] psi, AdamsHistory history, double[] y, double[] yDot) {
+    formTables(s, k, psi);
+    double[] state = history.state();
+    int n = state.length;
+    Arrays.fill(y, 0, n, 0);
+    Arrays.fill(yDot, 0, n, 0);
+    for (int i = k + 1; i >= 1; i--) {
+      addTerm(history.difference(i), g[i], rho[i], y, yDot);
+    }
+    for (int l = 0; l < n; l++) {
+      y[l] = state[l] + s * y[l];
+    }
+  }
+
+  private static void addTerm(
+      double[] difference, double g, double rho, double[] y, double[] yDot) {
+    for (int l = 0; l < difference.length; l++) {
+      y[l] += g * difference[l];
+      yDot[l] += rho * difference[l];
+    }
+  }
+
+  private void formTables(double s, int k, double[] psi) {
+    for (int q = 1; q <= k + 1; q++) {
+      w[q] = 1.0 / q;
+    }
+    g[1] = 1;
+    rho[1] = 1;
+    double before = 0;
+    for (int j = 1; j <= k; j++) {
+      double gamma = (s + before) / psi[j];
+      double eta = s / psi[j];
+      for (int q = 1; q <= k + 1 - j; q++) {
+        w[q] = gamma * w[q] - eta * w[q + 1];
+      }
+      g[j + 1] = w[1];
+      rho[j + 1] = gamma * rho[j];
+      before = psi[j];
+    }
+  }
+}

@@ -1,0 +1,50 @@
+package org.mechservice.solver.ode.backward;
+
+import java.util.Arrays;
+
+/**
+ * The polynomial of degree k through the last k + 1 points of a stiff method, and its derivative.
+ *
+ * <p>At t = t_n + s h, −1 ≤ s ≤ 0:
+ *
+ * <pre>
+ * y = y_n + Σ_{m=1..k} c_m ∇^m y_n,     y' = Σ_{m=1..k} c'_m ∇^m y_n / h
+ * c_m = Π_{l=1..m} (s + l − 1) / l,      c'_m = dc_m / ds
+ * </pre>
+ */
+public final class BackwardInterpolant {
+  private BackwardInterpolant() {}
+
+  /**
+   * Evaluates the polynomial.
+   *
+   * @param s distance from t_n over h
+   * @param h step size the accepted differences are written for
+   * @param k order of the step
+   * @param differences not modified
+   * @param y overwritten
+   * @param yDot overwritten
+   */
+  public static void evaluate(
+      double s, double h, int k, BackwardDifferences differences, double[] y, double[] yDot) {
+    double[] state = differences.state();
+    int n = state.length;
+    System.arraycopy(state, 0, y, 0, n);
+    Arrays.fill(yDot, 0, n, 0);
+    double c = 1;
+    double slope = 0;
+    for (int m = 1; m <= k; m++) {
+      slope = (slope * (s + m - 1) + c) / m;
+      c *= (s + m - 1) / m;
+      addTerm(differences.accepted(m), c, slope / h, y, yDot);
+    }
+  }
+
+  private static void addTerm(
+      double[] difference, double c, double slope, double[] y, double[] yDot) {
+    for (int l = 0; l < difference.length; l++) {
+      y[l] += c * difference[l];
+      yDot[l] += slope * difference[l];
+    }
+  }
+}

@@ -1,0 +1,373 @@
+package org.mechservice.solver.ode.events;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.mechservice.solver.ode.IntegrationFailure;
+import org.mechservice.solver.ode.IntegrationFailure.Cause;
+import org.mechservice.solver.ode.IntegrationStatistics;
+import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.MethodChange;
+import org.mechservice.solver.ode.OdeSystem;
+import org.mechservice.solver.ode.ResidualIntegrator;
+import org.mechservice.solver.ode.ResidualSystem;
+import org.mechservice.solver.ode.SavedState;
+import org.mechservice.solver.ode.StepResult;
+import org.mechservice.solver.ode.TrialOutcome;
+import org.mechservice.solver.ode.events.EventFunctions.Reaction;
+import org.mechservice.solver.ode.step.RecentSteps;
+
+/**
+ * Looks for events in the steps of an integrator: changes of sign of functions g_i(t, y).
+ *
+ * <p>Every step is searched at its end and at three points inside, the first one after a restart
+ * also at its very beginning; two zeros of a function between two such points are not seen. A zero
+ * is located on the interpolated solution to max(100 u |t|, 10⁻¹² h), without evaluating the
+ * problem. The first event counts; those that cannot be told apart from it are reported together.
+ * If the reaction changes the state or the equations, the step ends there and the integrator
+ * {@linkplain Integrator#restart restarts}; until the next step, the solution that led to the event
+ * can be interpolated.
+ *
+ * <p>Events that accumulate, like the bounces of a ball that comes to rest, end the integration
+ * with {@link IntegrationFailure.Cause#EVENTS_ACCUMULATE}.
+ *
+ * <p>Shampine and Thompson, <i>Event location for ordinary differential equations</i>, Comput.
+ * Math. Appl. 39 (2000) 43.
+ */
+public final class EventIntegration implements ResidualIntegrator {
+  /** Parts of a step at which functions are evaluated. */
+  private static final double[] PARTS = {0.25, 0.5, 0.75, 1};
+
+  /** The same in the step after a restart, in which a function may turn round at once. */
+  private static final double[] PARTS_AFTER_RESTART = {
+    1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.25, 0.5, 0.75, 1
+  };
+
+  /**
+   * Longest first step after an event, relative to the distance from the one before: events may
+   * follow each other faster than the tolerance has eyes for.
+   */
+  private static final double FIRST_STEP = 0.05;
+
+  private final Integrator integrator;
+  private final EventFunctions functions;
+  private final EventValues values;
+  private final AccumulationMonitor accumulation = new AccumulationMonitor();
+  private final RecentSteps recentSteps = new RecentSteps();
+  private Optional<IntegrationFailure> failure = Optional.empty();
+
+  /** State to restart from. */
+  private double[] restarted = {};
+
+  private double tEnd;
+  private double direction;
+
+  /** End of the last step, cut off at an event. */
+  private double time;
+
+  private boolean running;
+  private boolean cutOff;
+  private boolean restartDue;
+  private boolean justRestarted;
+  private boolean stateChanged;
+  private long events;
+
+  /**
+   * @param integrator takes the steps
+   * @param functions looked at along them
+   */
+  public EventIntegration(Integrator integrator, EventFunctions functions) {
+    this.integrator = integrator;
+    this.functions = functions;
+    values = new EventValues(integrator, functions);
+  }
+
+  @Override
+  public StepResult start(OdeSystem system, double t0, double[] y0, double tEnd) {
+    StepResult result = integrator.start(system, t0, y0, tEnd);
+    return begin(result, system, t0, y0.length, tEnd);
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @throws IllegalArgumentException also if the integrator that takes the steps is none for
+   *     problems in residual form
+   */
+  @Override
+  public StepResult start(
+      ResidualSystem system, double t0, double[] y0, double[] yDot0, double tEnd) {
+    StepResult result = residual().start(system, t0, y0, yDot0, tEnd);
+    return begin(result, system, t0, y0.length, tEnd);
+  }
+
+  private ResidualIntegrator residual() {
+    if (integrator instanceof ResidualIntegrator implicit) {
+      return implicit;
+    }
+    throw new IllegalArgumentException("the integrator takes no problem in residual form");
+  }
+
+  private StepResult begin(
+      StepResult result, Object system, double t0, int dimension, double tEnd) {
+    prepare(system, dimension, tEnd);
+    direction = tEnd < t0 ? -1 : 1;
+    accumulation.begin(t0);
+    recentSteps.clear();
+    events = 0;
+    values.forget();
+    return settle(result, t0);
+  }
+
+  private void prepare(Object system, int dimension, double tEnd) {
+    values.prepare(system, dimension);
+    restarted = new double[dimension];
+    this.tEnd = tEnd;
+    failure = Optional.empty();
+  }
+
+  /** Takes note of a state without history. */
+  private StepResult settle(StepResult result, double t) {
+    failure = Optional.empty();
+    time = t;
+    cutOff = false;
+    restartDue = false;
+    justRestarted = true;
+    running = result == StepResult.ADVANCED;
+    if (result == StepResult.FAILED) {
+      return result;
+    }
+    return values.begin(t) ? result : fail(Cause.EVENT_NOT_FINITE);
+  }
+
+  @Override
+  public StepResult restart(double t, double[] y, double longestFirstStep) {
+    requireInLastStep(t);
+    return settle(integrator.restart(t, y, longestFirstStep), t);
+  }
+
+  @Override
+  public StepResult step() {
+    if (!running) {
+      throw new IllegalStateException("nothing to integrate: the end is reached, or it failed");
+    }
+    if (restartDue) {
+      functions.restarting(time);
+      StepResult result = integrator.restart(time, restarted, FIRST_STEP * accumulation.distance());
+      if (result == StepResult.STOPPED) {
+        return result;
+      }
+      restartDue = false;
+      justRestarted = true;
+      cutOff = false;
+      if (result != StepResult.ADVANCED) {
+        running = false;
+        return result;
+      }
+      if (stateChanged) {
+        values.lookAhead(time, tEnd);
+      }
+    }
+    StepResult result = integrator.step();
+    if (result == StepResult.STOPPED) {
+      return result;
+    }
+    if (result == StepResult.FAILED) {
+      running = false;
+      return result;
+    }
+    if (!justRestarted) {
+      return searchStep(result, PARTS);
+    }
+    justRestarted = false;
+    time = integrator.previousTime();
+    return values.join(time)
+        ? searchStep(result, PARTS_AFTER_RESTART)
+        : fail(Cause.EVENT_NOT_FINITE);
+  }
+
+  /** Searches the step just taken from point to point. */
+  private StepResult searchStep(StepResult result, double[] parts) {
+    cutOff = false;
+    double begin = integrator.previousTime();
+    double end = integrator.time();
+    end = direction * (end - tEnd) > 0 ? tEnd : end;
+    time = end;
+    recentSteps.record(
+        begin, integrator.stepSize(), integrator.order(), Double.NaN, TrialOutcome.PASSED);
+    double from = begin;
+    for (double part : parts) {
+      double to = part == 1 ? end : begin + part * (end - begin);
+      while (from != to) {
+        if (!values.lookAt(to)) {
+          return fail(Cause.EVENT_NOT_FINITE);
+        }
+        if (!values.anyEvent()) {
+          values.moveOn();
+          from = to;
+          continue;
+        }
+        double nearest = Math.min(Math.abs(from), Math.abs(to));
+        double width = EventSearch.width(nearest, end - begin);
+        if (!values.locate(from, to, width)) {
+          return fail(Cause.EVENT_NOT_FINITE);
+        }
+        from = values.time();
+        Reaction reaction = react();
+        if (reaction != Reaction.CONTINUE) {
+          return cut(from, reaction);
+        }
+      }
+    }
+    running = result == StepResult.ADVANCED;
+    return result;
+  }
+
+  /** Lets the functions' owner react to the event found. */
+  private Reaction react() {
+    events++;
+    values.determine(restarted);
+    Reaction reaction = functions.occurred(values.time(), restarted, values.occurred());
+    values.pass();
+    return reaction;
+  }
+
+  /** Ends the step at an event. */
+  private StepResult cut(double t, Reaction reaction) {
+    time = t;
+    cutOff = true;
+    if (reaction == Reaction.STOP) {
+      running = false;
+      return StepResult.REACHED_END;
+    }
+    if (accumulation.accumulates(t)) {
+      return fail(Cause.EVENTS_ACCUMULATE);
+    }
+    restartDue = true;
+    stateChanged = !values.standsAt(restarted);
+    if (!values.goOnFrom(t, restarted, stateChanged)) {
+      return fail(Cause.EVENT_NOT_FINITE);
+    }
+    return StepResult.ADVANCED;
+  }
+
+  private StepResult fail(Cause cause) {
+    running = false;
+    failure =
+        Optional.of(
+            new IntegrationFailure(
+                cause, time, integrator.stepSize(), integrator.order(), -1, 0, recentSteps.list()));
+    return StepResult.FAILED;
+  }
+
+  /** Returns how many events there were; those at one place count once. */
+  public long events() {
+    return events;
+  }
+
+  /** Returns whether a function had a change of sign in the last event. */
+  public boolean occurred(int function) {
+    return values.occurred()[function];
+  }
+
+  @Override
+  public double time() {
+    return time;
+  }
+
+  @Override
+  public double previousTime() {
+    return integrator.previousTime();
+  }
+
+  @Override
+  public double stepSize() {
+    return cutOff ? time - integrator.previousTime() : integrator.stepSize();
+  }
+
+  @Override
+  public int order() {
+    return integrator.order();
+  }
+
+  @Override
+  public void interpolate(double t, double[] y, double[] yDot) {
+    requireInLastStep(t);
+    integrator.interpolate(t, y, yDot);
+  }
+
+  private void requireInLastStep(double t) {
+    if (cutOff && direction * (t - time) > 0) {
+      throw new IllegalArgumentException(
+          "t = " + t + " lies behind the event at " + time + " that ended the last step");
+    }
+  }
+
+  @Override
+  public byte[] save() {
+    byte[] inner = integrator.save();
+    return SavedState.save(
+        state -> {
+          state.bytes(inner);
+          state.number(tEnd);
+          transfer(state);
+        });
+  }
+
+  @Override
+  public StepResult resume(OdeSystem system, byte[] saved) {
+    return resume(saved, system, system.dimension(), inner -> integrator.resume(system, inner));
+  }
+
+  @Override
+  public StepResult resume(ResidualSystem system, byte[] saved) {
+    return resume(saved, system, system.dimension(), inner -> residual().resume(system, inner));
+  }
+
+  private StepResult resume(byte[] saved, Object system, int dimension, Consumer<byte[]> steps) {
+    SavedState.restore(
+        saved,
+        state -> {
+          byte[] inner = state.bytes(new byte[0]);
+          prepare(system, dimension, state.number(0));
+          steps.accept(inner);
+          transfer(state);
+        });
+    return running ? StepResult.ADVANCED : StepResult.REACHED_END;
+  }
+
+  private void transfer(SavedState state) {
+    accumulation.transfer(state);
+    recentSteps.transfer(state);
+    state.numbers(restarted);
+    time = state.number(time);
+    direction = state.number(direction);
+    running = state.flag(running);
+    cutOff = state.flag(cutOff);
+    restartDue = state.flag(restartDue);
+    justRestarted = state.flag(justRestarted);
+    stateChanged = state.flag(stateChanged);
+    events = state.integer(events);
+    values.transfer(state);
+  }
+
+  @Override
+  public IntegrationStatistics statistics() {
+    return integrator.statistics();
+  }
+
+  @Override
+  public List<MethodChange> methodChanges() {
+    return integrator.methodChanges();
+  }
+
+  @Override
+  public long methodChangeCount() {
+    return integrator.methodChangeCount();
+  }
+
+  @Override
+  public IntegrationFailure failure() {
+    return failure.orElseGet(integrator::failure);
+  }
+}

@@ -1,0 +1,193 @@
+package org.mechservice.solver.ode.events;
+
+import java.util.Arrays;
+import org.mechservice.solver.ode.SavedState;
+import org.mechservice.solver.ode.events.EventFunctions.Direction;
+
+/**
+ * On which side of zero each event function is, so that an event is reported once.
+ *
+ * <p>A function is armed as soon as it is away from zero by its hysteresis; its next change of sign
+ * is then an event. Until then it is known to be on one side, or on neither just after an event,
+ * and must get that far on the other side. Near a zero just found, the uncertainty of that zero
+ * takes the place of a smaller hysteresis.
+ */
+final class EventSigns {
+  /** Round-off of a function in units of u times its largest value. */
+  private static final double ROUNDOFFS = 16;
+
+  /** Uncertainty of a zero in units of the difference of the values on both sides. */
+  private static final double BLUR = 4;
+
+  private final EventFunctions functions;
+
+  /** 1, −1, or 0 as long as the function was not away from zero. */
+  private final int[] side;
+
+  /** The side before the last event. */
+  private final int[] sideBefore;
+
+  private final boolean[] armed;
+
+  /** Largest absolute value so far, and uncertainty of the zero found last. */
+  private final double[] largest;
+
+  private final double[] blur;
+
+  EventSigns(EventFunctions functions) {
+    this.functions = functions;
+    side = new int[functions.count()];
+    sideBefore = new int[functions.count()];
+    armed = new boolean[functions.count()];
+    largest = new double[functions.count()];
+    blur = new double[functions.count()];
+  }
+
+  /** Begins with the values at the start. */
+  void begin(double[] g) {
+    Arrays.fill(side, 0);
+    Arrays.fill(armed, false);
+    Arrays.fill(largest, 0);
+    Arrays.fill(blur, 0);
+    observe(g);
+  }
+
+  /** Returns whether a value is an event of a function, given those observed before. */
+  boolean event(int i, double g) {
+    if (!beyond(i, g)) {
+      return false;
+    }
+    Direction direction = functions.direction(i);
+    return direction == Direction.EITHER || (direction == Direction.FALLING) == (side[i] > 0);
+  }
+
+  /** Returns whether any value is an event. */
+  boolean anyEvent(double[] g) {
+    for (int i = 0; i < g.length; i++) {
+      if (event(i, g[i])) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Returns how far a function is from an event; negative or 0 behind it. */
+  double distance(int i, double g) {
+    return g * side[i] + threshold(i);
+  }
+
+  private boolean beyond(int i, double g) {
+    return side[i] != 0 && (armed[i] ? g * side[i] <= 0 : g * side[i] < -threshold(i));
+  }
+
+  private double threshold(int i) {
+    return armed[i] ? 0 : band(i);
+  }
+
+  private double band(int i) {
+    return Math.max(noise(i), functions.hysteresis(i));
+  }
+
+  private double noise(int i) {
+    return Math.max(blur[i], roundOff(i));
+  }
+
+  private double roundOff(int i) {
+    return ROUNDOFFS * Math.ulp(1.0) * largest[i];
+  }
+
+  /** Takes note of values that are not events, or of functions not looked at in that direction. */
+  void observe(double[] g) {
+    for (int i = 0; i < g.length; i++) {
+      observe(i, g[i]);
+    }
+  }
+
+  private void observe(int i, double g) {
+    if (beyond(i, g)) {
+      side[i] = -side[i];
+      armed[i] = false;
+    }
+    largest[i] = Math.max(largest[i], Math.abs(g));
+    if (side[i] == 0 && Math.abs(g) > noise(i)) {
+      side[i] = g > 0 ? 1 : -1;
+    }
+    if (g * side[i] > band(i)) {
+      armed[i] = true;
+      blur[i] = 0;
+    }
+  }
+
+  /**
+   * Takes note of an event.
+   *
+   * @param occurred functions that took part
+   * @param gBefore values just before it
+   * @param gBehind values just behind it
+   */
+  void passed(boolean[] occurred, double[] gBefore, double[] gBehind) {
+    for (int i = 0; i < occurred.length; i++) {
+      if (occurred[i]) {
+        sideBefore[i] = side[i];
+        side[i] = -side[i];
+        armed[i] = false;
+        blur[i] = BLUR * Math.abs(gBehind[i] - gBefore[i]);
+      } else {
+        observe(i, gBehind[i]);
+      }
+    }
+  }
+
+  /** Takes note of the values of a state that has just been changed: all sides are open. */
+  void place(double[] g) {
+    for (int i = 0; i < g.length; i++) {
+      side[i] = 0;
+      armed[i] = false;
+      observe(i, g[i]);
+    }
+  }
+
+  /**
+   * Takes note that values at one place differ. A function nearer to zero than such a difference
+   * must first leave it by more.
+   *
+   * @param g values last observed
+   * @param other values at the same place
+   */
+  void blur(double[] g, double[] other) {
+    for (int i = 0; i < g.length; i++) {
+      double unsure = BLUR * Math.abs(other[i] - g[i]);
+      if (Math.abs(g[i]) <= unsure) {
+        armed[i] = false;
+        blur[i] = Math.max(blur[i], unsure);
+      }
+    }
+  }
+
+  /**
+   * Decides by the way a function goes on which side it is on after an event that has changed the
+   * state, where its value leaves that open. One that turns round must not pass zero unnoticed.
+   *
+   * @param g values at the changed state
+   * @param ahead values a little further along the solution
+   */
+  void lean(boolean[] occurred, double[] g, double[] ahead) {
+    for (int i = 0; i < g.length; i++) {
+      double way = ahead[i] - g[i];
+      if (occurred[i] && side[i] == 0 && Math.abs(way) > roundOff(i)) {
+        side[i] = way * sideBefore[i] > 0 ? sideBefore[i] : -sideBefore[i];
+      }
+    }
+  }
+
+  /** Carries the sides over. */
+  void transfer(SavedState state) {
+    for (int i = 0; i < side.length; i++) {
+      side[i] = state.integer(side[i]);
+      sideBefore[i] = state.integer(sideBefore[i]);
+      armed[i] = state.flag(armed[i]);
+    }
+    state.numbers(largest);
+    state.numbers(blur);
+  }
+}

@@ -1,0 +1,194 @@
+package org.mechservice.solver.ode.events;
+
+import java.util.Arrays;
+import org.mechservice.solver.ode.CompletedSystem;
+import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.SavedState;
+import org.mechservice.solver.ode.SavedSystem;
+import org.mechservice.solver.ode.step.RightHandSide;
+
+/**
+ * Values of event functions along the last step of an integrator, and which of them change sign.
+ */
+final class EventValues {
+  /** Part of what is left of the problem by which to look ahead after a restart. */
+  private static final double LOOK_AHEAD = Math.sqrt(Math.ulp(1.0));
+
+  private final Integrator integrator;
+  private final EventFunctions functions;
+  private final EventSigns signs;
+  private final EventSearch search;
+  private final EventSearch.Path path = this::evaluate;
+  private final boolean[] occurred;
+
+  private CompletedSystem completed = CompletedSystem.NOTHING_PASSIVE;
+
+  /** Values at the points searched last and next. */
+  private double[] before;
+
+  private double[] here;
+
+  /** State and derivative at the point looked at. */
+  private double[] y = {};
+
+  private double[] yDot = {};
+
+  EventValues(Integrator integrator, EventFunctions functions) {
+    this.integrator = integrator;
+    this.functions = functions;
+    int count = functions.count();
+    signs = new EventSigns(functions);
+    search = new EventSearch(signs, count);
+    occurred = new boolean[count];
+    before = new double[count];
+    here = new double[count];
+  }
+
+  /** Prepares for a problem. */
+  void prepare(Object system, int dimension) {
+    completed = system instanceof CompletedSystem some ? some : CompletedSystem.NOTHING_PASSIVE;
+    y = new double[dimension];
+    yDot = new double[dimension];
+  }
+
+  /** Forgets which functions changed sign. */
+  void forget() {
+    Arrays.fill(occurred, false);
+  }
+
+  /** Begins at a state without history; returns false if something is not finite. */
+  boolean begin(double t) {
+    boolean finite = evaluate(t, before);
+    if (finite) {
+      signs.begin(before);
+    }
+    return finite;
+  }
+
+  /**
+   * Takes note of where the solution begins when it is interpolated in the first step after a
+   * restart: not quite in the state it was restarted from. Returns false if something is not finite
+   * there.
+   */
+  boolean join(double t) {
+    boolean finite = evaluate(t, here);
+    if (finite) {
+      signs.blur(before, here);
+    }
+    return finite;
+  }
+
+  /** Looks at a point; returns false if something is not finite. */
+  boolean lookAt(double t) {
+    return evaluate(t, here);
+  }
+
+  /** Returns whether there is an event up to the point looked at. */
+  boolean anyEvent() {
+    return signs.anyEvent(here);
+  }
+
+  /** Goes on from the point looked at. */
+  void moveOn() {
+    signs.observe(here);
+    swap();
+  }
+
+  private void swap() {
+    double[] freed = before;
+    before = here;
+    here = freed;
+  }
+
+  /**
+   * Locates the first event between two points; returns false if something is not finite.
+   *
+   * @param width to which it is located
+   */
+  boolean locate(double from, double to, double width) {
+    return search.locate(from, before, to, here, width, path);
+  }
+
+  /** Returns where the event is. */
+  double time() {
+    return search.time();
+  }
+
+  /** Determines which functions have changed sign there, and the state, which is copied. */
+  void determine(double[] state) {
+    double[] behind = search.behind();
+    for (int i = 0; i < occurred.length; i++) {
+      occurred[i] = signs.event(i, behind[i]);
+    }
+    evaluate(search.time(), here);
+    System.arraycopy(y, 0, state, 0, y.length);
+  }
+
+  /** Returns which functions have changed sign in the last event; not to be modified. */
+  boolean[] occurred() {
+    return occurred;
+  }
+
+  /** Goes on from the event. */
+  void pass() {
+    signs.passed(occurred, search.before(), search.behind());
+    swap();
+  }
+
+  /**
+   * Goes on from the event with a state that may be another; returns false if a function is not
+   * finite there.
+   *
+   * @param moved whether it is another
+   */
+  boolean goOnFrom(double t, double[] state, boolean moved) {
+    functions.evaluate(t, state, before);
+    if (RightHandSide.firstNotFinite(before) >= 0) {
+      return false;
+    }
+    if (moved) {
+      signs.place(before);
+    }
+    return true;
+  }
+
+  /** Returns whether a state is that of the point looked at. */
+  boolean standsAt(double[] state) {
+    return Arrays.equals(state, y);
+  }
+
+  /** Sees which way the functions go on from a state that was changed. */
+  void lookAhead(double t, double tEnd) {
+    double stretch = LOOK_AHEAD * (tEnd - t);
+    integrator.interpolate(t, y, yDot);
+    for (int l = 0; l < y.length; l++) {
+      y[l] += stretch * yDot[l];
+    }
+    if (completed.complete(t + stretch, y)) {
+      functions.evaluate(t + stretch, y, here);
+      signs.lean(occurred, before, here);
+    }
+  }
+
+  private boolean evaluate(double t, double[] g) {
+    integrator.interpolate(t, y, yDot);
+    if (!completed.complete(t, y)) {
+      return false;
+    }
+    functions.evaluate(t, y, g);
+    return RightHandSide.firstNotFinite(g) < 0;
+  }
+
+  /** Carries the values between two steps over. */
+  void transfer(SavedState state) {
+    state.require("number of event functions", occurred.length);
+    signs.transfer(state);
+    state.numbers(before);
+    for (int i = 0; i < occurred.length; i++) {
+      occurred[i] = state.flag(occurred[i]);
+    }
+    if (functions instanceof SavedSystem saved) {
+      saved.transfer(state);
+    }
+  }
+}

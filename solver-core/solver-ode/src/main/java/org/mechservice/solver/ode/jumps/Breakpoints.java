@@ -1,0 +1,99 @@
+package org.mechservice.solver.ode.jumps;
+
+import java.util.Arrays;
+import org.mechservice.solver.ode.PiecewiseSystem;
+import org.mechservice.solver.ode.SavedState;
+
+/** The places at which the equations jump, in the direction of integration. */
+public final class Breakpoints {
+  /** Places times the direction, ascending, the last one infinite. */
+  private double[] ahead = {Double.POSITIVE_INFINITY};
+
+  private double direction = 1;
+  private int next;
+
+  /** The piece in which the equations are evaluated, in the direction of integration. */
+  private double first = Double.NEGATIVE_INFINITY;
+
+  private double last = Double.POSITIVE_INFINITY;
+
+  /**
+   * Begins a problem.
+   *
+   * @param system the problem, asked whether it is a {@link PiecewiseSystem}
+   * @throws IllegalArgumentException if a place is not a number
+   */
+  public void begin(Object system, double t0, double tEnd) {
+    direction = tEnd < t0 ? -1 : 1;
+    ahead = new double[] {Double.POSITIVE_INFINITY};
+    if (system instanceof PiecewiseSystem pieces) {
+      ahead =
+          pieces.breakpoints().stream()
+              .mapToDouble(place -> direction * requireNumber(place))
+              .filter(place -> place >= direction * t0)
+              .distinct()
+              .sorted()
+              .toArray();
+      ahead = Arrays.copyOf(ahead, ahead.length + 1);
+      ahead[ahead.length - 1] = Double.POSITIVE_INFINITY;
+    }
+    next = 0;
+    first = Double.NEGATIVE_INFINITY;
+    last = Math.nextDown(ahead[0]);
+    if (reachedAt(t0)) {
+      pass();
+    }
+  }
+
+  private static double requireNumber(double place) {
+    if (Double.isNaN(place)) {
+      throw new IllegalArgumentException("a breakpoint is NaN; it must be a number");
+    }
+    return place;
+  }
+
+  /** Returns which way time runs: 1 or -1. */
+  public double direction() {
+    return direction;
+  }
+
+  /** Returns the next place; infinite, in the direction of integration, if there is none. */
+  public double next() {
+    return direction * ahead[next];
+  }
+
+  /** Returns whether {@code t} is the next place. */
+  public boolean reachedAt(double t) {
+    return direction * t >= ahead[next];
+  }
+
+  /** Goes on beyond the next place. */
+  public void pass() {
+    first = Math.nextUp(ahead[next]);
+    next++;
+    last = Math.nextDown(ahead[next]);
+  }
+
+  /** Goes on beyond all places up to {@code t}. */
+  public void passUpTo(double t) {
+    while (reachedAt(t)) {
+      pass();
+    }
+  }
+
+  /** Returns where to evaluate instead of at {@code t}, so as to stay between two places. */
+  public double inside(double t) {
+    return direction * Math.max(first, Math.min(last, direction * t));
+  }
+
+  /** Carries over how many places were passed. */
+  public void transfer(SavedState state) {
+    int passed = state.integer(next);
+    if (passed < 0 || passed >= ahead.length) {
+      throw new IllegalArgumentException("the saved state has passed other breakpoints");
+    }
+    next = passed;
+    first = passed == 0 ? Double.NEGATIVE_INFINITY : Math.nextUp(ahead[passed - 1]);
+    last = Math.nextDown(ahead[passed]);
+  }
+}

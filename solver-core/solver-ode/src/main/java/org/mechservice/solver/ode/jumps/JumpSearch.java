@@ -1,0 +1,221 @@
+package org.mechservice.solver.ode.jumps;
+
+import org.mechservice.solver.ode.SavedState;
+
+/**
+ * Narrows down a place at which the right-hand side seems to jump.
+ *
+ * <p>Left alone, an Adams method meets an undeclared jump again and again: its steps grow on the
+ * near side, run into it, and are halved many times over. A jump is told from a smooth solution
+ * that moves fast by the error of the next, shorter try after one that has missed the tolerance by
+ * far: there the error falls like h^(k+1); across a jump it falls like h, and short of it to
+ * nothing.
+ *
+ * <p>The stretch in which the jump must lie is then halved at every try, whether that is accepted
+ * or rejected, until a step of order 1 over all of it would pass; after some failures in a row, at
+ * the geometric mean of all of it and of that step. Behind the jump the history is of no use.
+ */
+public final class JumpSearch {
+  /** Error over the tolerance that is worth a second look. */
+  private static final double FAR_OFF = 100;
+
+  /** Part of the error expected of a smooth solution that is next to nothing. */
+  private static final double NOTHING = 0.05;
+
+  /** Error planned for the step across, over the tolerance. */
+  private static final double AIM = 0.5;
+
+  /** After this many failures in a row the jump is looked for right ahead. */
+  private static final int MANY_IN_A_ROW = 4;
+
+  /** Jumps that are too many for any run. */
+  public static final double MOST = 1e7;
+
+  /** Jumps after which is looked how close they lie. */
+  private static final int MANY = 1000;
+
+  /** Jumps after which, and those to come from which on, they tell of a law that is steep. */
+  private static final int SOME = 20;
+
+  private static final double OFTEN = 1000;
+
+  private boolean active;
+  private boolean crossing;
+  private int failuresInARow;
+
+  /**
+   * The last try that missed by far, 0 if there is none, and whether a shorter one had no error.
+   */
+  private double failedError;
+
+  private double failedSize;
+  private int failedOrder;
+  private boolean suspected;
+
+  /** Jumps crossed since a time. */
+  private int crossings;
+
+  private double since;
+
+  /** A place behind the jump, and the size of the jump in units of the error allowed. */
+  private double behind;
+
+  private double jump;
+
+  public void clear() {
+    crossings = 0;
+    forget();
+  }
+
+  private void forget() {
+    active = false;
+    crossing = false;
+    failuresInARow = 0;
+    failedError = 0;
+    suspected = false;
+  }
+
+  /** Returns whether a jump is being narrowed down. */
+  public boolean active() {
+    return active;
+  }
+
+  /**
+   * Takes note of a step that failed the error test.
+   *
+   * @param h its size
+   * @param k its order
+   * @param end where it would have ended
+   * @param error over the tolerance
+   * @param discrepancy norm of the difference of the right-hand side from its extrapolation
+   */
+  public void rejected(double h, int k, double end, double error, double discrepancy) {
+    active |= suspected ? error >= FAR_OFF : k == failedOrder && error > notSmooth(h);
+    if (active) {
+      failuresInARow++;
+      jump = discrepancy;
+    }
+    if (active || failedError > 0 || error >= FAR_OFF) {
+      crossing = false;
+      behind = end;
+      failedError = error;
+      failedSize = Math.abs(h);
+      failedOrder = k;
+    }
+  }
+
+  /** The mean of what a smooth solution and a jump would have for error; infinite at first. */
+  private double notSmooth(double h) {
+    double acrossJump = failedError * Math.abs(h) / failedSize;
+    return failedError > 0 ? Math.sqrt(acrossJump * smooth(h)) : Double.POSITIVE_INFINITY;
+  }
+
+  /** The error of a shorter try that a smooth solution would have. */
+  private double smooth(double h) {
+    double error = failedError;
+    for (int i = 0; i <= failedOrder; i++) {
+      error *= Math.abs(h) / failedSize;
+    }
+    return error;
+  }
+
+  /**
+   * Returns whether a step that passes the error test has the jump inside all the same: formulas of
+   * high order think little of a single value that is off.
+   *
+   * @param h its size
+   */
+  public boolean inside(double h, double discrepancy) {
+    return active && errorAcross(h, discrepancy) > 1;
+  }
+
+  /** Error of a step of order 1 across a jump, over the tolerance. */
+  private static double errorAcross(double h, double jump) {
+    return 0.5 * Math.abs(h) * jump;
+  }
+
+  /**
+   * Takes note of an accepted step.
+   *
+   * @param h its size, signed
+   * @param end where it ends
+   * @param error over the tolerance
+   * @return whether a jump that was narrowed down lies behind it
+   */
+  public boolean accepted(double h, double end, double error) {
+    failuresInARow = 0;
+    if (failedError == 0) {
+      return false;
+    }
+    boolean passed = Math.copySign(1, h) * (end - behind) >= 0;
+    boolean crossed = active && passed;
+    suspected |= error < NOTHING * smooth(h);
+    if (passed || !(active || suspected)) {
+      forget();
+    }
+    if (crossed && crossings++ == 0) {
+      since = end;
+    }
+    return crossed;
+  }
+
+  /**
+   * Returns how many jumps lie ahead if they follow each other as closely as the last ones, of
+   * which there were many since this was told; 0 before there were so many. With more than {@link
+   * #MOST} nothing would come of crossing them: the solution slides along a jump of which both
+   * sides lead back to it.
+   *
+   * @param t time reached
+   * @param end of the problem
+   */
+  public double ahead(double t, double end) {
+    if (crossings < MANY) {
+      return 0;
+    }
+    double ahead = crossings * (end - t) / (t - since);
+    crossings = 0;
+    return ahead;
+  }
+
+  /**
+   * Returns whether jumps follow each other so closely that something steep may only look like them
+   * and could be had for less by steps that see it as a slope.
+   *
+   * @param t time reached
+   * @param end of the problem
+   */
+  public boolean crossesOften(double t, double end) {
+    return crossings >= SOME && Math.abs(end - t) * crossings > OFTEN * Math.abs(t - since);
+  }
+
+  /** Returns the step to try from {@code t}, signed; of order 1 if {@link #crossing}. */
+  public double step(double t) {
+    double stretch = behind - t;
+    double error = errorAcross(stretch, jump);
+    crossing = error <= AIM;
+    if (crossing) {
+      return stretch;
+    }
+    return failuresInARow < MANY_IN_A_ROW ? 0.5 * stretch : stretch * Math.sqrt(AIM / error);
+  }
+
+  /** Returns whether the step to try goes across the jump. */
+  public boolean crossing() {
+    return crossing;
+  }
+
+  /** Carries the state between two steps over. */
+  public void transfer(SavedState state) {
+    active = state.flag(active);
+    crossing = state.flag(crossing);
+    failuresInARow = state.integer(failuresInARow);
+    failedError = state.number(failedError);
+    failedSize = state.number(failedSize);
+    failedOrder = state.integer(failedOrder);
+    suspected = state.flag(suspected);
+    behind = state.number(behind);
+    jump = state.number(jump);
+    crossings = state.integer(crossings);
+    since = state.number(since);
+  }
+}

@@ -1,0 +1,116 @@
+package org.mechservice.solver.ode.newton;
+
+import org.mechservice.solver.linear.BandLayout;
+import org.mechservice.solver.linear.BandLu;
+import org.mechservice.solver.linear.DenseLu;
+import org.mechservice.solver.linear.LinearSolver;
+import org.mechservice.solver.linear.MatrixLayout;
+import org.mechservice.solver.ode.BandedSystem;
+import org.mechservice.solver.ode.step.Manifold;
+
+/**
+ * The matrix of the Newton iteration and its factors: I − hγ J for y' = f, with hγ = h / ((1 − κ_k)
+ * γ_k), and hγ ∂F/∂y + ∂F/∂y' for F(t, y, y') = 0. Rows and columns of passive components are those
+ * of the unit matrix.
+ *
+ * <p>In residual form the columns of algebraic components are divided by hγ, which stands for
+ * unknowns multiplied by it: however short the step, the matrix stays regular, and for hγ = 0 it is
+ * that of the consistent initial values, [∂F/∂y'_d, ∂F/∂y_a].
+ */
+final class IterationMatrix {
+  private final LinearSolver solver;
+  private final MatrixLayout layout;
+  private final Manifold manifold;
+
+  /** Elements by the solver's layout. */
+  private final double[] matrix;
+
+  private int singularColumn;
+
+  IterationMatrix(LinearSolver solver, Manifold manifold) {
+    this.solver = solver;
+    this.layout = solver.layout();
+    this.manifold = manifold;
+    matrix = new double[layout.length()];
+  }
+
+  /**
+   * Returns a solver for what a problem declares its matrix to be.
+   *
+   * @param system the problem, asked for its band
+   * @param dimension n
+   * @throws IllegalArgumentException if the band is wider than the matrix
+   */
+  static LinearSolver solverFor(Object system, int dimension) {
+    return system instanceof BandedSystem banded
+        ? new BandLu(new BandLayout(dimension, banded.lowerBandwidth(), banded.upperBandwidth()))
+        : new DenseLu(dimension);
+  }
+
+  /** Returns how matrices are stored. */
+  MatrixLayout layout() {
+    return layout;
+  }
+
+  /** Factors I − hγ J; returns whether it is regular. */
+  boolean factorExplicit(double hGamma, double[] jacobian) {
+    for (int i = 0; i < matrix.length; i++) {
+      matrix[i] = -hGamma * jacobian[i];
+    }
+    for (int i = 0; i < layout.dimension(); i++) {
+      matrix[layout.index(i, i)] += 1;
+    }
+    return factor();
+  }
+
+  /**
+   * Factors hγ ∂F/∂y + ∂F/∂y' with the columns of algebraic components over hγ; returns whether it
+   * is regular.
+   *
+   * @param algebraic which columns those are
+   */
+  boolean factorResidual(double hGamma, double[] fy, double[] fyDot, boolean[] algebraic) {
+    for (int j = 0; j < layout.dimension(); j++) {
+      double ofState = algebraic[j] ? 1 : hGamma;
+      double ofDerivative = algebraic[j] ? (hGamma == 0 ? 0 : 1 / hGamma) : 1;
+      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+        int ij = layout.index(i, j);
+        matrix[ij] = ofState * fy[ij] + ofDerivative * fyDot[ij];
+      }
+    }
+    return factor();
+  }
+
+  private boolean factor() {
+    if (manifold.completes()) {
+      uncouplePassive();
+    }
+    singularColumn = solver.factor(matrix);
+    return singularColumn == LinearSolver.NONSINGULAR;
+  }
+
+  private void uncouplePassive() {
+    for (int j = 0; j < layout.dimension(); j++) {
+      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+        if (!manifold.independent(i) || !manifold.independent(j)) {
+          matrix[layout.index(i, j)] = i == j ? 1 : 0;
+        }
+      }
+    }
+  }
+
+  /** Solves in place. */
+  void solve(double[] b) {
+    solver.solve(b);
+  }
+
+  /** Returns the column, and so the component, that left no pivot. */
+  int singularColumn() {
+    return singularColumn;
+  }
+
+  /** Returns an estimate of the reciprocal condition. */
+  double reciprocalCondition() {
+    return solver.reciprocalCondition();
+  }
+}

@@ -1,0 +1,41 @@
+package org.mechservice.solver.ode.newton;
+
+/**
+ * When a Newton iteration is taken to have converged on the strength of what earlier ones have
+ * shown, and when factors of a similar matrix will do.
+ *
+ * @param accuracyByOldRate error left, in units of the tolerance, that is accepted after the first
+ *     iteration of a step, when only the rate of earlier steps is known
+ * @param stepsByOldRate number of steps in a row that may be accepted so; then the rate is measured
+ * @param heedsRoundOff whether a rate is learnt from a change that was no more than round-off, as
+ *     that of a linear problem always is
+ * @param closeRatio how much hγ may differ from that of the factors, relative to it; the iteration
+ *     then goes 2 / (1 + ratio) of its way, which errs by the same share in stiff and in slow
+ *     components. Brenan, Campbell and Petzold 1996, ch. 5
+ */
+record IterationRules(
+    double accuracyByOldRate, int stepsByOldRate, boolean heedsRoundOff, double closeRatio) {
+  /** The rules published for ode15s. */
+  static final IterationRules PUBLISHED = new IterationRules(0.05, Integer.MAX_VALUE, false, 0);
+
+  /**
+   * For systems in residual form that may have algebraic components: no error test sees these, so
+   * what the iteration leaves in them goes on into the next prediction. Trusting a rate for more
+   * costs them steps rejected.
+   */
+  static final IterationRules LEARNING = new IterationRules(0.05, Integer.MAX_VALUE, true, 0);
+
+  /**
+   * Trusts a rate for more, but not for long. Measured on the stiff problems of the suite: the same
+   * digits for a sixth fewer evaluations than by those published.
+   */
+  static final IterationRules TRUSTING = new IterationRules(0.3, 20, true, 0);
+
+  /**
+   * For systems in residual form without algebraic components. Measured on five mechanisms at 41
+   * tolerances each: a seventh fewer evaluations than by {@link #LEARNING}, the same errors on the
+   * mean of all but one, where they grow by six tenths. To trust as much as {@link #TRUSTING} saves
+   * another hundredth, at larger errors on all five.
+   */
+  static final IterationRules TRUSTING_RESIDUALS = new IterationRules(0.25, 20, true, 0);
+}

@@ -1,0 +1,201 @@
+package org.mechservice.solver.ode.newton;
+
+import java.util.Arrays;
+import org.mechservice.solver.linear.MatrixLayout;
+import org.mechservice.solver.ode.SavedState;
+import org.mechservice.solver.ode.step.ErrorNorm;
+
+/**
+ * A matrix of derivatives in use, and a second one where the next is formed: what turns out not to
+ * be finite, or is stopped half way, does not replace the one in use.
+ */
+public final class JacobianMatrix {
+  /** The second half of these powers of a matrix tell how it grows. */
+  private static final int POWERS = 16;
+
+  /** What is left after {@link #POWERS} of an eigenvalue of 0.8 times the largest one. */
+  private static final double SAME_LINE = 0.05;
+
+  private static final double GOLDEN_RATIO = 0.6180339887498949;
+
+  private final MatrixLayout layout;
+  private double[] values;
+  private double[] forming;
+  private final double[] rowSums;
+
+  /** Spectral radius, once asked for. */
+  private double radius;
+
+  /**
+   * Largest distance of one of the last powers from the one before, turned round; in largest
+   * elements. Of an oscillation, two in a row may look alike by chance, four do not.
+   */
+  private double offTurned;
+
+  /** The same distance from the one before as it is. */
+  private double offKept;
+
+  private boolean radiusKnown;
+  private final double[] power;
+  private final double[] product;
+
+  public JacobianMatrix(MatrixLayout layout) {
+    this.layout = layout;
+    values = new double[layout.length()];
+    forming = new double[layout.length()];
+    rowSums = new double[layout.dimension()];
+    power = new double[layout.dimension()];
+    product = new double[layout.dimension()];
+  }
+
+  /** Returns the matrix in use, elements by layout; not to be modified. */
+  double[] values() {
+    return values;
+  }
+
+  /** Returns where to form the next, elements by layout. */
+  public double[] forming() {
+    return forming;
+  }
+
+  /** Returns where to form the next after setting it to zero. */
+  double[] formingFromZero() {
+    Arrays.fill(forming, 0);
+    return forming;
+  }
+
+  /** Returns the first row with an element that is not finite in the matrix formed; −1 if none. */
+  int rowNotFinite() {
+    for (int j = 0; j < layout.dimension(); j++) {
+      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+        if (!Double.isFinite(forming[layout.index(i, j)])) {
+          return i;
+        }
+      }
+    }
+    return -1;
+  }
+
+  /** Subtracts a multiple of another matrix, of the same layout, from the one just formed. */
+  void subtractInForming(double factor, JacobianMatrix other) {
+    for (int i = 0; i < forming.length; i++) {
+      forming[i] -= factor * other.values[i];
+    }
+  }
+
+  /** Takes the matrix that was formed into use. */
+  public void replace() {
+    double[] freed = values;
+    values = forming;
+    forming = freed;
+    radiusKnown = false;
+  }
+
+  /** Adds the product of the matrix in use and x to a vector. */
+  void addProduct(double[] x, double[] sum) {
+    layout.addProduct(values, x, sum);
+  }
+
+  /** Adds the absolute values of the terms of that product. */
+  void addMagnitudes(double[] x, double[] sum) {
+    addMagnitudes(values, x, sum);
+  }
+
+  /** Adds the same of the matrix just formed. */
+  void addMagnitudesOfForming(double[] x, double[] sum) {
+    addMagnitudes(forming, x, sum);
+  }
+
+  private void addMagnitudes(double[] values, double[] x, double[] sum) {
+    for (int j = 0; j < x.length; j++) {
+      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+        sum[i] += Math.abs(values[layout.index(i, j)] * x[j]);
+      }
+    }
+  }
+
+  /**
+   * Returns the norm of the matrix in use that belongs to the maximum norm of weighted vectors: the
+   * largest row sum of w_i |J_ij| / w_j.
+   */
+  double norm(ErrorNorm weights) {
+    Arrays.fill(rowSums, 0);
+    for (int j = 0; j < rowSums.length; j++) {
+      double unit = weights.weight(j) == 0 ? 0 : 1 / weights.weight(j);
+      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+        rowSums[i] += Math.abs(values[layout.index(i, j)]) * unit;
+      }
+    }
+    return weights.of(rowSums);
+  }
+
+  /**
+   * Returns an estimate of the spectral radius of the matrix in use: by how much its powers grow,
+   * which does not depend on the units of the components.
+   *
+   * <p>0 for a nilpotent matrix; not finite if the estimate overflows.
+   */
+  public double spectralRadius() {
+    if (!radiusKnown) {
+      radius = powerGrowth();
+      radiusKnown = true;
+    }
+    return radius;
+  }
+
+  /**
+   * Returns whether the fastest motion is a decay or a growth: the largest eigenvalue is real and
+   * alone in its size. The powers of the matrix then change nothing but the length and the sense of
+   * a vector.
+   */
+  public boolean fastestIsExponential() {
+    return spectralRadius() > 0 && Math.min(offTurned, offKept) < SAME_LINE;
+  }
+
+  private double powerGrowth() {
+    for (int l = 0; l < power.length; l++) {
+      // Fractions of multiples of the golden ratio: no matrix met in practice annuls them.
+      power[l] = 0.5 + (l + 1) * GOLDEN_RATIO % 1;
+    }
+    double growth = 0;
+    for (int i = 1; i <= POWERS; i++) {
+      Arrays.fill(product, 0);
+      addProduct(power, product);
+      double size = 0;
+      for (double element : product) {
+        size = Math.max(size, Math.abs(element));
+      }
+      if (size == 0) {
+        return 0;
+      }
+      if (i == POWERS - 3) {
+        offTurned = 0;
+        offKept = 0;
+      }
+      for (int l = 0; l < power.length; l++) {
+        double next = product[l] / size;
+        offTurned = Math.max(offTurned, Math.abs(next + power[l]));
+        offKept = Math.max(offKept, Math.abs(next - power[l]));
+        power[l] = next;
+      }
+      growth += i > POWERS / 2 ? StrictMath.log(size) : 0;
+    }
+    return StrictMath.exp(growth / (POWERS / 2));
+  }
+
+  /** Returns whether a column of the matrix in use is zero. */
+  boolean isZero(int column) {
+    for (int i = layout.firstRow(column); i <= layout.lastRow(column); i++) {
+      if (values[layout.index(i, column)] != 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Carries the matrix in use over. */
+  void transfer(SavedState state) {
+    state.numbers(values);
+    radiusKnown = false;
+  }
+}

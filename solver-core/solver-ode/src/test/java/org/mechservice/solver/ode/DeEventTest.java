@@ -1,8 +1,0 @@
-package org.mechservice.solver.ode;
-
-class DeEventTest extends EventContract {
-  @Override
-  Integrator create(IntegratorSettings settings) {
-    return new De(settings);
-  }
-}

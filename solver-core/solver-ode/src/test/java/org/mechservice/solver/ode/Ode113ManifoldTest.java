@@ -1,8 +1,0 @@
-package org.mechservice.solver.ode;
-
-class Ode113ManifoldTest extends ManifoldContract {
-  @Override
-  Integrator create(IntegratorSettings settings) {
-    return new Ode113(settings);
-  }
-}

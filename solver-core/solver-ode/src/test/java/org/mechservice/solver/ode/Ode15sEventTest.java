@@ -1,8 +1,0 @@
-package org.mechservice.solver.ode;
-
-class Ode15sEventTest extends EventContract {
-  @Override
-  Integrator create(IntegratorSettings settings) {
-    return new Ode15s(settings);
-  }
-}

@@ -1,0 +1,12 @@
+package org.mechservice.solver.ode.adams;
+
+import org.mechservice.solver.ode.CheckpointContract;
+import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.IntegratorSettings;
+
+class Ode113CheckpointTest extends CheckpointContract {
+  @Override
+  protected Integrator create(IntegratorSettings settings) {
+    return new Ode113(settings);
+  }
+}

@@ -1,0 +1,106 @@
+package org.mechservice.solver.ode.newton;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.linear.BandLayout;
+import org.mechservice.solver.linear.DenseLayout;
+import org.mechservice.solver.linear.MatrixLayout;
+import org.mechservice.solver.ode.OdeSystem;
+import org.mechservice.solver.ode.SparseSystem;
+import org.mechservice.solver.ode.suite.Ode;
+
+class ColumnGroupsTest {
+  private static List<List<Integer>> groups(Object system, MatrixLayout layout) {
+    ColumnGroups groups = ColumnGroups.of(system, layout);
+    List<List<Integer>> columns = new ArrayList<>();
+    for (int group = 0; group < groups.count(); group++) {
+      List<Integer> members = new ArrayList<>();
+      for (int j = groups.first(group); j >= 0; j = groups.next(j)) {
+        members.add(j);
+      }
+      columns.add(members);
+    }
+    return columns;
+  }
+
+  private static List<List<Integer>> groups(int n, SparseSystem pattern) {
+    return groups(pattern, new DenseLayout(n));
+  }
+
+  private static boolean shareARow(SparseSystem pattern, int n, int column1, int column2) {
+    for (int i = 0; i < n; i++) {
+      if (pattern.couples(i, column1) && pattern.couples(i, column2)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8})
+  void columnsOfAGroupShareNoRow(int seed) {
+    Random random = new Random(seed);
+    int n = 5 * seed;
+    boolean[][] coupled = new boolean[n][n];
+    for (int i = 0; i < 3 * n; i++) {
+      coupled[random.nextInt(n)][random.nextInt(n)] = true;
+    }
+    SparseSystem pattern = (i, j) -> coupled[i][j];
+    for (List<Integer> group : groups(n, pattern)) {
+      for (int j : group) {
+        assertThat(group).noneMatch(l -> l != j && shareARow(pattern, n, l, j));
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 3})
+  void everyColumnIsInOneGroup(int seed) {
+    Random random = new Random(seed);
+    boolean[][] coupled = new boolean[30][30];
+    for (boolean[] row : coupled) {
+      row[random.nextInt(30)] = true;
+      row[random.nextInt(30)] = true;
+    }
+    List<Integer> all = new ArrayList<>();
+    groups(30, (i, j) -> coupled[i][j]).forEach(all::addAll);
+    assertThat(all).hasSize(30).doesNotHaveDuplicates();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1, 0, 0", "9, 0, 0", "9, 1, 1", "20, 2, 3", "12, 4, 0"})
+  void patternOfABandIsGroupedAsTheBand(int n, int lower, int upper) {
+    SparseSystem pattern = (i, j) -> j - i >= -lower && j - i <= upper;
+    OdeSystem band = new Ode(n, (t, y, yDot) -> {});
+    assertThat(groups(n, pattern)).isEqualTo(groups(band, new BandLayout(n, lower, upper)));
+  }
+
+  @Test
+  void columnsOfAFullMatrixStandAlone() {
+    assertThat(groups(new Ode(3, (t, y, yDot) -> {}), new DenseLayout(3)))
+        .containsExactly(List.of(0), List.of(1), List.of(2));
+  }
+
+  @Test
+  void columnThatAllRowsHaveStandsAlone() {
+    assertThat(groups(5, (i, j) -> i == j || j == 2))
+        .containsExactly(List.of(0, 1, 3, 4), List.of(2));
+  }
+
+  @Test
+  void columnsThatNoRowHasAreOneGroup() {
+    assertThat(groups(3, (i, j) -> false)).containsExactly(List.of(0, 1, 2));
+  }
+
+  @Test
+  void noColumnsAreNoGroups() {
+    assertThat(groups(0, (i, j) -> true)).isEmpty();
+  }
+}

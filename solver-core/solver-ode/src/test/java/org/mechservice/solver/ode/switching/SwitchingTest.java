@@ -1,0 +1,351 @@
+package org.mechservice.solver.ode.switching;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.ode.IntegrationFailure;
+import org.mechservice.solver.ode.IntegrationStatistics;
+import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.IntegratorSettings;
+import org.mechservice.solver.ode.IntegratorSettings.Mode;
+import org.mechservice.solver.ode.MethodChange;
+import org.mechservice.solver.ode.StepResult;
+import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.stiff.Ode15s;
+import org.mechservice.solver.ode.suite.Flame;
+import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.Run;
+import org.mechservice.solver.ode.suite.StiffVanDerPol;
+import org.mechservice.solver.ode.suite.SuiteProblem;
+
+/** The method changes where stiffness comes and goes, and nowhere else. */
+class SwitchingTest {
+  /** Periods of 1615: slow, stiff stretches with two jumps each, which are not stiff. */
+  private static final Ode RELAXATION =
+      new Ode(
+          2,
+          (t, y, yDot) -> {
+            yDot[0] = y[1];
+            yDot[1] = 1000 * (1 - y[0] * y[0]) * y[1] - y[0];
+          });
+
+  /** Decays to a slow cosine, fast, from t = 10 on slowly: stiff on [0, 10] alone. */
+  private static final Ode STIFF_AT_FIRST =
+      new Ode(
+          1,
+          (t, y, yDot) ->
+              yDot[0] = -(t < 10 ? 1e4 : 1) * (y[0] - StrictMath.cos(t)) - StrictMath.sin(t));
+
+  private static Run relaxation(double tolerance, double periods) {
+    IntegratorSettings settings = new IntegratorSettings(tolerance, tolerance);
+    return Run.of(new Switching(settings), RELAXATION, 0, new double[] {2, 0}, 1615 * periods);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-3, 1e-5, 1e-6, 1e-9})
+  void relaxationOscillatorChangesMethodAtEveryJumpAndBack(double tolerance) {
+    // Ten periods have twenty jumps: one change before the first, two at each.
+    Run run = relaxation(tolerance, 10);
+    assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+    assertThat(run.integrator().methodChangeCount()).isBetween(35L, 46L);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-3, 1e-4, 3e-5, 1e-5, 1e-6, 1e-8})
+  void relaxationOscillatorCostsNoMoreThanTheStiffMethodAlone(double tolerance) {
+    // A phase of few steps may have paid all the same: it covers what ode113 could not.
+    IntegratorSettings settings = new IntegratorSettings(tolerance, tolerance);
+    Run stiff = Run.of(new Ode15s(settings), RELAXATION, 0, new double[] {2, 0}, 16_150);
+    assertThat(relaxation(tolerance, 10).statistics().evaluations())
+        .isLessThan(stiff.statistics().evaluations());
+  }
+
+  /** A block on a spring with friction as a jump: once at rest, it would have to stay there. */
+  @Test
+  void slidingAlongAJumpEndsTheRunInsteadOfCrossingItForEver() {
+    Ode dry =
+        new Ode(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = y[1];
+              yDot[1] = -Math.signum(y[1]) - y[0];
+            });
+    Run run =
+        Run.of(
+            new Switching(new IntegratorSettings(1e-8, 1e-8)), dry, 0, new double[] {3.3, 0}, 20);
+    assertThat(run.result()).isEqualTo(StepResult.FAILED);
+    assertThat(run.integrator().failure().cause())
+        .isEqualTo(IntegrationFailure.Cause.STEP_TOO_SMALL);
+    assertThat(run.integrator().time()).isCloseTo(2 * Math.PI, within(1e-3));
+    assertThat(run.atEnd()).containsExactly(new double[] {-0.7, 0}, within(1e-4));
+    assertThat(run.statistics().evaluations()).isLessThan(100_000);
+  }
+
+  @Test
+  void slidingAlongWhatIsOnlySteepIsLeftToTheStiffMethod() {
+    Ode steep =
+        new Ode(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = y[1];
+              yDot[1] = 1000 * (0.01 * t - y[0]) - 5 * y[1] / Math.hypot(y[1], 1e-9);
+            });
+    Run run =
+        Run.of(
+            new Switching(new IntegratorSettings(1e-8, 1e-8)), steep, 0, new double[] {0, 0}, 0.4);
+    assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+    assertThat(run.integrator().methodChangeCount()).isEqualTo(1);
+    // It creeps at a part of 1e-9 m/s: the spring's 4 N at the end are less than friction.
+    assertThat(run.atEnd()).containsExactly(new double[] {0, 0}, within(1e-8));
+    assertThat(run.statistics().evaluations()).isLessThan(100_000);
+  }
+
+  @Test
+  void changesAreToldInOrderWithTheirReason() {
+    List<MethodChange> changes = relaxation(1e-6, 2).integrator().methodChanges();
+    assertThat(changes).hasSizeGreaterThan(3);
+    for (int i = 0; i < changes.size(); i++) {
+      assertThat(changes.get(i).stiff()).isEqualTo(i % 2 == 0);
+      assertThat(i == 0 || changes.get(i).time() > changes.get(i - 1).time()).isTrue();
+      assertThat(changes.get(i).stepSize()).isPositive();
+    }
+  }
+
+  @Test
+  void onlyTheFirstChangesAreRemembered() {
+    Run run = relaxation(1e-4, 20);
+    assertThat(run.integrator().methodChangeCount()).isGreaterThan(40);
+    assertThat(run.integrator().methodChanges()).hasSize(16);
+  }
+
+  /**
+   * The error tests of ode113 take each crossing of the law's slope for a jump, at some of these.
+   */
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9})
+  void steepLawThatIsCrossedAgainAndAgainIsLeftToTheStiffMethod(double tolerance) {
+    // 5 N of friction hold a block that 3 N push: it creeps at 0.75e-6 m/s.
+    Ode held =
+        new Ode(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = y[1];
+              yDot[1] = 3 - 5 * y[1] / Math.hypot(y[1], 1e-6);
+            });
+    IntegratorSettings settings = new IntegratorSettings(tolerance, 0.01 * tolerance);
+    Run run = Run.of(new Switching(settings), held, 0, new double[] {0, 0}, 2);
+    assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+    assertThat(run.integrator().methodChangeCount()).isEqualTo(1);
+    assertThat(run.statistics().evaluations()).isLessThan(1000);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-3, 1e-5, 1e-8, 1e-11})
+  void problemThatIsNotStiffIsIntegratedByOde113ToTheBit(double tolerance) {
+    for (SuiteProblem problem : SuiteProblem.nonstiff()) {
+      IntegratorSettings settings = Run.settings(problem, tolerance);
+      Run alone = Run.of(new Ode113(settings), problem);
+      Run switching = Run.of(new Switching(settings), problem);
+      assertThat(switching.atEnd()).as(problem.name()).isEqualTo(alone.atEnd());
+      assertThat(switching.statistics()).as(problem.name()).isEqualTo(alone.statistics());
+      assertThat(switching.integrator().methodChanges()).as(problem.name()).isEmpty();
+    }
+  }
+
+  /**
+   * Evaluations, and what steps take beside them: on the Brusselator of 40 unknowns a step of
+   * ode15s takes 3.6 times the processor time of one of ode113 and two thirds of its evaluations.
+   */
+  @Test
+  void stiffProblemCostsHardlyMoreThanWithOde15s() {
+    // Finding out takes some 30 steps; only runs of hardly more than that feel it.
+    for (SuiteProblem problem : SuiteProblem.stiff()) {
+      for (int k = 3; k <= 9; k++) {
+        IntegratorSettings settings = Run.settings(problem, StrictMath.pow(10, -k));
+        StepCosts costs = new StepCosts(problem.dimension());
+        double stiff = cost(new Ode15s(settings), problem, costs);
+        assertThat(cost(new Switching(settings), problem, costs))
+            .as("%s, 1e-%d", problem.name(), k)
+            .isLessThanOrEqualTo(Math.max(1.3 * stiff, 50 * costs.adamsStep() + stiff));
+      }
+    }
+  }
+
+  private static double cost(Integrator integrator, SuiteProblem problem, StepCosts costs) {
+    double[] y0 = problem.reference().initialState();
+    StepResult result = integrator.start(problem, 0, y0, problem.reference().end());
+    boolean switching = integrator instanceof Switching;
+    long ofAdams = 0;
+    long ofBackward = 0;
+    while (result == StepResult.ADVANCED) {
+      result = integrator.step();
+      if (switching && integrator.methodChangeCount() % 2 == 0) {
+        ofAdams++;
+      } else {
+        ofBackward++;
+      }
+    }
+    assertThat(result).isEqualTo(StepResult.REACHED_END);
+    IntegrationStatistics done = integrator.statistics();
+    double adamsStep = costs.adamsStep() - costs.backward(0, 2, 0);
+    return ofAdams * adamsStep
+        + costs.backward(ofBackward, done.evaluations(), done.factorisations());
+  }
+
+  /**
+   * Its decay keeps the steps of ode113 at 0.7 ms and its oscillation those of order 5 below that,
+   * though not those of order 12.
+   */
+  @Test
+  void stabilityThatLimitsStepsWhichImplicitOnesWouldNotExceedIsNoReasonToChange() {
+    Ode vibrating =
+        new Ode(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = -1000 * (y[0] - y[1]);
+              yDot[1] = 150 * StrictMath.cos(150 * t);
+            });
+    for (double tolerance : new double[] {1e-6, 1e-8}) {
+      IntegratorSettings settings = new IntegratorSettings(tolerance, tolerance);
+      Ode113 alone = new Ode113(settings);
+      Run.of(alone, vibrating, 0, new double[] {0, 0}, 2);
+      assertThat(alone.statistics().stiffnessSuspected()).isTrue();
+      Switching integrator = new Switching(settings);
+      Run.of(integrator, vibrating, 0, new double[] {0, 0}, 2);
+      assertThat(integrator.methodChanges()).as("%g", tolerance).isEmpty();
+    }
+  }
+
+  @Test
+  void stiffnessThatBeginsShortlyBeforeTheEndIsNotWorthAChange() {
+    Ode gripped =
+        new Ode(
+            1,
+            (t, y, yDot) ->
+                yDot[0] = -(t < 10 ? 1 : 1e4) * (y[0] - StrictMath.cos(t)) - StrictMath.sin(t));
+    // From t = 10 on ode113 needs 70 steps for each 0.01.
+    IntegratorSettings settings = new IntegratorSettings(1e-6, 1e-6);
+    Switching soon = new Switching(settings);
+    Run.of(soon, gripped, 0, new double[] {1000}, 10.01);
+    assertThat(soon.methodChanges()).isEmpty();
+    Switching later = new Switching(settings);
+    Run.of(later, gripped, 0, new double[] {1000}, 10.1);
+    assertThat(later.methodChanges()).hasSize(1);
+  }
+
+  @Test
+  void methodsAboutEquallyGoodDoNotTakeTurns() {
+    // Rates of 1 and 30: at these tolerances both methods cost the same within a factor of two.
+    Ode moderate =
+        new Ode(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = -30 * (y[0] - y[1]);
+              yDot[1] = -y[1] + StrictMath.cos(t);
+            });
+    for (int k = 3; k <= 10; k++) {
+      double tolerance = StrictMath.pow(10, -k);
+      Switching integrator = new Switching(new IntegratorSettings(tolerance, tolerance));
+      Run.of(integrator, moderate, 0, new double[] {1, 0}, 300);
+      assertThat(integrator.methodChangeCount()).as("1e-%d", k).isLessThanOrEqualTo(8);
+    }
+  }
+
+  @Test
+  void stiffnessThatEndsAtADeclaredJumpIsLeftBehind() {
+    IntegratorSettings settings = new IntegratorSettings(1e-9, 1e-9);
+    Switching integrator = new Switching(settings);
+    Run run = Run.of(integrator, STIFF_AT_FIRST, 0, new double[] {1}, 60);
+    assertThat(run.atEnd()[0]).isCloseTo(StrictMath.cos(60), within(1e-7));
+    assertThat(integrator.methodChanges()).hasSize(2);
+    assertThat(integrator.methodChanges().get(1).time()).isGreaterThan(10);
+  }
+
+  @Test
+  void lastStepCanBeInterpolatedUntilTheNextMethodHasTakenOver() {
+    Switching integrator = new Switching(new IntegratorSettings(1e-6, 1e-6));
+    StepResult result = integrator.start(RELAXATION, 0, new double[] {2, 0}, 1000);
+    double[] y = new double[2];
+    double[] before = new double[2];
+    double[] yDot = new double[2];
+    while (result == StepResult.ADVANCED) {
+      integrator.interpolate(integrator.time(), before, yDot);
+      double end = integrator.time();
+      result = integrator.step();
+      assertThat(integrator.previousTime()).isEqualTo(end);
+      integrator.interpolate(end, y, yDot);
+      assertThat(y[0]).isCloseTo(before[0], within(1e-5));
+    }
+    assertThat(integrator.methodChangeCount()).isPositive();
+  }
+
+  @ParameterizedTest
+  @EnumSource(Mode.class)
+  void everyModeChangesMethod(Mode mode) {
+    SuiteProblem problem = new Flame();
+    Run run = Run.of(new Switching(Run.settings(problem, 1e-6).withMode(mode)), problem);
+    assertThat(run.integrator().methodChangeCount()).isPositive();
+    assertThat(problem.reference().mixedDigits(run.atEnd(), problem.reference().atEnd()))
+        .isGreaterThan(5);
+  }
+
+  @Test
+  void integrationTakenUpBetweenAnyStepsGoesOnWithTheSameBits() {
+    SuiteProblem problem = new StiffVanDerPol();
+    IntegratorSettings settings = Run.settings(problem, 1e-4);
+    Integrator whole = new Switching(settings);
+    Integrator cut = new Switching(settings);
+    double[] y0 = problem.reference().initialState();
+    StepResult result = whole.start(problem, 0, y0, 2000);
+    cut.start(problem, 0, y0, 2000);
+    while (result == StepResult.ADVANCED) {
+      byte[] saved = cut.save();
+      cut = new Switching(settings);
+      assertThat(cut.resume(new StiffVanDerPol(), saved)).isEqualTo(StepResult.ADVANCED);
+      result = whole.step();
+      assertThat(cut.step()).isEqualTo(result);
+      assertThat(cut.time()).isEqualTo(whole.time());
+      assertThat(cut.order()).isEqualTo(whole.order());
+    }
+    assertThat(whole.methodChangeCount()).isGreaterThan(4);
+    assertThat(cut.methodChanges()).isEqualTo(whole.methodChanges());
+    assertThat(cut.statistics()).isEqualTo(whole.statistics());
+    assertThat(Run.state(cut, 2000, 2)).isEqualTo(Run.state(whole, 2000, 2));
+  }
+
+  @Test
+  void stepsAllowedAreThoseOfBothTogether() {
+    IntegratorSettings bounded =
+        new IntegratorSettings(
+            1e-6, List.of(1e-6), Double.POSITIVE_INFINITY, 0, 0, 500, () -> false);
+    Switching integrator = new Switching(bounded);
+    Run run = Run.of(integrator, RELAXATION, 0, new double[] {2, 0}, 16_150);
+    assertThat(run.result()).isEqualTo(StepResult.FAILED);
+    assertThat(integrator.methodChangeCount()).isGreaterThan(1);
+    IntegrationStatistics done = integrator.statistics();
+    assertThat(done.steps() + done.rejectedSteps()).isEqualTo(500);
+    assertThat(integrator.failure().cause()).isEqualTo(IntegrationFailure.Cause.TOO_MANY_STEPS);
+    assertThat(integrator.failure().lastSteps()).hasSize(10);
+  }
+
+  @Test
+  void stateIsTheSameBeforeAndAfterAChange() {
+    Switching integrator = new Switching(new IntegratorSettings(1e-5, 1e-5));
+    StepResult result = integrator.start(RELAXATION, 0, new double[] {2, 0}, 1000);
+    List<Double> ends = new ArrayList<>();
+    while (result == StepResult.ADVANCED) {
+      result = integrator.step();
+      ends.add(integrator.time());
+    }
+    assertThat(ends).isSorted().doesNotHaveDuplicates();
+    for (MethodChange change : integrator.methodChanges()) {
+      assertThat(ends).contains(change.time());
+    }
+  }
+}
