@@ -145,7 +145,7 @@ public final class EvaluationCost {
     return String.format(Locale.ROOT, "%.0f | %.0f", time.getScore(), time.getScoreError());
   }
 
-  /** Returns what a call allocates, by what is called. */
+  /** Returns the bytes that a call allocates, by name of the call. */
   private static Map<String, Double> bytes(String scene) {
     Evaluations evaluations = new Evaluations();
     evaluations.scene = scene;

@@ -18,7 +18,7 @@ import org.openjdk.jmh.annotations.State;
 public class Evaluations extends Measured {
   private static final double H_GAMMA = 1e-3;
 
-  /** What is evaluated. */
+  /** The scene that is evaluated. */
   @Param({"pendulum", "driver", "chain200"})
   public String scene = "";
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import org.mechservice.mechml.AbsoluteTolerances;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.NearestName;
@@ -14,14 +15,14 @@ import org.mechservice.mechml.resolve.value.AttributeText;
 import org.mechservice.mechml.resolve.value.SettingReader;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Unit;
+import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.IntegratorSettings;
 
 /** Reads {@code integrator}. */
 final class IntegratorReader {
   private static final List<String> KNOWN =
-      List.of("auto", "DE", "ode113", "ode15s", "ode15sR", "switching");
-  private static final List<String> BACKWARD = List.of("ode15s", "ode15sR");
+      Stream.concat(Stream.of("auto"), IntegrationMethod.labels().stream().sorted()).toList();
 
   /** Order of the Adams formulas with local extrapolation at its highest. */
   private static final int HIGHEST_ADAMS_ORDER = 13;
@@ -88,8 +89,14 @@ final class IntegratorReader {
     return settings.read(element, attribute, open, x -> x > 0, "must be positive");
   }
 
+  private static boolean isBackward(String name) {
+    return IntegrationMethod.find(name)
+        .filter(method -> method.family() == IntegrationMethod.Family.BACKWARD)
+        .isPresent();
+  }
+
   private OptionalDouble maxOrder(Element element, String name) {
-    int highest = BACKWARD.contains(name) ? HIGHEST_BACKWARD_ORDER : HIGHEST_ADAMS_ORDER;
+    int highest = isBackward(name) ? HIGHEST_BACKWARD_ORDER : HIGHEST_ADAMS_ORDER;
     return settings.read(
         element,
         "maxOrder",

@@ -15,6 +15,7 @@ import org.mechservice.sim.equations.loop.LoopCode;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.kinematics.TreeGeometry;
@@ -35,7 +36,7 @@ final class LoopTermsClass {
     Program loops = LoopCode.loops(links, rows);
     Program equations = LoopCode.equations(links, rows);
     Optional<TermsClass.OfResidual> ofResidual =
-        choice.formulation().startsWith("RR")
+        Formulation.of(choice.formulation()).isResidual()
             ? Optional.of(
                 new TermsClass.OfResidual(
                     LoopCode.offset(links, rows),
@@ -65,7 +66,7 @@ final class LoopTermsClass {
 
   /** How forces of users change is added by their classes. */
   private static Optional<Program> derivatives(Links links, FormulationChoice choice) {
-    return choice.formulation().equals("RR-JF")
+    return Formulation.of(choice.formulation()).hasRecursiveJacobian()
         ? Optional.of(ResidualDerivatives.ofLoops(links))
         : Optional.empty();
   }

@@ -1,6 +1,7 @@
 package org.mechservice.solver.closure;
 
 import java.util.Locale;
+import org.mechservice.solver.catalogue.ClosureMethod;
 
 /**
  * Numbers of the penalty closure (NUMERICS §3; García de Jalón and Bayo 1994, ch. 5). As text they
@@ -19,7 +20,7 @@ public record PenaltySettings(double stiffness, double frequency, double damping
   public static final PenaltySettings DEFAULT = new PenaltySettings(1e7, 10, 1);
 
   /** What the closure is called. */
-  public static final String CLOSURE = "penalty";
+  public static final String CLOSURE = ClosureMethod.PENALTY.label();
 
   private static final double LEAST_STIFFNESS = 1e3;
   private static final double LARGEST_STIFFNESS = 1e12;

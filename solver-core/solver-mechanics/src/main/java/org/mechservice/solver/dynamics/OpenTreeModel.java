@@ -15,6 +15,7 @@ import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.dynamics.tree.PivotCheck;
 import org.mechservice.solver.force.ForceSet;
@@ -73,7 +74,7 @@ public abstract class OpenTreeModel
     List<String> closures = mechanism.closures().stream().map(LoopClosure::name).toList();
     if (!closures.isEmpty()) {
       String advice =
-          formulation.equals("DTR")
+          formulation.equals(Formulation.DTR.label())
               ? "use DSR, RR or RR-JF"
               : "choose how they are closed: projection or penalty";
       throw new IllegalArgumentException(
