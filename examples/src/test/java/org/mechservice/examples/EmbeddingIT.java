@@ -12,7 +12,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A model's class in a program that knows nothing of the service. */
+/** A model's class in a program without the service. */
 class EmbeddingIT {
   @TempDir Path directory;
 
@@ -33,7 +33,9 @@ class EmbeddingIT {
     }
   }
 
-  /** A push of t newtons on 1 kg: t³/6 m, which a method of fourth order has to rounding. */
+  /**
+   * A force of t newtons on 1 kg: t³/6 m, which a method of fourth order reproduces to rounding.
+   */
   @Test
   void timeAndClassesOfUsersAreForTheProgramAsForTheService() throws Exception {
     List<String> printed = run(element("force"), "forceWithData", "0.5", "50");
@@ -41,7 +43,7 @@ class EmbeddingIT {
     assertThat(number(printed.get(0))).isCloseTo(0.125 / 6, within(1e-15));
   }
 
-  /** Events and tunable parameters stand beside the code as data. */
+  /** Events and tunable parameters are data beside the code. */
   @Test
   void aModelWithDataBesideItsCodeIsAModelToo() throws Exception {
     List<String> printed = run(element("event"), "eventWithData", "0.5", "50");
