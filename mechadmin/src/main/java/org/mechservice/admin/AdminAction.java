@@ -69,7 +69,7 @@ public sealed interface AdminAction {
   }
 
   /**
-   * Lets what runs go on, but nothing new begin.
+   * Lets running simulations continue and admits no new one.
    *
    * @param host which host; empty: the whole server
    */
@@ -115,7 +115,7 @@ public sealed interface AdminAction {
   /**
    * Ends the server.
    *
-   * @param graceSeconds how long what runs may go on, s
+   * @param graceSeconds time that running simulations may still take, s
    */
   record Shutdown(int graceSeconds) implements AdminAction {
     public Shutdown {

@@ -135,7 +135,7 @@ public final class AdminConsole implements AutoCloseable {
   }
 
   /**
-   * Returns what happened on a server and its hosts, waiting until there is something.
+   * Waits for events of a server and its hosts and returns them.
    *
    * @param after number of the last event already known
    * @param maxCount most events to return

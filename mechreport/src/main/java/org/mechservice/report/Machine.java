@@ -32,7 +32,7 @@ public final class Machine {
         solverVersion());
   }
 
-  /** Linux tells the processor's name; elsewhere its architecture has to do. */
+  /** Returns the processor's name on Linux, its architecture elsewhere. */
   private static String processor() {
     try (Stream<String> lines = Files.lines(PROCESSORS, StandardCharsets.UTF_8)) {
       return lines

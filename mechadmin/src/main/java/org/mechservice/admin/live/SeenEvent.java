@@ -7,6 +7,6 @@ import org.mechservice.idl.ServiceEvent;
  *
  * @param number grows by one per event heard of, of whichever server
  * @param server address of the server it came from
- * @param event what happened
+ * @param event the event
  */
 public record SeenEvent(long number, String server, ServiceEvent event) {}

@@ -43,7 +43,7 @@ final class WatchState {
     return asking;
   }
 
-  /** Returns what came of the last action. */
+  /** Returns the result of the last action. */
   String news() {
     return news;
   }

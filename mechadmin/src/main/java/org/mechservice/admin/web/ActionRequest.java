@@ -11,7 +11,7 @@ import org.mechservice.admin.AdminAction;
  * The action that a button requests.
  *
  * @param server address of the server it is about
- * @param action what that server is to do
+ * @param action the action of that server
  */
 record ActionRequest(String server, AdminAction action) {
   /**

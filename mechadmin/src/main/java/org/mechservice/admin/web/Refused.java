@@ -18,7 +18,7 @@ final class Refused extends RuntimeException {
     this.status = status;
   }
 
-  /** Returns the refusal that tells of a failure. */
+  /** Returns the refusal that reports a failure. */
   static Refused of(AdminFailure failure) {
     int status =
         switch (failure.reason()) {

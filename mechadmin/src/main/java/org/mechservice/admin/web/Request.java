@@ -123,7 +123,7 @@ final class Request {
     }
   }
 
-  /** Begins an answer that goes on until one of the two closes it. */
+  /** Begins a stream that stays open until one of the two closes it. */
   EventStream stream() throws IOException {
     exchange.getResponseHeaders().set("Content-Type", "text/event-stream");
     exchange.sendResponseHeaders(200, 0);

@@ -44,7 +44,7 @@ final class RowTable {
         });
   }
 
-  /** Returns what changed or went after a version. */
+  /** Returns the rows changed or removed after a version. */
   JsonObject after(long version) {
     JsonArray changed = new JsonArray();
     rows.values().stream()

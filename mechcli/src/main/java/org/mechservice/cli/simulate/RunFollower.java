@@ -32,7 +32,7 @@ final class RunFollower implements RunListener {
     this.aloud = aloud;
   }
 
-  /** Follows a local run, which tells nothing by itself. */
+  /** Follows a local run, which sends no progress by itself. */
   PreparedRun watch(LocalRun run) {
     latest = () -> Optional.of(run.progress());
     return run;

@@ -25,7 +25,7 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
   /** Largest difference allowed between the codes' solution and the published reference. */
   private static final double AGREES = 1e-6;
 
-  /** Codes may differ by so many times what one unit in the last place does. */
+  /** Largest difference of the codes, in units of the effect of one unit in the last place. */
   private static final double EXPLAINED = 1e4;
 
   /** A floor above this, at a time that is kept all the same, is a warning. */
@@ -48,7 +48,7 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
   /**
    * Finds a scene's judge.
    *
-   * @param published what came with the product
+   * @param published the reference that comes with the product
    * @param sources formulations to make one from
    * @param uniform output times if there is no other reason
    */
@@ -73,7 +73,7 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
   /**
    * Finds a scene's judge.
    *
-   * @param published what came with the product
+   * @param published the reference that comes with the product
    * @param made the codes' solution at {@link #times}
    * @param uniform output times if there is no other reason
    */
@@ -103,13 +103,13 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
     return made.map(reference -> cut(reference, grid, known)).orElseGet(() -> none(grid));
   }
 
-  /** Takes what came with the product without making another. */
+  /** Trusts the published reference without checking it by the codes. */
   public static Judge trusting(PublishedReference published) {
     RunGrid grid = RunGrid.meeting(published.times()).orElseThrow();
     return cut(given(published), grid);
   }
 
-  /** Returns what came with the product as a reference. */
+  /** Returns the published reference. */
   public static Reference given(PublishedReference published) {
     return new Reference(
         published.times(),

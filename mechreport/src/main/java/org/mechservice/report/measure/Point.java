@@ -6,7 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * A method at a tolerance: what all its runs say together.
+ * A method at a tolerance: the summary of all its runs.
  *
  * @param first the run that errors and counts are taken from; they are the same in all
  * @param seconds median of the timed runs, s; NaN if there is none

@@ -8,7 +8,7 @@ public interface ReportProgress {
   /**
    * Reports what is being measured.
    *
-   * @param what in a few words
+   * @param what the current work, in a few words
    * @param done part of the whole, from 0 to 1
    * @param secondsLeft estimated, s; NaN if not known yet
    */

@@ -21,8 +21,8 @@ import org.mechservice.solver.catalogue.IntegrationMethod;
  * Every formulation, closure and integrator, tried on a scene: those that fit, built, and the
  * others with the reason why they do not.
  *
- * @param candidates what can be run
- * @param leftOut what cannot
+ * @param candidates methods that can be run
+ * @param leftOut methods that cannot be run
  */
 public record MethodList(List<Candidate> candidates, List<OmittedMethod> leftOut) {
   private static final List<String> FORMULATIONS = Formulation.labels();
@@ -69,7 +69,7 @@ public record MethodList(List<Candidate> candidates, List<OmittedMethod> leftOut
     return new MethodList(candidates, leftOut);
   }
 
-  /** The model as the service itself would choose; what it refuses is refused for all methods. */
+  /** Builds the model with the service's own choice; a refusal of it holds for all methods. */
   private static boolean hasLoops(MechSession session) {
     LocalModel chosen =
         session.fetchModel(SimulationOptions.asInFile().formulation("auto").integrator("auto"));

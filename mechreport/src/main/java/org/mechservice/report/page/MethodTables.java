@@ -111,7 +111,7 @@ final class MethodTables {
             runs.most());
   }
 
-  /** An error that falls without more steps tells nothing of the order. */
+  /** An error that falls without more steps does not show the order. */
   private static String order(OptionalDouble order) {
     if (order.isEmpty()) {
       return "–";

@@ -277,7 +277,7 @@ public final class ScenePage {
     add("</table></section>");
   }
 
-  /** The code of a message, so that one line tells of all failures of a kind. */
+  /** Returns the code of a message, by which failures are counted in one line. */
   private static String kind(String cause) {
     return cause.substring(0, Math.min(cause.length(), 5));
   }

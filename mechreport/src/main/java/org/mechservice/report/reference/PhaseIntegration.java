@@ -37,7 +37,7 @@ final class PhaseIntegration {
     double[] increment();
 
     /**
-     * Renews what the last step may have failed for.
+     * Renews the Jacobian or the factors that the last step may have failed with.
      *
      * @return false if there was nothing to renew
      */
