@@ -50,7 +50,7 @@ public enum ComparedIntegrator {
   }
 
   /**
-   * What a run cost.
+   * Cost of a run.
    *
    * @param steps accepted steps
    * @param evaluations of the right-hand side

@@ -65,8 +65,8 @@ public final class EvaluationCost {
     line(
         "Measured on %s with JMH by the second command of [benchmarks](../../benchmarks/README.md):"
             + " %s %s, processors: %d, Java %s; warm, each figure in a process of its own, one"
-            + " thread. Times depend on the machine and on what else it does. Bytes are what %d calls"
-            + " have allocated, as the JVM counts them for the thread, over their number.",
+            + " thread. Times depend on the machine and on what else it does. Bytes are what %d"
+            + " calls have allocated, as the JVM counts them for the thread, over their number.",
         LocalDate.now(ZoneId.systemDefault()),
         System.getProperty("os.name"),
         System.getProperty("os.arch"),
@@ -145,7 +145,7 @@ public final class EvaluationCost {
     return String.format(Locale.ROOT, "%.0f | %.0f", time.getScore(), time.getScoreError());
   }
 
-  /** Returns what a call allocates, by what is called. */
+  /** Returns the bytes that a call allocates, by name of the call. */
   private static Map<String, Double> bytes(String scene) {
     Evaluations evaluations = new Evaluations();
     evaluations.scene = scene;

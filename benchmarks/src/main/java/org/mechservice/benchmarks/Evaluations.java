@@ -5,7 +5,7 @@ import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.dynamics.LinearisedResidualModel;
 import org.mechservice.solver.dynamics.RecursiveResidualModel;
 import org.mechservice.solver.dynamics.SemiRecursiveModel;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Param;
@@ -18,7 +18,7 @@ import org.openjdk.jmh.annotations.State;
 public class Evaluations extends Measured {
   private static final double H_GAMMA = 1e-3;
 
-  /** What is evaluated. */
+  /** The scene that is evaluated. */
   @Param({"pendulum", "driver", "chain200"})
   public String scene = "";
 

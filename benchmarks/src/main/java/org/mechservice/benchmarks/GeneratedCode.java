@@ -13,7 +13,7 @@ import org.openjdk.jmh.annotations.State;
 /** One evaluation of the code generated for a scene, in each formulation. */
 @State(Scope.Benchmark)
 public class GeneratedCode extends Measured {
-  /** What is evaluated. */
+  /** The scene that is evaluated. */
   @Param({"pendulum", "driver"})
   public String scene = "";
 

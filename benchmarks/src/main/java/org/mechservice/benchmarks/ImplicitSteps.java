@@ -22,7 +22,7 @@ public class ImplicitSteps extends Measured {
   /** Relative size of a difference. */
   private static final double STEP = 1e-7;
 
-  /** What is evaluated. */
+  /** The scene that is evaluated. */
   @Param({"pendulum", "driver"})
   public String scene = "";
 

@@ -19,7 +19,7 @@ import org.openjdk.jmh.annotations.State;
 @State(Scope.Benchmark)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 public class ModelBuilding extends Measured {
-  /** What is built. */
+  /** The scene that is built. */
   @Param({"pendulum", "driver"})
   public String scene = "";
 

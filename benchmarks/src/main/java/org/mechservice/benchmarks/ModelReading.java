@@ -12,7 +12,7 @@ import org.openjdk.jmh.annotations.State;
 @State(Scope.Benchmark)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 public class ModelReading extends Measured {
-  /** What is read. */
+  /** The scene that is read. */
   @Param({"pendulum", "driver"})
   public String scene = "";
 

@@ -12,7 +12,7 @@ import org.openjdk.jmh.annotations.State;
 /** Forward dynamics of the models that other programs are measured with, see {@code peers}. */
 @State(Scope.Thread)
 public class PeerEvaluations extends Measured {
-  /** What is evaluated. */
+  /** The scene that is evaluated. */
   @Param({"pend5", "pend5s", "driver41", "spatial200", "driver", "fourbar"})
   public String scene = "";
 

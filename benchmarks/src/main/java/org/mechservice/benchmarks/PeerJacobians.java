@@ -12,7 +12,7 @@ import org.openjdk.jmh.annotations.State;
 /** Derivatives of inverse dynamics, of the models that other programs are measured with. */
 @State(Scope.Thread)
 public class PeerJacobians extends Measured {
-  /** What is evaluated. */
+  /** The scene that is evaluated. */
   @Param({"pend5", "pend5s", "driver41"})
   public String scene = "";
 

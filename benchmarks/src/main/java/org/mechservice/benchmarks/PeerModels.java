@@ -35,7 +35,7 @@ public final class PeerModels {
   private static void write(Path folder, String name) throws IOException {
     MechmlModel model = Scenes.named(name);
     Mechanism mechanism = model.mechanism();
-    // C has what is written out; Java takes what suits it.
+    // C gets the code that is written out; Java the form that the generator chooses.
     BuildOptions options =
         new BuildOptions(Scenes.forwardDynamics(model), Set.of(), Scenes.SETTINGS)
             .in(CodeForm.STRAIGHT);

@@ -17,7 +17,7 @@ import org.mechservice.solver.api.RunSettings;
 
 /** The mechanisms whose equations are measured. */
 final class Scenes {
-  /** What a model carries; nothing here depends on it. */
+  /** Settings that a model carries; no measurement here depends on them. */
   static final RunSettings SETTINGS = new RunSettings(0, 1, 0.1, "ode113", 1e-6, 1e-6);
 
   private Scenes() {}

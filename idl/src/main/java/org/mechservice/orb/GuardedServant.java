@@ -18,7 +18,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Stands between the ORB and a servant. What a servant throws unexpectedly, the ORB would send to
+ * Stands between the ORB and a servant. The ORB would send an unexpected exception of a servant to
  * the caller with class and message; here it becomes a {@link ServerFailure} (or, where the
  * operation knows none, an {@code INTERNAL}) that carries nothing but an incident number, under
  * which the server's log has the rest.
@@ -27,7 +27,7 @@ public final class GuardedServant implements InvocationHandler {
   private static final Logger LOG = LoggerFactory.getLogger(GuardedServant.class);
   private static final Object[] NONE = {};
 
-  /** What comes before every call. */
+  /** Runs before every call. */
   public interface Before {
     /**
      * Lets the call through.
@@ -37,7 +37,7 @@ public final class GuardedServant implements InvocationHandler {
     void call() throws UserException;
   }
 
-  /** Decides who may call what. */
+  /** Decides whether a caller may call an operation. */
   public interface Gate {
     /**
      * Lets a call through.
@@ -80,7 +80,7 @@ public final class GuardedServant implements InvocationHandler {
 
           @Override
           public void refused(Method operation, Object[] arguments, NotAuthorized refusal) {
-            // Nobody asked to hear of it.
+            // A oneway call: nobody waits for its result.
           }
         });
   }
@@ -89,7 +89,7 @@ public final class GuardedServant implements InvocationHandler {
    * Returns the servant, guarded.
    *
    * @param operations the operations interface of the IDL compiler
-   * @param gate asked before every call
+   * @param gate called before every call
    */
   public static <T> T of(Class<T> operations, T servant, Gate gate) {
     return operations.cast(

@@ -3,15 +3,16 @@ package org.mechservice.orb;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.util.Optional;
+import org.mechservice.orb.tls.TlsIdentity;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * Where a service listens. Plain IIOP is neither encrypted nor does it know who calls, so without
- * an identity only addresses of this machine alone are accepted.
+ * The address a service listens on. Plain IIOP is not encrypted and does not identify callers;
+ * without an identity only addresses of this machine alone are accepted.
  *
  * @param host numeric address or a name that resolves to one
  * @param port port; 0: any free one
- * @param tls who listens; empty: without encryption
+ * @param tls identity of the service; empty: without encryption
  */
 public record ListenAddress(String host, int port, Optional<TlsIdentity> tls) {
   private static final int HIGHEST_PORT = 65535;

@@ -17,13 +17,13 @@ final class NamingService {
     this.root = root;
   }
 
-  /** Returns the naming service at an address; nothing is asked for yet. */
+  /** Returns the naming service at an address, without connecting to it yet. */
   static NamingService at(ORB orb, String host, int port) {
     String address = host + ":" + port;
     return new NamingService(
         address,
         NamingContextExtHelper.unchecked_narrow(
-            Answers.inTime(
+            CallTimeouts.inTime(
                 orb, orb.string_to_object("corbaloc:iiop:1.2@" + address + "/NameService"))));
   }
 

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
 import org.mechservice.idl.LeasedHelper;
+import org.mechservice.orb.connection.Endpoint;
 import org.omg.BiDirPolicy.BIDIRECTIONAL_POLICY_TYPE;
 import org.omg.BiDirPolicy.BOTH;
 import org.omg.BiDirPolicy.BidirectionalPolicyValueHelper;
@@ -28,7 +29,7 @@ final class ObjectAdapters {
   private final POA handedOut;
   private final Endpoint endpoint;
   private final Map<ServiceKey, org.omg.CORBA.Object> published = new ConcurrentHashMap<>();
-  private final List<CallsInHand> calls = new ArrayList<>();
+  private final List<PendingCalls> calls = new ArrayList<>();
 
   private ObjectAdapters(ORB orb, boolean orderedCalls) throws UserException {
     this.orb = orb;
@@ -73,7 +74,7 @@ final class ObjectAdapters {
   }
 
   private POA counted(POA adapter) {
-    CallsInHand ofAdapter = new CallsInHand();
+    PendingCalls ofAdapter = new PendingCalls();
     ((org.jacorb.poa.POA) adapter)._addPOAEventListener(ofAdapter);
     synchronized (calls) {
       calls.add(ofAdapter);
@@ -123,7 +124,9 @@ final class ObjectAdapters {
     return endpoint;
   }
 
-  /** Makes a servant callable under a random, unguessable id: who has the reference may call. */
+  /**
+   * Makes a servant callable under a random, unguessable id: the reference is the right to call.
+   */
   ActiveObject activate(Servant servant) throws UserException {
     byte[] id = UUID.randomUUID().toString().getBytes(StandardCharsets.US_ASCII);
     handedOut.activate_object_with_id(id, servant);
@@ -138,15 +141,15 @@ final class ObjectAdapters {
   /** Refuses new calls and returns when those taken before have been answered. */
   void finishCalls() throws UserException {
     root.the_POAManager().discard_requests(true);
-    counts().forEach(CallsInHand::awaitWorked);
+    counts().forEach(PendingCalls::awaitWorked);
   }
 
   /** Returns when the last call has been refused; the connections must be closed. */
   void awaitSilence() {
-    counts().forEach(CallsInHand::awaitNone);
+    counts().forEach(PendingCalls::awaitNone);
   }
 
-  private List<CallsInHand> counts() {
+  private List<PendingCalls> counts() {
     synchronized (calls) {
       return List.copyOf(calls);
     }

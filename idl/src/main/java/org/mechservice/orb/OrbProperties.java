@@ -6,6 +6,13 @@ import java.net.ServerSocket;
 import java.util.Properties;
 import java.util.concurrent.ThreadLocalRandom;
 import org.jacorb.orb.giop.BiDirConnectionInitializer;
+import org.mechservice.orb.connection.ConnectionTableInstaller;
+import org.mechservice.orb.connection.InboundSocketFactory;
+import org.mechservice.orb.connection.LimitedBuffers;
+import org.mechservice.orb.connection.OutboundSocketFactory;
+import org.mechservice.orb.tls.CallerInterceptor;
+import org.mechservice.orb.tls.TlsInboundSocketFactory;
+import org.mechservice.orb.tls.TlsOutboundSocketFactory;
 
 /** The ORB's properties for each role; each line has its reason. */
 final class OrbProperties {
@@ -25,7 +32,7 @@ final class OrbProperties {
 
   private OrbProperties() {}
 
-  /** Properties of a client: it connects where it is told and serves callbacks only. */
+  /** Properties of a client: it connects to any address and serves callbacks only. */
   static Properties client(Peers peers) {
     Properties properties = common(peers);
     peers.tls().ifPresent(tls -> encrypt(properties, 0));

@@ -7,8 +7,8 @@ public final class PortInUseException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
   /**
-   * @param address {@code host:port} that was asked for
-   * @param cause what the system said
+   * @param address {@code host:port} requested
+   * @param cause the error of the system
    */
   public PortInUseException(String address, Throwable cause) {
     super(

@@ -8,6 +8,9 @@ import org.mechservice.idl.API_VERSION;
 import org.mechservice.idl.MechServer;
 import org.mechservice.idl.MechServerHelper;
 import org.mechservice.idl.ServerInfo;
+import org.mechservice.orb.connection.Endpoint;
+import org.mechservice.orb.tls.TlsPeers;
+import org.mechservice.orb.tls.TlsProbe;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.COMM_FAILURE;
 import org.omg.CORBA.NO_PERMISSION;
@@ -16,7 +19,7 @@ import org.omg.CORBA.SystemException;
 import org.omg.CORBA.TIMEOUT;
 import org.omg.CORBA.TRANSIENT;
 
-/** Where a server is said to be, and the check that it is there. */
+/** The address of a server, and the check that a MechService answers there. */
 final class ServerLocation {
   private final ORB orb;
   private final ServiceUrl url;
@@ -65,7 +68,7 @@ final class ServerLocation {
   }
 
   /**
-   * Asks the server who it is, and returns its answer.
+   * Requests the info of the server.
    *
    * @throws ServiceUnreachableException if nobody answers in time, or not a MechService that speaks
    *     this API
@@ -99,7 +102,7 @@ final class ServerLocation {
               + " no answer from "
               + this
               + " within "
-              + Answers.SECONDS
+              + CallTimeouts.SECONDS
               + " s",
           e);
     } catch (SystemException e) {
@@ -166,7 +169,7 @@ final class ServerLocation {
   }
 
   private ServerInfo askOnce() {
-    MechServer server = MechServerHelper.unchecked_narrow(Answers.inTime(orb, connect()));
+    MechServer server = MechServerHelper.unchecked_narrow(CallTimeouts.inTime(orb, connect()));
     try {
       return server.getInfo();
     } catch (COMM_FAILURE e) {

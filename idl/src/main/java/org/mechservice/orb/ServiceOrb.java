@@ -21,6 +21,12 @@ import org.mechservice.idl.MechAdmin;
 import org.mechservice.idl.MechAdminHelper;
 import org.mechservice.idl.MechServer;
 import org.mechservice.idl.ServerInfo;
+import org.mechservice.orb.connection.Endpoint;
+import org.mechservice.orb.connection.OrbField;
+import org.mechservice.orb.connection.OutboundAllowList;
+import org.mechservice.orb.connection.ReplyMemory;
+import org.mechservice.orb.tls.TlsIdentity;
+import org.mechservice.orb.tls.TlsPeers;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.INITIALIZE;
 import org.omg.CORBA.ORB;
@@ -45,8 +51,8 @@ import org.slf4j.LoggerFactory;
  *   <li>A <b>host</b> listens on one address and registers at a server.
  * </ul>
  *
- * Servers and hosts connect to nobody but the addresses in {@link #outbound()}. Thread-safe; no
- * thread is left after {@link #close()}.
+ * Servers and hosts connect only to the addresses in {@link #outbound()}. Thread-safe; no thread is
+ * left after {@link #close()}.
  */
 public final class ServiceOrb implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(ServiceOrb.class);
@@ -84,7 +90,7 @@ public final class ServiceOrb implements AutoCloseable {
   /**
    * Starts an ORB for a client. Its callbacks are called one at a time, in order.
    *
-   * @param identity who the client is; empty: its connections are not encrypted
+   * @param identity of the client; empty: its connections are not encrypted
    */
   public static ServiceOrb client(Optional<TlsIdentity> identity) {
     Peers peers = Peers.ofClient(identity);
@@ -120,7 +126,7 @@ public final class ServiceOrb implements AutoCloseable {
     }
   }
 
-  // The ORB's own message says neither the address nor what is wrong with it.
+  // The ORB's own message names neither the address nor the reason.
   private static void requireFree(ListenAddress address) {
     try (ServerSocket probe =
         new ServerSocket(address.port(), 1, InetAddress.getByName(address.host()))) {
@@ -149,7 +155,7 @@ public final class ServiceOrb implements AutoCloseable {
    * A server that answered.
    *
    * @param server its object
-   * @param info what it said of itself
+   * @param info of the server
    */
   public record Connected(MechServer server, ServerInfo info) {}
 
@@ -170,7 +176,8 @@ public final class ServiceOrb implements AutoCloseable {
    */
   public MechAdmin connectAdmin(String url) {
     org.omg.CORBA.Object admin = located(url).object(ServiceKey.ADMIN);
-    return MechAdminHelper.unchecked_narrow(Answers.within(LONGEST_ADMIN_CALL_SECONDS, orb, admin));
+    return MechAdminHelper.unchecked_narrow(
+        CallTimeouts.within(LONGEST_ADMIN_CALL_SECONDS, orb, admin));
   }
 
   /**
@@ -259,7 +266,7 @@ public final class ServiceOrb implements AutoCloseable {
   }
 
   /**
-   * Makes a servant callable under a random, unguessable id: whoever has the reference may call it.
+   * Makes a servant callable under a random, unguessable id: the reference is the right to call.
    */
   public ActiveObject activate(Servant servant) {
     try {
@@ -290,7 +297,7 @@ public final class ServiceOrb implements AutoCloseable {
   }
 
   /** Returns the memory for answers to calls from others. */
-  public ReplyRoom replyRoom() {
+  public ReplyMemory replyRoom() {
     return peers.inbound().room();
   }
 
@@ -300,7 +307,7 @@ public final class ServiceOrb implements AutoCloseable {
   }
 
   /**
-   * Returns where the object behind a reference is said to be.
+   * Returns the endpoint that a reference names.
    *
    * @throws IllegalArgumentException with code S-006 if the reference names no address
    */
@@ -308,7 +315,7 @@ public final class ServiceOrb implements AutoCloseable {
     return Endpoint.of(orb, orb.object_to_string(reference));
   }
 
-  /** Returns who this process is, if its connections are encrypted. */
+  /** Returns the identity of this process, if its connections are encrypted. */
   public Optional<TlsIdentity> identity() {
     return peers.tls().map(TlsPeers::identity);
   }
@@ -323,7 +330,7 @@ public final class ServiceOrb implements AutoCloseable {
     return orb.object_to_string(reference);
   }
 
-  /** Returns the reference that {@link #toIor} of any ORB wrote; nothing is asked for yet. */
+  /** Returns the reference that {@link #toIor} of any ORB wrote, without connecting to it yet. */
   public org.omg.CORBA.Object fromIor(String ior) {
     return orb.string_to_object(ior);
   }

@@ -2,7 +2,7 @@ package org.mechservice.orb;
 
 import org.jspecify.annotations.Nullable;
 
-/** Nobody answers at an address, or something that is not a MechService. */
+/** Nothing answers at an address, or something that is not a MechService. */
 public final class ServiceUnreachableException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
+import org.mechservice.orb.connection.Endpoint;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
@@ -43,7 +44,7 @@ final class ServiceUrl {
   private final String name;
   private final Scheme scheme;
 
-  /** What a URL says of encryption. */
+  /** The encryption that a URL requires. */
   private enum Scheme {
     PLAIN,
     ENCRYPTED,
@@ -139,7 +140,7 @@ final class ServiceUrl {
   }
 
   /**
-   * Makes sure that what the URL says of encryption is what the process does.
+   * Makes sure that the URL requires the encryption that the process uses.
    *
    * @throws IllegalArgumentException with code S-151 if it is not
    */

@@ -20,7 +20,7 @@ public sealed interface AdminAction {
   /** Calls the server. */
   void perform(MechAdmin admin) throws UserException;
 
-  /** Returns what is done, for people. */
+  /** Returns the action in words. */
   String summary();
 
   /** Returns the words that do it after {@code mech admin --server ADDRESS}. */
@@ -49,7 +49,7 @@ public sealed interface AdminAction {
    * Ends a simulation.
    *
    * @param simId its full id
-   * @param reason what its owner is told
+   * @param reason the reason that its owner receives
    */
   record StopSimulation(String simId, String reason) implements AdminAction {
     @Override
@@ -69,7 +69,7 @@ public sealed interface AdminAction {
   }
 
   /**
-   * Lets what runs go on, but nothing new begin.
+   * Lets running simulations continue and admits no new one.
    *
    * @param host which host; empty: the whole server
    */
@@ -115,7 +115,7 @@ public sealed interface AdminAction {
   /**
    * Ends the server.
    *
-   * @param graceSeconds how long what runs may go on, s
+   * @param graceSeconds time that running simulations may still take, s
    */
   record Shutdown(int graceSeconds) implements AdminAction {
     public Shutdown {

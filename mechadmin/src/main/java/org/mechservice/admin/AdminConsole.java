@@ -17,7 +17,7 @@ import org.mechservice.idl.ServerStatus;
 import org.mechservice.idl.ServiceEvent;
 import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimSummary;
-import org.mechservice.orb.TlsIdentity;
+import org.mechservice.orb.tls.TlsIdentity;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.IntHolder;
 
@@ -51,7 +51,7 @@ public final class AdminConsole implements AutoCloseable {
    *
    * @param servers {@code host:port} or URL of each; said twice is said once
    * @param patience longest wait for an answer
-   * @param identity who the operator is to the servers; empty: connections are not encrypted
+   * @param identity certificate of the operator; empty: connections are not encrypted
    */
   public AdminConsole(List<String> servers, Duration patience, Optional<TlsIdentity> identity) {
     this.servers = List.copyOf(new LinkedHashSet<>(servers));
@@ -74,7 +74,7 @@ public final class AdminConsole implements AutoCloseable {
     return new Questions(require(server)).await();
   }
 
-  /** The questions behind a reading, asked at the same time. */
+  /** The calls of a reading, which run at the same time. */
   private final class Questions {
     private final String server;
     private final Pending<ServerStatus> status;
@@ -135,7 +135,7 @@ public final class AdminConsole implements AutoCloseable {
   }
 
   /**
-   * Returns what happened on a server and its hosts, waiting until there is something.
+   * Waits for events of a server and its hosts and returns them.
    *
    * @param after number of the last event already known
    * @param maxCount most events to return

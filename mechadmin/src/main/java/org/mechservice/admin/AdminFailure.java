@@ -1,6 +1,6 @@
 package org.mechservice.admin;
 
-/** A server did not do what it was asked, or there is nothing to ask it about. */
+/** A server refused or could not answer a request, or the object of the request does not exist. */
 public final class AdminFailure extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
@@ -8,11 +8,11 @@ public final class AdminFailure extends RuntimeException {
   public enum Reason {
     /** No answer, or none in time. */
     NO_ANSWER,
-    /** The server refuses this to whoever asked. */
+    /** The server refuses this to the caller. */
     NOT_ALLOWED,
     /** There is no server, host or simulation of that name. */
     NOT_FOUND,
-    /** What was asked for makes no sense. */
+    /** The request is not valid. */
     NOT_USABLE
   }
 

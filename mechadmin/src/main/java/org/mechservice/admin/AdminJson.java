@@ -42,7 +42,7 @@ public final class AdminJson {
     return array;
   }
 
-  /** Returns everything of all servers; of simulations, what goes on. */
+  /** Returns all servers and hosts, and the simulations that have not ended. */
   public static JsonObject status(List<ServerReading> readings) {
     JsonArray servers = new JsonArray();
     for (ServerReading reading : readings) {

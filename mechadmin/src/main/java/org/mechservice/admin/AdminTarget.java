@@ -110,7 +110,7 @@ public record AdminTarget(String server, String host) {
         MessageCode.NOTHING_OF_THAT_NAME + " there is no " + what + known + missing);
   }
 
-  /** Returns what is meant, for people. */
+  /** Returns the name as the operator reads it. */
   @Override
   public String toString() {
     return host.isEmpty()

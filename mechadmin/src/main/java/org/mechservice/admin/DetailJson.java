@@ -22,7 +22,7 @@ public final class DetailJson {
   /**
    * Returns everything about a simulation.
    *
-   * @param server address of the server that told it
+   * @param server address of the server it came from
    */
   public static JsonObject of(String server, SimDetail detail) {
     JsonObject json = AdminJson.simulation(new KnownSimulation(server, detail.summary));
@@ -60,7 +60,9 @@ public final class DetailJson {
     return json;
   }
 
-  /** A server of another version may send what is no JSON; then it is shown as it is. */
+  /**
+   * A server of another version may send text that is no JSON; the text is then shown unchanged.
+   */
   private static JsonElement parsed(String text) {
     if (text.isEmpty()) {
       return JsonNull.INSTANCE;

@@ -17,7 +17,7 @@ public final class DetailText {
   private final Instant now;
 
   /**
-   * @param now what ages are counted from
+   * @param now the time from which ages are counted
    */
   public DetailText(Instant now) {
     this.now = now;

@@ -8,7 +8,7 @@ public enum HostState {
   DRAINING("draining"),
   /** Not heard of lately. */
   SILENT("no answer"),
-  /** Given up by its server, with what ran there. */
+  /** Given up by its server, with its simulations. */
   LOST("lost");
 
   private static final String DROPPED = "dropped";

@@ -14,10 +14,10 @@ import org.mechservice.solver.catalogue.MessageCode;
  * A simulation and the server it is known by.
  *
  * @param server address of the server
- * @param summary what the server says of it
+ * @param summary the server's summary of it
  */
 public record KnownSimulation(String server, SimSummary summary) {
-  /** So much of an id tells simulations apart in practice, and is quick to type. */
+  /** A prefix of this length identifies a simulation in practice and is quick to type. */
   private static final int SHORTEST_PREFIX = 4;
 
   private static final String[] STATES = {
@@ -77,7 +77,7 @@ public record KnownSimulation(String server, SimSummary summary) {
     return all;
   }
 
-  /** A server that does not hear of a host knows less of what runs there than one that does. */
+  /** A server that is in contact with a host knows more of its simulations than one that is not. */
   private static KnownSimulation betterInformed(KnownSimulation first, KnownSimulation second) {
     return first.notUpToDate() && !second.notUpToDate() ? second : first;
   }

@@ -1,6 +1,9 @@
 package org.mechservice.admin;
 
-/** Text of strangers on a terminal: names of models, clients and hosts, and what they caused. */
+/**
+ * Makes text from other parties safe for a terminal: names of models, clients and hosts, and their
+ * messages.
+ */
 public final class PlainText {
   private PlainText() {}
 

@@ -18,7 +18,7 @@ import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotFound;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.ServiceUnreachableException;
-import org.mechservice.orb.TlsIdentity;
+import org.mechservice.orb.tls.TlsIdentity;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.COMM_FAILURE;
 import org.omg.CORBA.INTERNAL;
@@ -32,7 +32,7 @@ import org.omg.CORBA.UserException;
  * whatever the server does. A call nobody waits for any more ends by the ORB's own timeout.
  */
 final class ServerCalls implements AutoCloseable {
-  /** Something a server is asked. */
+  /** A call to a server. */
   interface Question<T> {
     T ask(MechAdmin admin) throws UserException;
   }
@@ -50,7 +50,7 @@ final class ServerCalls implements AutoCloseable {
 
   /**
    * @param patience longest wait for an answer
-   * @param identity who asks; empty: connections are not encrypted
+   * @param identity certificate of the caller; empty: connections are not encrypted
    */
   ServerCalls(Duration patience, Optional<TlsIdentity> identity) {
     orb = ServiceOrb.client(identity);

@@ -7,19 +7,19 @@ import org.mechservice.idl.SimSummary;
 
 /** What asking one server gave. */
 public sealed interface ServerReading {
-  /** Returns the address that was asked. */
+  /** Returns the address of the server. */
   String address();
 
-  /** Returns what people call the server: its name, or its address while it is silent. */
+  /** Returns the server's name, or its address while it does not answer. */
   String name();
 
   /**
    * The server answered.
    *
-   * @param address the address that was asked
+   * @param address the server's address
    * @param status the server as a whole
    * @param hosts the hosts it knows
-   * @param simulations what waits, runs, or ended lately, oldest first
+   * @param simulations those that wait, run or ended lately, oldest first
    */
   record Answering(
       String address, ServerStatus status, List<HostStatus> hosts, List<SimSummary> simulations)
@@ -38,8 +38,8 @@ public sealed interface ServerReading {
   /**
    * The server did not answer, or only that it does not answer to us.
    *
-   * @param address the address that was asked
-   * @param why what happened instead, with its code
+   * @param address the server's address
+   * @param why the failure, with its code
    * @param refused whether it answers, but not to us
    */
   record Silent(String address, String why, boolean refused) implements ServerReading {

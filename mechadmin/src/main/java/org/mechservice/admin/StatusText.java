@@ -12,13 +12,13 @@ public final class StatusText {
   private final Instant now;
 
   /**
-   * @param now what ages are counted from
+   * @param now the time from which ages are counted
    */
   public StatusText(Instant now) {
     this.now = now;
   }
 
-  /** Returns servers, hosts and what goes on; a table without rows is left out. */
+  /** Returns servers, hosts and active simulations; a table without rows is left out. */
   public String all(List<ServerReading> readings) {
     StringBuilder text = new StringBuilder().append(servers(readings));
     TextTable hosts = hosts(readings);

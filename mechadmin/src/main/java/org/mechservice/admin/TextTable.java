@@ -16,7 +16,7 @@ public final class TextTable {
     rows.add(List.of(headings));
   }
 
-  /** Adds a row; what could steer the terminal is shown as question marks. */
+  /** Adds a row; control characters are shown as question marks. */
   public void add(String... cells) {
     rows.add(Arrays.stream(cells).map(PlainText::of).toList());
   }

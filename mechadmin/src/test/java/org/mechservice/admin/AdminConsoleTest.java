@@ -16,7 +16,7 @@ import org.mechservice.idl.SimState;
 class AdminConsoleTest {
   private static final Duration PATIENCE = Duration.ofSeconds(60);
 
-  private final ScriptedServer server = new ScriptedServer("lab");
+  private final ScriptedAdmin server = new ScriptedAdmin("lab");
   private final AdminConsole console = new AdminConsole(List.of(server.address()), PATIENCE);
 
   @AfterEach
@@ -95,7 +95,7 @@ class AdminConsoleTest {
 
   @Test
   void serverThatHangsIsSilentAndTheOthersAnswerAllTheSame() {
-    try (ScriptedServer other = new ScriptedServer("other");
+    try (ScriptedAdmin other = new ScriptedAdmin("other");
         AdminConsole both =
             new AdminConsole(List.of(server.address(), other.address()), Duration.ofSeconds(8))) {
       server.hang();
@@ -114,7 +114,7 @@ class AdminConsoleTest {
     assertThat(console.read(server.address())).isInstanceOf(ServerReading.Answering.class);
     server.close();
     assertThat(console.read(server.address())).isInstanceOf(ServerReading.Silent.class);
-    try (ScriptedServer again = new ScriptedServer("again", server.port())) {
+    try (ScriptedAdmin again = new ScriptedAdmin("again", server.port())) {
       assertThat(console.read(again.address()).name()).isEqualTo("again");
     }
   }

@@ -74,7 +74,7 @@ public final class Mech {
   /**
    * Runs a command.
    *
-   * @param out takes what was asked for
+   * @param out receives the results
    * @param err takes errors and progress
    * @param arguments command line
    * @return exit status

@@ -34,6 +34,7 @@ import org.mechservice.admin.web.AdminWeb;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.SimulationOptions;
+import org.mechservice.orb.testing.Eventually;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
 import org.mechservice.sim.host.HostSettings;

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.orb.testing.Eventually;
 
 /** {@code mech server --naming} with a naming service in a process of its own. */
 class NamedServerTest {

@@ -14,10 +14,10 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.cli.shell.ExitStatus;
-import org.mechservice.orb.TlsIdentity;
+import org.mechservice.orb.tls.TlsIdentity;
 import org.mechservice.server.MechServerProcess;
-import org.mechservice.server.PlacementPolicy;
 import org.mechservice.server.ServerSettings;
+import org.mechservice.server.hosts.PlacementPolicy;
 import org.mechservice.sim.host.HostOptions;
 
 /** The commands at a server over TLS, with the keys that {@code mech keys} makes. */

@@ -27,7 +27,7 @@ import org.mechservice.client.jar.JarCache;
 import org.mechservice.idl.HostStatus;
 import org.mechservice.idl.MechAdmin;
 import org.mechservice.orb.ServiceOrb;
-import org.mechservice.orb.TlsIdentity;
+import org.mechservice.orb.tls.TlsIdentity;
 
 /**
  * A server and two hosts, each on a network of its own; the cable to one host is cut. The server

@@ -27,9 +27,9 @@ import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
-import org.mechservice.orb.Endpoint;
 import org.mechservice.orb.ServiceOrb;
-import org.mechservice.orb.TlsIdentity;
+import org.mechservice.orb.connection.Endpoint;
+import org.mechservice.orb.tls.TlsIdentity;
 
 /**
  * A connection to a MechService. Thread-safe.

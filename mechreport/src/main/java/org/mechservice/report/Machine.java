@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.mechservice.solver.simulation.SolverVersion;
 
-/** Where and with what was measured. */
+/** The machine and the versions of a measurement. */
 public final class Machine {
   private static final Path PROCESSORS = Path.of("/proc/cpuinfo");
 
@@ -32,7 +32,7 @@ public final class Machine {
         solverVersion());
   }
 
-  /** Linux tells the processor's name; elsewhere its architecture has to do. */
+  /** Returns the processor's name on Linux, its architecture elsewhere. */
   private static String processor() {
     try (Stream<String> lines = Files.lines(PROCESSORS, StandardCharsets.UTF_8)) {
       return lines

@@ -137,7 +137,7 @@ public final class ModelReport {
         Machine.facts());
   }
 
-  /** What tells residuals and multipliers of the scene's loops; empty for an open chain. */
+  /** Residuals and multipliers of the scene's loops; empty for an open chain. */
   private Optional<LoopForces> loops(List<Candidate> candidates) {
     SimulationMethod first = candidates.get(0).method();
     if (first.closure().equals(SimulationMethod.OPEN)) {

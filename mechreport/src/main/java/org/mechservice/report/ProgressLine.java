@@ -50,7 +50,7 @@ public final class ProgressLine implements ReportProgress, AutoCloseable {
     return cut + " ".repeat(WIDTH - cut.length());
   }
 
-  /** Takes the line away. */
+  /** Erases the line. */
   @Override
   public void close() {
     if (shown) {

@@ -15,7 +15,7 @@ import org.mechservice.report.method.OmittedMethod;
 import org.mechservice.report.method.SimulationMethod;
 
 /**
- * All that a report found out about a scene: what its page is written from.
+ * All findings of a report about a scene, from which its page is written.
  *
  * @param model the model's name
  * @param file its file's name
@@ -31,7 +31,7 @@ import org.mechservice.report.method.SimulationMethod;
  * @param freshStarts times of first runs in machines of their own, by method name
  * @param effort how much was measured
  * @param csv name of the file with every run
- * @param versions of what took part, and the machine
+ * @param versions versions of the product and of Java, and the machine
  */
 public record SceneFindings(
     String model,

@@ -1,9 +1,12 @@
 /**
- * Which method, which tolerance, how sure: error against run time of a model, and the suite of
- * stiff and extreme scenes.
+ * Reports on the methods for a scene: which method, which tolerance, and how reliable the answer
+ * is.
  *
- * <p>The service builds the models; they run here, for timing. {@link
- * org.mechservice.report.ModelReport} is the way in.
+ * <p>{@link org.mechservice.report.ModelReport} makes the page of {@code mech report}. It lets the
+ * service build the model with every method that fits ({@code method}), makes a reference ({@code
+ * reference}), runs every method at every tolerance in this process and times it ({@code measure}),
+ * and writes the page ({@code page}) from the {@link org.mechservice.report.SceneFindings}. The
+ * suite of stiff and extreme scenes behind {@code mech stability} is in {@code stability}.
  */
 @NullMarked
 package org.mechservice.report;

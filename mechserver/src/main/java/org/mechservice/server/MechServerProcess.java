@@ -15,6 +15,19 @@ import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.ListenAddress;
 import org.mechservice.orb.ServiceKey;
 import org.mechservice.orb.ServiceOrb;
+import org.mechservice.server.admin.AccessRights;
+import org.mechservice.server.admin.AuditLog;
+import org.mechservice.server.admin.DenialLog;
+import org.mechservice.server.admin.MechAdminServant;
+import org.mechservice.server.admin.Metrics;
+import org.mechservice.server.admin.MetricsEndpoint;
+import org.mechservice.server.hosts.FarmLimits;
+import org.mechservice.server.hosts.HostDirectory;
+import org.mechservice.server.hosts.HostRegistryServant;
+import org.mechservice.server.hosts.MechServerServant;
+import org.mechservice.server.hosts.Placement;
+import org.mechservice.server.hosts.RegisteredHost;
+import org.mechservice.server.hosts.ServerTuning;
 import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.sim.service.contract.JournalEntry;
@@ -30,12 +43,12 @@ public final class MechServerProcess implements AutoCloseable {
   private final MechServerServant server;
   private final CountDownLatch closed = new CountDownLatch(1);
   private final AtomicBoolean closing = new AtomicBoolean();
-  private final Findable findable;
+  private final ServerPublication findable;
   private final Optional<AuditLog> audit;
   private final Optional<MetricsEndpoint> metrics;
 
   private MechServerProcess(
-      ServerSettings settings, ServiceOrb orb, ServerTuning tuning, OwnHost host) {
+      ServerSettings settings, ServiceOrb orb, ServerTuning tuning, HostFactory host) {
     this.orb = orb;
     audit = settings.auditFile().map(AuditLog::open);
     Journal journal = new Journal("server", event -> audit.ifPresent(log -> log.write(event)));
@@ -51,7 +64,7 @@ public final class MechServerProcess implements AutoCloseable {
     ownHost.ifPresent(
         own ->
             directory.add(
-                new KnownHost(
+                new RegisteredHost(
                     own.getInfo(),
                     GuardedServant.of(MechSimHostOperations.class, own, () -> {}),
                     true,
@@ -60,29 +73,31 @@ public final class MechServerProcess implements AutoCloseable {
     publish(
         new MechAdminServant(server, directory, placement, farmLimits, journal, this::shutDown),
         new HostRegistryServant(orb, directory, farmLimits),
-        new Denials(journal));
+        new DenialLog(journal));
     Metrics figures = new Metrics(directory, server);
     metrics =
         settings
             .metricsPort()
             .map(port -> MetricsEndpoint.open(port, figures::text, figures::health));
-    findable = Findable.make(orb, settings.iorFile(), settings.naming());
+    findable = ServerPublication.make(orb, settings.iorFile(), settings.naming());
     journal.add(JournalEntry.info("server-started", "server " + settings.name() + " has started"));
   }
 
-  private void publish(MechAdminServant admin, HostRegistryServant registry, Denials denials) {
+  private void publish(MechAdminServant admin, HostRegistryServant registry, DenialLog denials) {
     orb.publish(
         Map.of(
             ServiceKey.SERVER,
             new MechServerPOATie(
-                GuardedServant.of(MechServerOperations.class, server, Rights.toSimulate(denials))),
+                GuardedServant.of(
+                    MechServerOperations.class, server, AccessRights.toSimulate(denials))),
             ServiceKey.REGISTRY,
             new HostRegistryPOATie(
-                GuardedServant.of(HostRegistryOperations.class, registry, Rights.toServe(denials))),
+                GuardedServant.of(
+                    HostRegistryOperations.class, registry, AccessRights.toServe(denials))),
             ServiceKey.ADMIN,
             new MechAdminPOATie(
                 GuardedServant.of(
-                    MechAdminOperations.class, admin, Rights.toAdministrate(denials)))));
+                    MechAdminOperations.class, admin, AccessRights.toAdministrate(denials)))));
   }
 
   /**
@@ -95,10 +110,10 @@ public final class MechServerProcess implements AutoCloseable {
    *     does not take the name
    */
   public static MechServerProcess start(ServerSettings settings) {
-    return start(settings, ServerTuning.DEFAULT, OwnHost.INSTALLED);
+    return start(settings, ServerTuning.DEFAULT, HostFactory.INSTALLED);
   }
 
-  static MechServerProcess start(ServerSettings settings, ServerTuning tuning, OwnHost host) {
+  static MechServerProcess start(ServerSettings settings, ServerTuning tuning, HostFactory host) {
     ServiceOrb orb =
         ServiceOrb.server(
             new ListenAddress(settings.listenAddress(), settings.port(), settings.tls()));

@@ -2,7 +2,8 @@ package org.mechservice.server;
 
 import java.nio.file.Path;
 import java.util.Optional;
-import org.mechservice.orb.TlsIdentity;
+import org.mechservice.orb.tls.TlsIdentity;
+import org.mechservice.server.hosts.PlacementPolicy;
 import org.mechservice.sim.host.HostOptions;
 
 /**
@@ -15,9 +16,9 @@ import org.mechservice.sim.host.HostOptions;
  * @param placement how hosts are chosen
  * @param iorFile file to write the server's reference to; empty: none
  * @param naming naming service to bind the server's reference at; empty: none
- * @param tls who the server is on the network; empty: it serves this machine only, unencrypted
+ * @param tls identity of the server; empty: it serves this machine only, unencrypted
  * @param metricsPort port of this machine where figures are to be had; 0: any free one; empty: none
- * @param auditFile file to which who did what is appended; empty: none
+ * @param auditFile file of the audit log; empty: none
  */
 public record ServerSettings(
     String listenAddress,
@@ -30,7 +31,7 @@ public record ServerSettings(
     Optional<Integer> metricsPort,
     Optional<Path> auditFile) {
 
-  /** A server nobody configured. */
+  /** A server with default settings. */
   public ServerSettings(String name, String listenAddress, int port, int localCapacity) {
     this(listenAddress, port, new HostOptions(name, localCapacity));
   }
@@ -47,7 +48,7 @@ public record ServerSettings(
         Optional.empty());
   }
 
-  /** A server that nobody watches. */
+  /** A server without audit log and metrics. */
   public ServerSettings(
       String listenAddress,
       int port,

@@ -32,6 +32,8 @@ import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.ListenAddress;
 import org.mechservice.orb.ServiceOrb;
+import org.mechservice.orb.testing.Eventually;
+import org.mechservice.server.hosts.ServerTuning;
 import org.omg.CORBA.IntHolder;
 
 class AdministrationTest {

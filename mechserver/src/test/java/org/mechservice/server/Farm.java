@@ -10,12 +10,20 @@ import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
 import org.mechservice.orb.ServiceOrb;
+import org.mechservice.server.hosts.ServerTuning;
 import org.mechservice.sim.host.HostSettings;
+import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.host.SimHostProcess;
+import org.mechservice.sim.service.testing.PacedSolver;
 import org.omg.CORBA.UserException;
 
 /** A server, hosts and a client, each with an ORB of its own, in one JVM. */
 final class Farm implements AutoCloseable {
+  /** Opens a host whose runs never end by themselves. */
+  static final HostFactory ENDLESS_HOST =
+      (orb, settings, limits, shutdown) ->
+          new SimHost(orb, settings.host(), limits, PacedSolver.endless(), shutdown);
+
   /** Notices within a second what a real server notices within many. */
   static final ServerTuning BRISK =
       new ServerTuning(Duration.ofSeconds(1), Duration.ofMillis(200), Duration.ofSeconds(1));
@@ -37,7 +45,7 @@ final class Farm implements AutoCloseable {
   Farm(int ownCapacity, ServerTuning tuning) {
     server =
         MechServerProcess.start(
-            new ServerSettings("own", "127.0.0.1", 0, ownCapacity), tuning, EndlessSolver.HOST);
+            new ServerSettings("own", "127.0.0.1", 0, ownCapacity), tuning, ENDLESS_HOST);
     parts.push(server::close);
     service = orb.connect(server.url());
     admin = orb.connectAdmin(server.url());
@@ -47,7 +55,7 @@ final class Farm implements AutoCloseable {
   SimHostProcess host(String name, int capacity) {
     SimHostProcess host =
         SimHostProcess.start(
-            new HostSettings(server.url(), name, "127.0.0.1", 0, capacity), new EndlessSolver());
+            new HostSettings(server.url(), name, "127.0.0.1", 0, capacity), PacedSolver.endless());
     parts.push(host::close);
     return host;
   }

@@ -22,10 +22,13 @@ import org.mechservice.idl.MechSimHostPOATie;
 import org.mechservice.orb.ListenAddress;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.ServiceUnreachableException;
+import org.mechservice.orb.testing.Eventually;
+import org.mechservice.server.hosts.ServerTuning;
 import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.HostSettings;
 import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.host.SimHostProcess;
+import org.mechservice.sim.service.testing.PacedSolver;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 
 class HostRegistryTest {
@@ -51,7 +54,7 @@ class HostRegistryTest {
      * @param seen how others see the host
      */
     Careless(Farm farm, String name, UnaryOperator<MechSimHostOperations> seen) {
-      host = new SimHost(orb, new HostOptions(name, 1), new EndlessSolver(), () -> {});
+      host = new SimHost(orb, new HostOptions(name, 1), PacedSolver.endless(), () -> {});
       MechSimHostOperations operations = seen.apply(host);
       reference =
           MechSimHostHelper.unchecked_narrow(
@@ -132,7 +135,7 @@ class HostRegistryTest {
   @Test
   void hostRegistersAgainAtARestartedServer() throws Exception {
     ServerSettings settings = new ServerSettings("own", "127.0.0.1", 0, 1);
-    MechServerProcess first = MechServerProcess.start(settings, Farm.BRISK, EndlessSolver.HOST);
+    MechServerProcess first = MechServerProcess.start(settings, Farm.BRISK, Farm.ENDLESS_HOST);
     int port = Integer.parseInt(first.url().replaceAll(".*:(\\d+)/.*", "$1"));
     try (SimHostProcess host =
             SimHostProcess.start(new HostSettings(first.url(), "h", "127.0.0.1", 0, 1));
@@ -140,7 +143,7 @@ class HostRegistryTest {
       first.close();
       try (MechServerProcess second =
           MechServerProcess.start(
-              new ServerSettings("own", "127.0.0.1", port, 1), Farm.BRISK, EndlessSolver.HOST)) {
+              new ServerSettings("own", "127.0.0.1", port, 1), Farm.BRISK, Farm.ENDLESS_HOST)) {
         Eventually.holds(
             () ->
                 Arrays.stream(orb.connectAdmin(second.url()).listHosts())

@@ -18,6 +18,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.SimState;
 import org.mechservice.orb.ServiceOrb;
+import org.mechservice.orb.testing.Eventually;
+import org.mechservice.server.hosts.PlacementPolicy;
 import org.mechservice.sim.host.HostOptions;
 
 /** What a monitoring system and an auditor learn of a server. */
@@ -47,7 +49,7 @@ class ObservabilityTest {
   void figuresFollowWhatGoesOn() throws Exception {
     try (MechServerProcess server =
             MechServerProcess.start(
-                watched(folder.resolve("audit")), Farm.STEADY, EndlessSolver.HOST);
+                watched(folder.resolve("audit")), Farm.STEADY, Farm.ENDLESS_HOST);
         ServiceOrb orb = ServiceOrb.client()) {
       IMechSimRemote run = Farm.running(orb.connect(server.url()).createSession("ann", "", null));
       Eventually.holds(
@@ -89,7 +91,7 @@ class ObservabilityTest {
     Files.writeString(file, "{\"kind\":\"earlier\"}\n");
     String simId;
     try (MechServerProcess server =
-            MechServerProcess.start(watched(file), Farm.STEADY, OwnHost.INSTALLED);
+            MechServerProcess.start(watched(file), Farm.STEADY, HostFactory.INSTALLED);
         ServiceOrb orb = ServiceOrb.client()) {
       IMechSimRemote run = Farm.running(orb.connect(server.url()).createSession("ann", "", null));
       simId = run.simId();

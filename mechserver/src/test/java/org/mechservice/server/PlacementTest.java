@@ -10,6 +10,7 @@ import org.mechservice.idl.MechSim;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.SimState;
 import org.mechservice.orb.ServiceOrb;
+import org.mechservice.orb.testing.Eventually;
 
 class PlacementTest {
   @Test

@@ -27,9 +27,10 @@ import org.mechservice.idl.MechAdmin;
 import org.mechservice.idl.MechAdminOperations;
 import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.ServiceEvent;
-import org.mechservice.orb.Role;
 import org.mechservice.orb.ServiceOrb;
-import org.mechservice.orb.TlsIdentity;
+import org.mechservice.orb.tls.Role;
+import org.mechservice.orb.tls.TlsIdentity;
+import org.mechservice.server.hosts.PlacementPolicy;
 import org.mechservice.server.keys.KeyFolder;
 import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.HostSettings;
@@ -93,7 +94,7 @@ class RightsTest {
                 Optional.empty(),
                 Optional.of(auditFile)),
             Farm.STEADY,
-            OwnHost.INSTALLED);
+            HostFactory.INSTALLED);
   }
 
   @AfterAll

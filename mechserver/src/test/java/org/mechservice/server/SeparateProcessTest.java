@@ -14,6 +14,7 @@ import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
 import org.mechservice.orb.ServiceOrb;
+import org.mechservice.orb.testing.CursorRows;
 import org.omg.CORBA.UserException;
 
 /** Server and host in processes of their own, as in the field. */
@@ -35,7 +36,7 @@ class SeparateProcessTest {
   void killedHostIsDroppedAndItsWorkIsDoneElsewhere() throws Exception {
     try (MechServerProcess server =
             MechServerProcess.start(
-                new ServerSettings("own", "127.0.0.1", 0, 1), Farm.STEADY, OwnHost.INSTALLED);
+                new ServerSettings("own", "127.0.0.1", 0, 1), Farm.STEADY, HostFactory.INSTALLED);
         ServiceOrb orb = ServiceOrb.client()) {
       MechServer service = orb.connect(server.url());
       Process host = startHost(server.url(), "far");
@@ -58,6 +59,6 @@ class SeparateProcessTest {
     session.loadModel(Pendulum.file(), new ModelFile[0]);
     IMechSimRemote run = session.createSimulation(new NameValue[0], null);
     run.start();
-    return Rows.toEnd(run.openResults(new String[0]), 0);
+    return CursorRows.toEnd(run.openResults(new String[0]), 0);
   }
 }

@@ -12,6 +12,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.orb.PortInUseException;
+import org.mechservice.orb.testing.Eventually;
 
 class ServerProcessTest {
   private static final int SEED = 20262;

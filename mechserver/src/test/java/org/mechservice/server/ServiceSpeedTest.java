@@ -29,6 +29,7 @@ import org.mechservice.idl.NameValue;
 import org.mechservice.idl.ResultBlockHolder;
 import org.mechservice.idl.ResultCursor;
 import org.mechservice.orb.ServiceOrb;
+import org.mechservice.server.hosts.ServerTuning;
 import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.worker.WorkerMain;

@@ -9,9 +9,11 @@ import org.junit.jupiter.api.Test;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.MechSim;
 import org.mechservice.orb.ServiceUnreachableException;
+import org.mechservice.orb.testing.Eventually;
 import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.HostSettings;
 import org.mechservice.sim.host.SimHostProcess;
+import org.mechservice.sim.service.testing.PacedSolver;
 
 /**
  * Servers side by side with one host between them.
@@ -25,7 +27,8 @@ import org.mechservice.sim.host.SimHostProcess;
 class SeveralServersTest {
   private static SimHostProcess shared(List<String> urls) {
     return SimHostProcess.start(
-        new HostSettings(urls, "127.0.0.1", 0, new HostOptions("shared", 4)), new EndlessSolver());
+        new HostSettings(urls, "127.0.0.1", 0, new HostOptions("shared", 4)),
+        PacedSolver.endless());
   }
 
   private static boolean knows(Farm farm, String host) throws Exception {
@@ -64,7 +67,7 @@ class SeveralServersTest {
       assertThat(knows(present, "shared")).isTrue();
       try (MechServerProcess late =
           MechServerProcess.start(
-              new ServerSettings("late", "127.0.0.1", port, 0), Farm.STEADY, EndlessSolver.HOST)) {
+              new ServerSettings("late", "127.0.0.1", port, 0), Farm.STEADY, Farm.ENDLESS_HOST)) {
         Eventually.holds(
             () ->
                 Arrays.stream(present.orb.connectAdmin(late.url()).listHosts())

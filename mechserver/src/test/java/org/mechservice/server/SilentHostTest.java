@@ -25,8 +25,11 @@ import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.ListenAddress;
 import org.mechservice.orb.ServiceOrb;
+import org.mechservice.orb.testing.Eventually;
+import org.mechservice.server.hosts.ServerTuning;
 import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.SimHost;
+import org.mechservice.sim.service.testing.PacedSolver;
 import org.omg.CORBA.IntHolder;
 
 /** A host that still has its connection but answers nothing, beside one that does answer. */
@@ -42,7 +45,7 @@ class SilentHostTest {
   private final Farm farm = new Farm(1, PATIENT);
   private final ServiceOrb orb = ServiceOrb.host(new ListenAddress("127.0.0.1", 0));
   private final SimHost host =
-      new SimHost(orb, new HostOptions("moody", 2), new EndlessSolver(), () -> {});
+      new SimHost(orb, new HostOptions("moody", 2), PacedSolver.endless(), () -> {});
   private final AtomicInteger waiting = new AtomicInteger();
   private volatile boolean silent;
 

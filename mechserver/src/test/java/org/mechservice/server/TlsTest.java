@@ -27,11 +27,13 @@ import org.mechservice.idl.JarInfoHolder;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
-import org.mechservice.orb.DetachedSignature;
-import org.mechservice.orb.Role;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.ServiceUnreachableException;
-import org.mechservice.orb.TlsIdentity;
+import org.mechservice.orb.testing.CursorRows;
+import org.mechservice.orb.tls.DetachedSignature;
+import org.mechservice.orb.tls.Role;
+import org.mechservice.orb.tls.TlsIdentity;
+import org.mechservice.server.hosts.PlacementPolicy;
 import org.mechservice.server.keys.KeyFolder;
 import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.HostSettings;
@@ -57,7 +59,7 @@ class TlsTest {
     KeyFolder foreign = KeyFolder.open(others);
     foreign.localServer();
     foreign.user("mallory", Role.ADMIN);
-    server = MechServerProcess.start(settings("server"), Farm.STEADY, OwnHost.INSTALLED);
+    server = MechServerProcess.start(settings("server"), Farm.STEADY, HostFactory.INSTALLED);
     host = SimHostProcess.start(hostSettings("h", "server"));
   }
 
@@ -95,7 +97,7 @@ class TlsTest {
     session.loadModel(Pendulum.file(), new ModelFile[0]);
     IMechSimRemote run = session.createSimulation(AS_IN_FILE, null);
     run.start();
-    return Rows.toEnd(run.openResults(new String[0]), 0);
+    return CursorRows.toEnd(run.openResults(new String[0]), 0);
   }
 
   @Test

@@ -17,6 +17,7 @@ import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.SimState;
 import org.mechservice.orb.ServiceOrb;
+import org.mechservice.orb.testing.CursorRows;
 import org.mechservice.sim.host.HostSettings;
 import org.mechservice.sim.host.SimHostProcess;
 import org.omg.CORBA.UserException;
@@ -35,9 +36,9 @@ class WholeWayTest {
       session.loadModel(Pendulum.file(), new ModelFile[0]);
       IMechSimRemote run = session.createSimulation(AS_IN_FILE, null);
       run.start();
-      List<double[]> oneByOne = Rows.toEnd(run.openResults(ALL), 1);
-      List<double[]> inBlocks = Rows.toEnd(run.openResults(ALL), 7);
-      List<double[]> atTheEnd = Rows.toEnd(run.openResults(ALL), 0);
+      List<double[]> oneByOne = CursorRows.toEnd(run.openResults(ALL), 1);
+      List<double[]> inBlocks = CursorRows.toEnd(run.openResults(ALL), 7);
+      List<double[]> atTheEnd = CursorRows.toEnd(run.openResults(ALL), 0);
       assertThat(run.getProgress().state).isEqualTo(SimState.SIM_DONE);
       assertThat(oneByOne).hasSize(Pendulum.ROWS);
       assertThat(oneByOne.get(0)).hasSize(Pendulum.COLUMNS);
@@ -93,6 +94,6 @@ class WholeWayTest {
     session.loadModel(Pendulum.file(), new ModelFile[0]);
     IMechSimRemote run = session.createSimulation(AS_IN_FILE, null);
     run.start();
-    return Rows.toEnd(run.openResults(ALL), 0);
+    return CursorRows.toEnd(run.openResults(ALL), 0);
   }
 }

@@ -4,7 +4,7 @@ import java.util.List;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.Variable;
 
-/** Takes rows nobody wants. */
+/** A sink that discards the rows. */
 final class DiscardedRows implements ResultSink {
   @Override
   public void begin(List<Variable> columns) {}

@@ -14,7 +14,7 @@ import org.mechservice.report.measure.WarmUpRounds;
 import org.mechservice.report.method.Candidate;
 
 /**
- * What the explicit method costs over what the implicit one costs, at the same error.
+ * Cost of the explicit method over that of the implicit one, at the same error.
  *
  * @param absolutePart the absolute tolerances of the runs as a part of the relative ones
  * @param ratios one for each error

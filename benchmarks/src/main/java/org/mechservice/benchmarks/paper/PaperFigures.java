@@ -25,8 +25,8 @@ final class PaperFigures {
   /**
    * A line of Table I.
    *
-   * @param label what is measured
-   * @param key of our run report, or empty for what is measured otherwise
+   * @param label name of the figure
+   * @param key of our run report; empty for a figure that is measured otherwise
    * @param unit kB or s
    * @param paper for pendulum, suspension and driver
    */

@@ -116,7 +116,7 @@ public final class PaperReport {
           RemoteRun remote = session.prepareRemoteRun(SimulationOptions.asInFile())) {
         addNumbers(remote.toEnd(new DiscardedRows()).report(), figures);
       }
-      // In a session of its own: what the remote run has had generated would not be timed again.
+      // A session of its own: code generated for the remote run would not be timed again.
       try (MechSession session = session(text, 2 * i + 1);
           LocalRun local = session.prepareLocalRun(SimulationOptions.asInFile())) {
         addNumbers(local.toEnd(new DiscardedRows()).report(), figures);

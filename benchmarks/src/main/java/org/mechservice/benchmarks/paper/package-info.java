@@ -1,6 +1,11 @@
 /**
- * Tables I and II of the paper (Rodríguez et al., Multibody System Dynamics 10, 2003), measured
- * again.
+ * The paper's tables, measured again: Rodríguez et al., Multibody System Dynamics 10 (2003).
+ *
+ * <p>{@link org.mechservice.benchmarks.paper.PaperReport} measures set-up times, sizes and run
+ * times of the paper's scenes, the ratio of explicit to implicit cost at equal error ({@link
+ * org.mechservice.benchmarks.paper.EqualErrors}), and the damping from which the implicit method
+ * wins. {@link org.mechservice.benchmarks.paper.PaperFigures} holds the printed figures, and {@link
+ * org.mechservice.benchmarks.paper.PaperPage} writes both side by side.
  */
 @NullMarked
 package org.mechservice.benchmarks.paper;

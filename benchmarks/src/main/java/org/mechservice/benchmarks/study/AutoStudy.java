@@ -22,7 +22,7 @@ import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ModelDescription;
 
-/** What the automatic choice costs beside the best fixed one, on stiff scenes and others. */
+/** Cost of the automatic choice beside that of the best fixed one, on stiff scenes and others. */
 final class AutoStudy implements Study {
   /**
    * With gaps of two decades, an error just missed cost a method two decades more. To 1e-10, for an

@@ -34,7 +34,7 @@ final class NoiseStudy implements Study {
     return "noise";
   }
 
-  /** A pendulum whose force is wrong by a part of its largest value that nobody can foresee. */
+  /** A pendulum whose force has a random relative error. */
   private static final class NoisyPendulum implements OdeSystem, ResidualSystem {
     private static final double GRAVITY = 9.81;
     private final double noise;

@@ -32,7 +32,7 @@ final class PeriodsStudy implements Study {
   private final double periods;
   private final double limit;
 
-  /** What is said of each invariant of each scene, one part per method. */
+  /** Findings by scene and invariant, one part per method. */
   private final Map<String, List<String>> found = new LinkedHashMap<>();
 
   PeriodsStudy(StudyContext context) {

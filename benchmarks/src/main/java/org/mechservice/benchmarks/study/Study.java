@@ -4,12 +4,12 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 
-/** One property measured. */
+/** A measurement of one property of the methods. */
 public interface Study {
   /** Returns the study's name on the command line. */
   String name();
 
-  /** Measures, and says what it found. */
+  /** Measures, and writes the findings to a page. */
   void measure(StudyPage page);
 
   /** Returns all studies, in the order of their reading. */

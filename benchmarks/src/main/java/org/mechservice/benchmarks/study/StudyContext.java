@@ -30,7 +30,7 @@ import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.Variable;
 
-/** What studies work with: scenes built by the service, and runs of them. */
+/** Scenes built by the service and runs of them, shared by all studies. */
 public final class StudyContext {
   private static final String SCENES = "/org/mechservice/report/extremes/";
 
@@ -65,7 +65,7 @@ public final class StudyContext {
     return quick;
   }
 
-  /** Tells how far a study is. */
+  /** Reports the progress of a study. */
   void at(String what, double done) {
     progress.at(what, done, Double.NaN);
   }
@@ -106,7 +106,7 @@ public final class StudyContext {
     }
   }
 
-  /** Loads a scene and returns what the service had to say about it. */
+  /** Loads a scene and returns the service's warnings. */
   List<String> warnings(String text) {
     try (MechSession session = sessions.get()) {
       return session.loadModel("study.xml", text.getBytes(StandardCharsets.UTF_8)).stream()

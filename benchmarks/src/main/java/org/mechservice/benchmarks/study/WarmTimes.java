@@ -8,7 +8,7 @@ import java.util.function.DoubleSupplier;
 import org.mechservice.report.measure.Quantiles;
 
 /**
- * What runs cost once their code is compiled. Every method brings its own copy of the solver's
+ * Times of runs after their code is compiled. Every method brings its own copy of the solver's
  * classes, and the virtual machine compiles each copy by what that copy has done: a number of runs
  * that warms a long one leaves a short one cold. So methods warm up for a time, not a number.
  *

@@ -3,9 +3,9 @@ package org.mechservice.benchmarks.suite;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 
-/** Processor time of the thread it is made in: what was spent, and whether that was too much. */
+/** Processor time of the thread that creates it, against a limit. */
 final class Deadline {
-  /** To ask for processor time costs as much as some evaluations do. */
+  /** Reading the processor time costs as much as several evaluations. */
   private static final int LOOK_EVERY = 256;
 
   private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
@@ -35,7 +35,7 @@ final class Deadline {
     return (THREADS.getCurrentThreadCpuTime() - began) * 1e-9;
   }
 
-  /** Returns what is said of a run that was stopped. */
+  /** Returns the cause of a run that was stopped. */
   String cause() {
     return String.format(java.util.Locale.ROOT, "not finished within %.3g s", limit);
   }

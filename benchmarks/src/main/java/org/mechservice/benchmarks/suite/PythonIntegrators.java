@@ -29,7 +29,7 @@ final class PythonIntegrators {
   private final List<SuiteRun> runs = new ArrayList<>();
   private String version = "";
 
-  /** Returns what was run; empty if SciPy is not there. */
+  /** Returns the runs; empty if SciPy is not installed. */
   List<SuiteRun> runs() {
     return runs;
   }

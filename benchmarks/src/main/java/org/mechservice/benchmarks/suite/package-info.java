@@ -1,4 +1,14 @@
-/** The integrators alone, on problems with verified solutions, with peers in the same run. */
+/**
+ * The integrators alone, on problems with verified solutions, beside those of other libraries.
+ *
+ * <p>{@link org.mechservice.benchmarks.suite.SuiteProblem} is a problem of {@code problems.json}:
+ * expressions ({@link org.mechservice.benchmarks.suite.Formula}), start, and the end to 25 digits.
+ * {@link org.mechservice.benchmarks.suite.SuiteRunner} runs our integrators, {@link
+ * org.mechservice.benchmarks.suite.HipparchusRunner} those of Hipparchus on the same {@link
+ * org.mechservice.benchmarks.suite.SuiteEquations}, and {@link
+ * org.mechservice.benchmarks.suite.PythonIntegrators} those of SciPy and SUNDIALS where Python has
+ * them. {@link org.mechservice.benchmarks.suite.SuiteReport} writes page and figures.
+ */
 @NullMarked
 package org.mechservice.benchmarks.suite;
 

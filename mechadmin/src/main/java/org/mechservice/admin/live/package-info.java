@@ -1,4 +1,12 @@
-/** What goes on, followed as it happens, for the faces that stay open. */
+/**
+ * The state of all servers as it changes.
+ *
+ * <p>{@link org.mechservice.admin.live.ServerFollower} polls one server and follows its events;
+ * {@link org.mechservice.admin.live.LiveView} merges the followers of all servers into one view
+ * with its latest events and the load of every host ({@link org.mechservice.admin.live.SeenEvent},
+ * {@link org.mechservice.admin.live.LoadSample}). The view is thread-safe; the terminal and the web
+ * page read it.
+ */
 @NullMarked
 package org.mechservice.admin.live;
 

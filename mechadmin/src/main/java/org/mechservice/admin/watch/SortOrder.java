@@ -26,7 +26,7 @@ enum SortOrder {
     return label;
   }
 
-  /** Returns the order; of what is alike, by id, so that nothing jumps. */
+  /** Returns the order; equal entries are ordered by id, so that no row jumps. */
   Comparator<KnownSimulation> order(boolean reversed) {
     Comparator<KnownSimulation> order = order().thenComparing(known -> known.summary().simId);
     return reversed ? order.reversed() : order;

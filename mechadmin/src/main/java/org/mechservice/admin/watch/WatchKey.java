@@ -22,7 +22,7 @@ enum WatchKey {
   QUIT,
   OTHER;
 
-  /** A lone escape is told from the beginning of an arrow key by what does not follow it. */
+  /** A lone escape differs from the beginning of an arrow key: no character follows it. */
   private static final long ESCAPE_MILLIS = 100;
 
   static KeyMap<WatchKey> of(Terminal terminal) {

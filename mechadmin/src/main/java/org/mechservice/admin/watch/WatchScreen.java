@@ -42,7 +42,7 @@ final class WatchScreen {
   /**
    * @param width columns of the terminal
    * @param height lines of the terminal
-   * @param now what ages are counted from
+   * @param now the time from which ages are counted
    */
   WatchScreen(int width, int height, Instant now) {
     this.width = width;

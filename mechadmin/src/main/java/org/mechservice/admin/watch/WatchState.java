@@ -10,7 +10,7 @@ import org.mechservice.admin.ServerReading;
  * its simulation when others come and go.
  */
 final class WatchState {
-  /** What a key asks for that is not only a matter of the screen. */
+  /** An action of a key that concerns more than the screen. */
   enum Wish {
     NOTHING,
     INSPECT,
@@ -38,12 +38,12 @@ final class WatchState {
     return filter;
   }
 
-  /** Returns whether the operator is asked to confirm that a simulation is ended. */
+  /** Returns whether the operator has to confirm that a simulation is cancelled. */
   boolean asking() {
     return asking;
   }
 
-  /** Returns what came of the last action. */
+  /** Returns the result of the last action. */
   String news() {
     return news;
   }
@@ -92,7 +92,7 @@ final class WatchState {
    * Follows a key.
    *
    * @param listed the simulations listed
-   * @return what is to be done now
+   * @return the action to carry out
    */
   Wish press(WatchKey key, List<KnownSimulation> listed) {
     if (asking) {
@@ -154,7 +154,7 @@ final class WatchState {
     }
   }
 
-  /** What is to be confirmed or shown stays chosen, whatever comes and goes meanwhile. */
+  /** Keeps the selection for a confirmation or a detail view while rows come and go. */
   private boolean keep(List<KnownSimulation> listed) {
     choose(listed, 0);
     return !listed.isEmpty();

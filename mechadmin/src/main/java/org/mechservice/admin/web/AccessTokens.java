@@ -40,7 +40,7 @@ public record AccessTokens(String monitor, String admin) {
     }
   }
 
-  /** Makes tokens nobody can guess. */
+  /** Makes tokens from a secure random generator. */
   public static AccessTokens random() {
     return new AccessTokens(secret(), secret());
   }
@@ -85,7 +85,7 @@ public record AccessTokens(String monitor, String admin) {
     }
   }
 
-  /** Returns what a token lets its bearer do. */
+  /** Returns the right of a token. */
   Right rightOf(String token) {
     if (same(token, admin)) {
       return Right.ADMIN;

@@ -8,10 +8,10 @@ import java.util.TreeMap;
 import org.mechservice.admin.AdminAction;
 
 /**
- * What a button asks for.
+ * The action that a button requests.
  *
  * @param server address of the server it is about
- * @param action what that server is to do
+ * @param action the action of that server
  */
 record ActionRequest(String server, AdminAction action) {
   /**
@@ -65,7 +65,7 @@ record ActionRequest(String server, AdminAction action) {
     return limits;
   }
 
-  /** Returns what is about to be done, with the command line that does the same. */
+  /** Returns the action in words, with the command line that does the same. */
   JsonObject preview() {
     JsonObject json = new JsonObject();
     json.addProperty("server", server);

@@ -45,7 +45,7 @@ public final class AdminWeb implements AutoCloseable {
    *
    * @param console sees and steers the servers; stays open
    * @param port TCP port; 0: any free one
-   * @param tokens who may do what
+   * @param tokens rights by token
    * @param auditFile is added to; empty: refusals are only logged
    * @throws PortInUseException if the port is taken
    * @throws IOException if the audit file cannot be written

@@ -10,7 +10,7 @@ import org.mechservice.admin.AdminJson;
 import org.mechservice.admin.AdminTarget;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** What the page asks the console for. Everything here needs a right. */
+/** The requests of the page to the console. Every request needs a right. */
 final class Api {
   private static final int STREAMS = 40;
   private static final int LOG_LINES = 1000;

@@ -26,7 +26,7 @@ final class Overview {
   }
 
   /**
-   * Returns what a page does not know yet.
+   * Returns the changes since the page's last update.
    *
    * @param known the version it knows; 0: nothing
    */

@@ -18,7 +18,7 @@ final class Refused extends RuntimeException {
     this.status = status;
   }
 
-  /** Returns the refusal that tells of a failure. */
+  /** Returns the refusal that reports a failure. */
   static Refused of(AdminFailure failure) {
     int status =
         switch (failure.reason()) {
@@ -30,7 +30,7 @@ final class Refused extends RuntimeException {
     return new Refused(status, failure.text());
   }
 
-  /** What was asked cannot be understood. */
+  /** The request cannot be read. */
   static Refused notUnderstood(String what) {
     return new Refused(400, MessageCode.REQUEST_UNUSABLE + " the request cannot be used: " + what);
   }

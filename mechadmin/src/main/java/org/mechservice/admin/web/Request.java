@@ -13,7 +13,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 
-/** What a browser asks, and the ways to answer it. */
+/** A request of a browser, and the ways to answer it. */
 final class Request {
   private static final int LONGEST_BODY = 64 * 1024;
   private static final String BEARER = "Bearer ";
@@ -83,7 +83,7 @@ final class Request {
     return header.startsWith(BEARER) ? header.substring(BEARER.length()) : "";
   }
 
-  /** Returns who asks, as far as that is known. */
+  /** Returns the name of the caller, as far as it is known. */
   String from() {
     return exchange.getRemoteAddress().getAddress().getHostAddress();
   }
@@ -123,7 +123,7 @@ final class Request {
     }
   }
 
-  /** Begins an answer that goes on until one of the two closes it. */
+  /** Begins a stream that stays open until one of the two closes it. */
   EventStream stream() throws IOException {
     exchange.getResponseHeaders().set("Content-Type", "text/event-stream");
     exchange.sendResponseHeaders(200, 0);

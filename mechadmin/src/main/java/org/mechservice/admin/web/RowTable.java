@@ -7,7 +7,7 @@ import java.util.Map;
 
 /** Rows of JSON by their key, each with the version in which it last changed or went. */
 final class RowTable {
-  /** What went longer ago is told to pages that were away for so long by a full update. */
+  /** Removals older than this are forgotten; a page that was away longer gets a full update. */
   private static final int GONE_KEPT = 10_000;
 
   private record Row(JsonObject json, long version) {}
@@ -44,7 +44,7 @@ final class RowTable {
         });
   }
 
-  /** Returns what changed or went after a version. */
+  /** Returns the rows changed or removed after a version. */
   JsonObject after(long version) {
     JsonArray changed = new JsonArray();
     rows.values().stream()

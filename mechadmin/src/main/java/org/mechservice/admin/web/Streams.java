@@ -12,9 +12,9 @@ import org.mechservice.admin.DetailJson;
 import org.mechservice.admin.live.LiveView;
 import org.mechservice.admin.live.LoadSample;
 
-/** What pages are told as it happens. Each stream ends when its page or the console is closed. */
+/** Streams of updates to pages. Each stream ends when its page or the console is closed. */
 final class Streams {
-  /** So often a page hears of something at most. */
+  /** Shortest interval between two updates of a page, ms. */
   private static final long PAUSE_MILLIS = 250;
 
   private static final Duration PING = Duration.ofSeconds(5);
@@ -33,7 +33,7 @@ final class Streams {
     overview = new Overview(view);
   }
 
-  /** Tells everything once and then what changes. */
+  /** Sends the whole state once and then the changes. */
   void overview(EventStream stream) throws IOException, InterruptedException {
     long version = 0;
     long event = 0;
@@ -53,7 +53,7 @@ final class Streams {
     }
   }
 
-  /** Tells how busy a host was, and then how busy it is. */
+  /** Sends the load history of a host and then each new sample. */
   void host(EventStream stream, AdminTarget host) throws IOException, InterruptedException {
     long last = 0;
     long version = 0;
@@ -87,7 +87,7 @@ final class Streams {
     return all;
   }
 
-  /** Tells everything about a simulation, and then what changes of it until it has ended. */
+  /** Sends all details of a simulation and then its changes, until it has ended. */
   void simulation(EventStream stream, String server, String simId)
       throws IOException, InterruptedException {
     boolean told = false;

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.mechservice.admin.AdminConsole;
-import org.mechservice.admin.ScriptedServer;
+import org.mechservice.admin.ScriptedAdmin;
 import org.mechservice.admin.ServerReading;
 import org.mechservice.idl.SimState;
 
@@ -27,13 +27,13 @@ class WatchTest {
   private static final int PATIENCE = 600;
   private static final long CHECK_MILLIS = 100;
 
-  private static ScriptedServer server;
+  private static ScriptedAdmin server;
 
   private final WatchState state = new WatchState();
 
   @BeforeAll
   static void start() {
-    server = new ScriptedServer("lab");
+    server = new ScriptedAdmin("lab");
   }
 
   @BeforeEach

@@ -26,7 +26,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.admin.AdminConsole;
-import org.mechservice.admin.ScriptedServer;
+import org.mechservice.admin.ScriptedAdmin;
 import org.mechservice.idl.Severity;
 import org.mechservice.idl.SimState;
 import org.mechservice.orb.PortInUseException;
@@ -41,7 +41,7 @@ class AdminWebTest {
 
   @TempDir private static Path folder;
 
-  private static ScriptedServer server;
+  private static ScriptedAdmin server;
   private static AdminConsole console;
   private static AdminWeb web;
   private static Page admin;
@@ -49,7 +49,7 @@ class AdminWebTest {
 
   @BeforeAll
   static void start() throws IOException {
-    server = new ScriptedServer("lab");
+    server = new ScriptedAdmin("lab");
     server.host("big", 0.25, true, "");
     server.simulation("sim-1", "big", "arm", SimState.SIM_RUNNING);
     console = new AdminConsole(List.of(server.address()), PATIENCE);

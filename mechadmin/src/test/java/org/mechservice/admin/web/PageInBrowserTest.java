@@ -16,7 +16,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.admin.AdminConsole;
-import org.mechservice.admin.ScriptedServer;
+import org.mechservice.admin.ScriptedAdmin;
 import org.mechservice.idl.Severity;
 import org.mechservice.idl.SimState;
 
@@ -26,16 +26,16 @@ class PageInBrowserTest {
   private static final Path PICTURES = Path.of("../docs/pictures");
 
   private final AccessTokens tokens = AccessTokens.random();
-  private ScriptedServer lab;
-  private ScriptedServer west;
+  private ScriptedAdmin lab;
+  private ScriptedAdmin west;
   private AdminConsole console;
   private AdminWeb web;
   private Chromium browser;
 
   @BeforeEach
   void start() throws Exception {
-    lab = new ScriptedServer("lab");
-    west = new ScriptedServer("west");
+    lab = new ScriptedAdmin("lab");
+    west = new ScriptedAdmin("west");
     lab.host("lab", 0.34, true, "");
     lab.host("workshop", 0.93, true, "");
     lab.host("attic", 0.02, false, "dropped: its connection failed: nobody answers at its address");

@@ -51,7 +51,7 @@ final class AdminActions {
       return ExitStatus.DONE;
     }
 
-    /** Without a name, the one server asked is meant. */
+    /** Without a name, the only server of the command is meant. */
     static AdminTarget place(AdminConsole console, String name) {
       if (!name.isEmpty()) {
         return AdminTarget.named(console.read(), name);
@@ -103,7 +103,7 @@ final class AdminActions {
         description = "Its name; without it the server asked.")
     private String name = "";
 
-    /** Returns what is done; the host is empty where a server is meant. */
+    /** Returns the action; the host is empty if a server is meant. */
     abstract AdminAction action(String host);
 
     @Override

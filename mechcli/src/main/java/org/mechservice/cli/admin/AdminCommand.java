@@ -36,10 +36,13 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
 
-/** {@code mech admin}: what an operator sees; what he does is in {@link AdminActions}. */
+/**
+ * {@code mech admin}: the commands that read; those that change something are in {@link
+ * AdminActions}.
+ */
 @Command(
     name = "admin",
-    description = "Shows servers, their hosts and what runs on them, and steers them.",
+    description = "Shows servers, their hosts and simulations, and controls them.",
     subcommands = {
       AdminActions.Stop.class,
       AdminActions.Drain.class,
@@ -142,7 +145,7 @@ public final class AdminCommand implements Callable<Integer> {
     return readings.stream().anyMatch(ServerReading.Answering.class::isInstance);
   }
 
-  /** What is shown of all servers, in both forms. */
+  /** A table of all servers, as text and as JSON. */
   private interface Shown {
     JsonElement json(List<ServerReading> readings);
 
@@ -290,7 +293,7 @@ public final class AdminCommand implements Callable<Integer> {
   }
 
   /** Prints log lines. */
-  @Command(name = "logs", description = "Shows what servers or a host wrote down lately.")
+  @Command(name = "logs", description = "Shows the latest log lines of servers or of a host.")
   int logs(
       @Parameters(
               arity = "0..1",

@@ -17,10 +17,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code mech check}: what the service makes of a model. */
+/** {@code mech check}: topology, degrees of freedom and warnings of a model. */
 @Command(
     name = "check",
-    description = "Reads a model and tells its topology, degrees of freedom and doubtful values.",
+    description = "Reads a model and prints its topology, degrees of freedom and doubtful values.",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class CheckCommand implements Callable<Integer> {

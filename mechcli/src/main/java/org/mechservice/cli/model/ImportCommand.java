@@ -23,7 +23,7 @@ import picocli.CommandLine.Spec;
 /** {@code mech import}: a model of another format becomes MechML. */
 @Command(
     name = "import",
-    description = "Translates a robot from URDF to MechML and tells what is lost.",
+    description = "Translates a robot from URDF to MechML and lists what is lost.",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class ImportCommand implements Callable<Integer> {

@@ -12,7 +12,7 @@ import java.util.concurrent.Callable;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.UsageException;
-import org.mechservice.orb.DetachedSignature;
+import org.mechservice.orb.tls.DetachedSignature;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;

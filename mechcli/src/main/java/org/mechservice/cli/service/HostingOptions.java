@@ -7,7 +7,7 @@ import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.service.limits.HostLimits;
 import picocli.CommandLine.Option;
 
-/** What a process that runs simulations allows, and where it keeps them. */
+/** Limits, spool folder and user code of a process that runs simulations. */
 final class HostingOptions {
   @Option(
       names = "--limit",
@@ -30,7 +30,7 @@ final class HostingOptions {
   private boolean userCode;
 
   /**
-   * Returns what the host is like.
+   * Returns the options of the host.
    *
    * @throws IllegalArgumentException with code S-015 if a limit is unknown or makes no sense
    */

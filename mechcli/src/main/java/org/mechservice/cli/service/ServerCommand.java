@@ -8,8 +8,8 @@ import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.TlsOption;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.server.MechServerProcess;
-import org.mechservice.server.PlacementPolicy;
 import org.mechservice.server.ServerSettings;
+import org.mechservice.server.hosts.PlacementPolicy;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -17,7 +17,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** {@code mech server}: serves until it is told to end. */
+/** {@code mech server}: serves until a signal ends it. */
 @Command(
     name = "server",
     description = "Serves simulations; prints its URL when it is ready.",

@@ -15,7 +15,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** {@code mech simhost}: runs simulations for a server until it is told to end. */
+/** {@code mech simhost}: runs simulations for a server until a signal ends it. */
 @Command(
     name = "simhost",
     description = "Runs simulations for a server; prints its own address when it is registered.",

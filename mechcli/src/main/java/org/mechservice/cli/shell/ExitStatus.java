@@ -1,6 +1,6 @@
 package org.mechservice.cli.shell;
 
-/** What the process says to the shell. */
+/** Exit statuses of the process. */
 public final class ExitStatus {
   public static final int DONE = 0;
   public static final int SIMULATION_FAILED = 1;

@@ -18,9 +18,9 @@ import org.slf4j.LoggerFactory;
 import picocli.CommandLine;
 import picocli.CommandLine.ParseResult;
 
-/** Turns what went wrong into one message with a code, and into an exit status. */
+/** Turns an exception into one message with a code, and into an exit status. */
 public final class FailureReport {
-  /** Only a log file that the user asked for takes the details of an internal error. */
+  /** The details of an internal error go to the log file only, if the user named one. */
   private static final Logger INCIDENTS = LoggerFactory.getLogger("incident");
 
   private static final Pattern CODED = Pattern.compile("(?s).*\\b[MNS]-\\d{3}\\b.*");
@@ -32,7 +32,7 @@ public final class FailureReport {
     return tell(failure, command.getErr());
   }
 
-  /** Prints what went wrong and returns the exit status it means. */
+  /** Prints the message of a failure and returns its exit status. */
   static int tell(Exception failure, PrintWriter err) {
     String text = String.valueOf(failure.getMessage());
     if (failure instanceof ServiceException refusal) {

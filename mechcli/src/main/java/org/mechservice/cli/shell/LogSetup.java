@@ -57,7 +57,10 @@ public final class LogSetup extends ContextAwareBase implements Configurator {
     return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
   }
 
-  /** Lets a process that serves, whose operator cannot ask again, tell why something failed. */
+  /**
+   * Prints the causes of failures as well: the operator of a serving process cannot repeat the
+   * call.
+   */
   public static void showCauses() {
     if (LoggerFactory.getILoggerFactory() instanceof LoggerContext context) {
       showCauses(context);

@@ -1,7 +1,7 @@
 package org.mechservice.cli.shell;
 
 import java.util.Optional;
-import org.mechservice.orb.TlsIdentity;
+import org.mechservice.orb.tls.TlsIdentity;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -19,7 +19,7 @@ public final class ServerOption {
   @Mixin private TlsOption tls = new TlsOption();
 
   /**
-   * Returns the server's address, or nothing if none is asked for.
+   * Returns the server's address; empty if none is given.
    *
    * @throws UsageException S-041 if it is blank, as from a variable of a script that is not set:
    *     the server meant is not this process

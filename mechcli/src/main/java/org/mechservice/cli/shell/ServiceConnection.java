@@ -25,8 +25,8 @@ public final class ServiceConnection implements AutoCloseable {
   /**
    * Connects to a service.
    *
-   * @param asked which; none: an embedded server on a free loopback port
-   * @throws org.mechservice.client.failure.ServerLostException if nobody answers there
+   * @param asked the server; none: an embedded server on a free loopback port
+   * @throws org.mechservice.client.failure.ServerLostException if no server answers there
    */
   public static ServiceConnection open(ServerOption asked) {
     return open(asked, 1);
@@ -35,9 +35,9 @@ public final class ServiceConnection implements AutoCloseable {
   /**
    * Connects to a service.
    *
-   * @param asked which; none: an embedded server on a free loopback port
+   * @param asked the server; none: an embedded server on a free loopback port
    * @param capacity simulations that an embedded server runs at once
-   * @throws org.mechservice.client.failure.ServerLostException if nobody answers there
+   * @throws org.mechservice.client.failure.ServerLostException if no server answers there
    */
   public static ServiceConnection open(ServerOption asked, int capacity) {
     if (!asked.address().isEmpty()) {
@@ -45,7 +45,7 @@ public final class ServiceConnection implements AutoCloseable {
           Optional.empty(),
           MechConnection.open(asked.address(), JarCache.ofUser(), asked.identity()));
     }
-    // What the user of this process has written may run in it.
+    // The user's own force classes may run in the user's own process.
     WarmUp.beginToBuild();
     HostOptions embedded = new HostOptions(EMBEDDED_NAME, capacity).withUserCode(true);
     MechServerProcess server =

@@ -9,7 +9,7 @@ import java.util.Optional;
 
 /** Standard output that remembers why it could not be written; Java's own says only that. */
 public final class StandardOutput extends FilterOutputStream {
-  /** What the system says where the reader has read enough, as {@code head} does. */
+  /** The system's message when the reader has closed the pipe, as {@code head} does. */
   private static final String ENOUGH = "Broken pipe";
 
   private Optional<String> failure = Optional.empty();
@@ -37,7 +37,7 @@ public final class StandardOutput extends FilterOutputStream {
     }
   }
 
-  /** Returns why something is missing that its reader waits for. */
+  /** Returns why output is missing; empty if it was written or its reader closed the pipe. */
   public Optional<String> failure() {
     return failure.filter(why -> !why.equals(ENOUGH));
   }

@@ -2,11 +2,11 @@ package org.mechservice.cli.shell;
 
 import java.nio.file.Path;
 import java.util.Optional;
-import org.mechservice.orb.TlsIdentity;
+import org.mechservice.orb.tls.TlsIdentity;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
 
-/** Who this process is on the network. */
+/** The certificate of this process, for TLS. */
 public final class TlsOption {
   @Option(
       names = "--tls",

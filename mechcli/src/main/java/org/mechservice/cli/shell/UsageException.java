@@ -1,6 +1,6 @@
 package org.mechservice.cli.shell;
 
-/** What was asked for cannot be done as it was asked. */
+/** The options of a command are not valid. */
 public final class UsageException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 

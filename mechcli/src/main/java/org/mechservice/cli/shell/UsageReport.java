@@ -14,7 +14,7 @@ import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** Says in one line what is wrong with a command line, and where to read what there is. */
+/** Reports an error of the command line in one line and names the help page. */
 public final class UsageReport {
   private UsageReport() {}
 

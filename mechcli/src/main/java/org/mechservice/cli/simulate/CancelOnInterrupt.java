@@ -52,7 +52,7 @@ public final class CancelOnInterrupt implements AutoCloseable {
     }
   }
 
-  /** Lets the process end. */
+  /** Lets the process end: the rows are complete. */
   @Override
   public void close() {
     finished.countDown();

@@ -13,12 +13,12 @@ import org.mechservice.client.run.CheckpointStore;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Option;
 
-/** Where checkpoints of a run go, how often, and which one it goes on from. */
+/** File and interval of a run's checkpoints, and the checkpoint to resume from. */
 final class CheckpointOptions {
   @Option(
       names = "--checkpoint",
       paramLabel = "FILE",
-      description = "Leave here what --resume needs, from time to time and when stopped.")
+      description = "Write a checkpoint for --resume here, at intervals and when stopped.")
   private Optional<Path> checkpoint = Optional.empty();
 
   @Option(
@@ -30,7 +30,7 @@ final class CheckpointOptions {
   @Option(
       names = "--resume",
       paramLabel = "FILE",
-      description = "Go on from a checkpoint; the rows after it are put out.")
+      description = "Continue from a checkpoint; the rows after it are written.")
   private Optional<Path> resume = Optional.empty();
 
   private static final double SECONDS_BETWEEN = 60;
@@ -72,7 +72,8 @@ final class CheckpointOptions {
   /**
    * Returns the files as the run needs them.
    *
-   * @param told what cannot be written; the run goes on, and the checkpoint before stays
+   * @param told receives the message if a checkpoint cannot be written; the run continues, and the
+   *     previous checkpoint stays
    * @throws IOException if the checkpoint to go on from cannot be read
    */
   CheckpointStore open(Consumer<String> told) throws IOException {

@@ -112,7 +112,7 @@ public final class ResultFiles implements ResultSink, AutoCloseable {
     return hash;
   }
 
-  /** Deletes what was not kept. */
+  /** Deletes the files that were not kept. */
   @Override
   public void close() throws IOException {
     for (ResultFile file : files) {

@@ -45,7 +45,7 @@ final class ResultOptions {
     return quiet;
   }
 
-  /** Returns whether a person is told how the run goes. */
+  /** Returns whether progress is printed. */
   boolean talks() {
     return !quiet && !json;
   }

@@ -13,9 +13,9 @@ import org.mechservice.client.run.RunListener;
 import org.mechservice.client.run.RunProgress;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** What is known of a run while it goes on: told by the server, or asked of the local run. */
+/** Progress and warnings of a run: sent by the server, or read from the local run. */
 final class RunFollower implements RunListener {
-  /** What is said of a run whose host is being emptied. */
+  /** Codes of the messages about a run whose host is being drained. */
   private static final Set<String> OF_MOVES =
       Set.of(MessageCode.RUN_STAYS_ON_DRAINING_HOST.code(), MessageCode.RUN_MOVED.code());
 
@@ -26,13 +26,13 @@ final class RunFollower implements RunListener {
   private volatile Supplier<Optional<RunProgress>> latest = () -> told;
 
   /**
-   * @param aloud hears at once where the run goes on, and that it has to wait
+   * @param aloud receives at once that the run has moved or has to wait
    */
   RunFollower(Consumer<String> aloud) {
     this.aloud = aloud;
   }
 
-  /** Follows a local run, which tells nothing by itself. */
+  /** Follows a local run, which sends no progress by itself. */
   PreparedRun watch(LocalRun run) {
     latest = () -> Optional.of(run.progress());
     return run;

@@ -101,7 +101,7 @@ public final class SimulateCommand implements Callable<Integer> {
     }
   }
 
-  /** Who loses this process finds the run again by its identity. */
+  /** Prints the run's id: after this process dies, the run can be found by it. */
   private void tellIdentity(PreparedRun run) {
     if (run instanceof RemoteRun remote && !server.address().isEmpty() && results.talks()) {
       err().println("simulation " + remote.id());
@@ -116,7 +116,10 @@ public final class SimulateCommand implements Callable<Integer> {
     }
   }
 
-  /** What a run as it is asked for may make of its file is known when it is set up, or refused. */
+  /**
+   * Prepares the run and prints the warnings of the model, which are known even if the run is
+   * refused.
+   */
   private PreparedRun prepare(MechSession session, SimulationOptions options, RunFollower news) {
     try {
       return switch (mode) {

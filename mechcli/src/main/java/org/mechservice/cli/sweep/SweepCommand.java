@@ -148,7 +148,7 @@ public final class SweepCommand implements Callable<Integer> {
     return file.resolveSibling(file.getFileName() + ".part");
   }
 
-  /** Tells this sweep from others; what only chooses what is shown does not matter. */
+  /** Returns the hash that identifies this sweep; options that only choose columns are left out. */
   private JsonObject identity(SimulationOptions options) throws IOException {
     JsonObject identity = new JsonObject();
     identity.addProperty("model", model.toString());

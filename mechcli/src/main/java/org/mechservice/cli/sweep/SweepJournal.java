@@ -38,9 +38,9 @@ final class SweepJournal implements AutoCloseable {
   }
 
   /**
-   * Opens the journal of a sweep, with what an earlier process has left there.
+   * Opens the journal of a sweep, with the rows of an earlier process.
    *
-   * @param sweep tells sweeps apart: model, options, grid
+   * @param sweep hash of model, options and grid
    * @throws UsageException with code S-165 if the file is of another sweep
    */
   static SweepJournal open(Path file, JsonObject sweep) throws IOException {
@@ -126,7 +126,7 @@ final class SweepJournal implements AutoCloseable {
     return new JsonPrimitive(value.toString());
   }
 
-  /** Returns what {@link #json(Object)} was given. */
+  /** Returns the value that {@link #json(Object)} wrote. */
   private static Object value(JsonPrimitive value) {
     if (value.isBoolean()) {
       return value.getAsBoolean();

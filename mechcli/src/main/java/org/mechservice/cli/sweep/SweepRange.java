@@ -6,7 +6,7 @@ import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.sweep.SweptParameter;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** Reads what a parameter of a sweep is set to: {@code P=A:B:N} or {@code P=1,2,5}. */
+/** Reads the values of a parameter of a sweep: {@code P=A:B:N} or {@code P=1,2,5}. */
 final class SweepRange {
   private static final String FORMS =
       "write NAME=FROM:TO:COUNT, such as --set length=0.5:1.5:11, or NAME=VALUE,VALUE,...";

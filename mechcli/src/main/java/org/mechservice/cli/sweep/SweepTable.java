@@ -54,7 +54,7 @@ final class SweepTable {
   }
 
   /**
-   * Makes sure that a report has the figures asked for.
+   * Makes sure that a report has the requested figures.
    *
    * @throws UsageException if it lacks one
    */

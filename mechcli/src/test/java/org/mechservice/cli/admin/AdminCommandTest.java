@@ -16,7 +16,6 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.mechservice.cli.Eventually;
 import org.mechservice.cli.Mech;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.client.MechConnection;
@@ -24,6 +23,7 @@ import org.mechservice.client.MechSession;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.client.failure.RunState;
 import org.mechservice.client.run.RemoteRun;
+import org.mechservice.orb.testing.Eventually;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
 import org.mechservice.sim.host.HostSettings;
@@ -37,7 +37,7 @@ class AdminCommandTest {
 
   /** No test lasts until then. */
   private static final SimulationOptions ENDLESS =
-      SimulationOptions.asInFile().endTime(1e9).outputStep(1e5);
+      SimulationOptions.asInFile().endTime(1e8).outputStep(1e4);
 
   private static final MechServerProcess SERVER =
       MechServerProcess.start(new ServerSettings("lab", "127.0.0.1", 0, 0));

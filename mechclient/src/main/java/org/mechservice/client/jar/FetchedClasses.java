@@ -11,15 +11,24 @@ import java.util.Collections;
 import java.util.Enumeration;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.text.Sha256;
 
 /**
- * Loads classes from fetched JARs. From the client itself they see package {@code
- * org.mechservice.solver.api} and nothing else: the solver is the server's, bit for bit.
+ * Loads classes from fetched JARs. Of the client they see the artifact {@code solver-api}, whose
+ * types the client and the solver exchange, and nothing else: the solver is the server's, bit for
+ * bit.
  */
 final class FetchedClasses extends ClassLoader {
-  private static final String SHARED_PACKAGE = Model.class.getPackageName();
+  /** The packages of artifact {@code solver-api}. */
+  private static final Set<String> SHARED_PACKAGES =
+      Set.of(
+          Model.class.getPackageName(),
+          MessageCode.class.getPackageName(),
+          Sha256.class.getPackageName());
 
   private final List<FetchedJar> jars;
 
@@ -62,7 +71,7 @@ final class FetchedClasses extends ClassLoader {
     }
   }
 
-  /** The platform, and the package shared with the client. */
+  /** The platform, and the artifact shared with the client. */
   private static final class SharedApi extends ClassLoader {
     SharedApi() {
       super("shared-api", ClassLoader.getPlatformClassLoader());
@@ -71,7 +80,7 @@ final class FetchedClasses extends ClassLoader {
     @Override
     protected Class<?> findClass(String name) throws ClassNotFoundException {
       int dot = name.lastIndexOf('.');
-      if (dot < 0 || !name.substring(0, dot).equals(SHARED_PACKAGE)) {
+      if (dot < 0 || !SHARED_PACKAGES.contains(name.substring(0, dot))) {
         throw new ClassNotFoundException(name);
       }
       return Class.forName(name, false, Model.class.getClassLoader());

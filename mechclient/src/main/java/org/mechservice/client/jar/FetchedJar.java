@@ -2,52 +2,93 @@ package org.mechservice.client.jar;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.BufferUnderflowException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.jar.Attributes;
-import java.util.jar.JarInputStream;
-import java.util.zip.ZipEntry;
+import java.util.jar.JarFile;
+import java.util.jar.Manifest;
+import java.util.zip.ZipInputStream;
 import org.mechservice.client.failure.JarRefusedException;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** The content of a JAR in memory: the bytes whose hash was checked are the bytes that are used. */
+/**
+ * The content of a JAR in memory: the bytes whose hash was checked are the bytes that are used.
+ *
+ * <p>{@link JarFile} reads files only and {@code JarInputStream} inflates every entry, most of
+ * which a run does not need. So this class reads the table of contents itself (PKWARE APPNOTE
+ * 4.3.12 and 4.3.16) and inflates an entry when it is wanted.
+ */
 final class FetchedJar {
   private static final String API_VERSION_ATTRIBUTE = "Mech-Api-Version";
+  private static final int END_SIGNATURE = 0x06054b50;
+  private static final int END_LENGTH = 22;
+  private static final int HEADER_SIGNATURE = 0x02014b50;
+  private static final int HEADER_LENGTH = 46;
 
+  private final byte[] jar;
+  private final Map<String, Integer> places;
   private final Attributes manifest;
-  private final Map<String, byte[]> entries;
 
-  private FetchedJar(Attributes manifest, Map<String, byte[]> entries) {
-    this.manifest = manifest;
-    this.entries = entries;
+  private FetchedJar(byte[] jar) throws IOException {
+    this.jar = jar;
+    places = places(ByteBuffer.wrap(jar).order(ByteOrder.LITTLE_ENDIAN));
+    Optional<byte[]> written = entry(JarFile.MANIFEST_NAME);
+    manifest =
+        written.isEmpty()
+            ? new Attributes()
+            : new Manifest(new ByteArrayInputStream(written.get())).getMainAttributes();
   }
 
   /**
    * Reads a JAR in memory.
    *
+   * @param jar the file; not to be modified
    * @param what the JAR's name in messages
    * @throws JarRefusedException if it cannot be read, or was built for another solver API
    */
   static FetchedJar read(byte[] jar, String what) {
-    Map<String, byte[]> entries = new HashMap<>();
-    try (JarInputStream in = new JarInputStream(new ByteArrayInputStream(jar))) {
-      Attributes manifest =
-          in.getManifest() == null ? new Attributes() : in.getManifest().getMainAttributes();
-      requireSameApi(manifest, what);
-      ZipEntry entry = in.getNextEntry();
-      while (entry != null) {
-        if (!entry.isDirectory()) {
-          entries.put(entry.getName(), in.readAllBytes());
-        }
-        entry = in.getNextEntry();
-      }
-      return new FetchedJar(manifest, entries);
-    } catch (IOException e) {
+    try {
+      FetchedJar read = new FetchedJar(jar);
+      requireSameApi(read.manifest, what);
+      return read;
+    } catch (IOException | IndexOutOfBoundsException | BufferUnderflowException e) {
       throw new JarRefusedException(
           MessageCode.JAR_REFUSED.code(), what + " is no JAR: " + e.getMessage());
     }
+  }
+
+  /** Returns where the local header of each entry begins. */
+  private static Map<String, Integer> places(ByteBuffer zip) throws IOException {
+    int end = zip.limit() - END_LENGTH;
+    while (end >= 0 && zip.getInt(end) != END_SIGNATURE) {
+      end--;
+    }
+    if (end < 0) {
+      throw new IOException("it has no table of contents");
+    }
+    Map<String, Integer> places = new HashMap<>();
+    int header = zip.getInt(end + 16);
+    for (int count = Short.toUnsignedInt(zip.getShort(end + 10)); count > 0; count--) {
+      if (zip.getInt(header) != HEADER_SIGNATURE) {
+        throw new IOException("its table of contents is damaged");
+      }
+      int nameLength = Short.toUnsignedInt(zip.getShort(header + 28));
+      byte[] name = new byte[nameLength];
+      zip.get(header + HEADER_LENGTH, name);
+      places.put(new String(name, StandardCharsets.UTF_8), zip.getInt(header + 42));
+      header +=
+          HEADER_LENGTH
+              + nameLength
+              + Short.toUnsignedInt(zip.getShort(header + 30))
+              + Short.toUnsignedInt(zip.getShort(header + 32));
+    }
+    return places;
   }
 
   private static void requireSameApi(Attributes manifest, String what) {
@@ -70,8 +111,27 @@ final class FetchedJar {
     return Optional.ofNullable(manifest.getValue(name));
   }
 
-  /** Returns the bytes of an entry. */
+  /**
+   * Returns the bytes of an entry; empty if there is none of this name.
+   *
+   * @throws JarRefusedException if the entry is damaged
+   */
   Optional<byte[]> entry(String name) {
-    return Optional.ofNullable(entries.get(name));
+    Integer place = places.get(name);
+    if (place == null) {
+      return Optional.empty();
+    }
+    try (ZipInputStream in =
+        new ZipInputStream(new ByteArrayInputStream(jar, place, jar.length - place))) {
+      if (in.getNextEntry() == null) {
+        throw new JarRefusedException(
+            MessageCode.JAR_REFUSED.code(), "entry " + name + " of a fetched JAR is damaged");
+      }
+      return Optional.of(in.readAllBytes());
+    } catch (IOException e) {
+      throw new JarRefusedException(
+          MessageCode.JAR_REFUSED.code(),
+          "entry " + name + " of a fetched JAR is damaged: " + e.getMessage());
+    }
   }
 }

@@ -3,7 +3,7 @@ package org.mechservice.client.jar;
 import java.security.PublicKey;
 import java.util.Optional;
 import org.mechservice.client.failure.JarRefusedException;
-import org.mechservice.orb.DetachedSignature;
+import org.mechservice.orb.tls.DetachedSignature;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**

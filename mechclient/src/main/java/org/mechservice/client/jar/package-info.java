@@ -10,7 +10,7 @@
  * JAR. {@code JarOrigin} checks signatures, {@code BuiltJar} and {@code JarCache} check SHA-256
  * hashes; both happen before a class is loaded. {@code FetchedJar} holds a checked JAR in memory,
  * so that the bytes that were checked are the bytes that are loaded. {@code FetchedClasses} loads
- * classes from the two JARs; its parent is the platform loader with package {@code solver.api} of
+ * classes from the two JARs; its parent is the platform loader with artifact {@code solver-api} of
  * the client, and nothing else of the client. {@code FetchedModel} finds the model's class by its
  * name and the solver as a service.
  *

@@ -36,14 +36,14 @@ public final class Campaign {
     this.progress = progress;
   }
 
-  /** Runs what is not in the journal yet. */
+  /** Runs the points that the file of measurements does not have yet. */
   public void run(List<Candidate> candidates) throws IOException {
     findErrors(candidates);
     warmUp(candidates);
     time(candidates);
   }
 
-  /** Tolerance by tolerance, so that it is known what the fastest method takes there. */
+  /** Runs tolerance by tolerance, so that the time of the fastest method is known at each. */
   private void findErrors(List<Candidate> candidates) throws IOException {
     int points = candidates.size() * effort.tolerances().length;
     int done = 0;

@@ -38,7 +38,7 @@ public final class ColdRunTiming implements AutoCloseable {
    * @param endTime of the runs, s
    * @param times number of runs of each
    * @param limitSeconds for one run, s
-   * @param progress hears of every run
+   * @param progress is called for every run
    * @return by name; none for a JAR of which a run fails or takes too long
    */
   public Map<String, ColdRunTimes> run(

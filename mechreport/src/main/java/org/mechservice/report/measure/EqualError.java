@@ -55,9 +55,9 @@ public final class EqualError {
    * Returns the cost of an error between two, interpolated in logarithms.
    *
    * @param worse larger error
-   * @param costOfWorse what it costs
+   * @param costOfWorse its cost
    * @param better smaller error
-   * @param costOfBetter what it costs
+   * @param costOfBetter its cost
    * @param error between them
    */
   public static double between(

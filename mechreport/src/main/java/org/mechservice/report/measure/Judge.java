@@ -12,8 +12,8 @@ import java.util.Optional;
  *
  * @param reference empty if there is none
  * @param grid output times that meet it
- * @param said how it came about, and what is doubtful, one sentence each
- * @param doubt what the reader must be warned of, in one sentence; empty if nothing
+ * @param said sentences on how the reference was made and on its doubts
+ * @param doubt one sentence of warning to the reader; empty if there is none
  */
 public record Judge(Optional<Reference> reference, RunGrid grid, List<String> said, String doubt) {
   /** Beyond this floor nothing can be said about eight digits. */
@@ -22,10 +22,10 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
   /** A reference for a bound is known to this part of it. */
   private static final double OF_BOUND = 1e-3;
 
-  /** What is made here must agree with what came with the product so well. */
+  /** Largest difference allowed between the codes' solution and the published reference. */
   private static final double AGREES = 1e-6;
 
-  /** Codes may differ by so many times what one unit in the last place does. */
+  /** Largest difference of the codes, in units of the effect of one unit in the last place. */
   private static final double EXPLAINED = 1e4;
 
   /** A floor above this, at a time that is kept all the same, is a warning. */
@@ -48,7 +48,7 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
   /**
    * Finds a scene's judge.
    *
-   * @param published what came with the product
+   * @param published the reference that comes with the product
    * @param sources formulations to make one from
    * @param uniform output times if there is no other reason
    */
@@ -73,8 +73,8 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
   /**
    * Finds a scene's judge.
    *
-   * @param published what came with the product
-   * @param made what was made here, at {@link #times}
+   * @param published the reference that comes with the product
+   * @param made the codes' solution at {@link #times}
    * @param uniform output times if there is no other reason
    */
   public static Judge of(
@@ -103,13 +103,13 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
     return made.map(reference -> cut(reference, grid, known)).orElseGet(() -> none(grid));
   }
 
-  /** Takes what came with the product without making another. */
+  /** Trusts the published reference without checking it by the codes. */
   public static Judge trusting(PublishedReference published) {
     RunGrid grid = RunGrid.meeting(published.times()).orElseThrow();
     return cut(given(published), grid);
   }
 
-  /** Returns what came with the product as a reference. */
+  /** Returns the published reference. */
   public static Reference given(PublishedReference published) {
     return new Reference(
         published.times(),
@@ -217,14 +217,14 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
               reference.worstFloor());
     } else if (!reference.isChecked()) {
       doubt =
-          "The reference is doubtful: one code alone solved the scene, so what its errors are is not"
-              + " known.";
+          "The reference is doubtful: one code alone solved the scene, so what its errors are is"
+              + " not known.";
     }
     RunGrid shorter = new RunGrid(grid.start(), grid.step(), grid.row(kept.end()) + 1);
     return new Judge(Optional.of(kept), shorter, said, doubt);
   }
 
-  /** The floor, or what a unit in the last place of the start has grown to if that is more. */
+  /** Returns the floor, or the growth of a unit in the last place of the start if that is more. */
   private static double unknownAt(Reference reference, int time) {
     double grown = reference.amplification().map(all -> all[time] * Math.ulp(1.0) / 2).orElse(0.0);
     return Math.max(reference.floor()[time], grown);

@@ -5,14 +5,14 @@ import java.util.List;
 import java.util.Locale;
 import org.mechservice.report.method.ModelPhases;
 
-/** What a page says of events and jumps along a reference. */
+/** Sentences about events and jumps along a reference. */
 final class JumpNotes {
   private JumpNotes() {}
 
   /**
    * Returns sentences; none where the state does not jump.
    *
-   * @param courses what the codes that made and checked the reference have met
+   * @param courses phases that the codes of the reference and of its check passed through
    * @param end of the interval judged, s
    * @param clear number of output times that are clear of jumps
    * @param all number of output times

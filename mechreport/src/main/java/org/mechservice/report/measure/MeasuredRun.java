@@ -11,7 +11,7 @@ import java.util.stream.Collectors;
  * One run of one method at one tolerance.
  *
  * @param method name of the method
- * @param tolerance relative tolerance asked for
+ * @param tolerance requested relative tolerance
  * @param round 0: the first, whose time is not counted; from 1: timed
  * @param cause why it did not reach the end; empty if it did
  * @param seconds processor time of the run, s
@@ -88,7 +88,7 @@ public record MeasuredRun(
         method, tolerance, 0, cause, 0, 0, 0, 0, 0, 0, 0, Errors.NONE, Double.NaN, Map.of());
   }
 
-  /** Returns the same run where nobody knows its errors. */
+  /** Returns the same run without its errors. */
   public MeasuredRun withoutErrors() {
     return failed(cause);
   }

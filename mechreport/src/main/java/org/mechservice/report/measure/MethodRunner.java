@@ -32,7 +32,7 @@ public final class MethodRunner implements AutoCloseable {
 
   private static final long LOOK_MILLIS = 20;
 
-  /** What the cause of a run begins with that used its time up. */
+  /** Beginning of the cause of a run that was stopped for its time. */
   static final String NOT_FINISHED = "not finished within ";
 
   private final Reference reference;
@@ -66,7 +66,7 @@ public final class MethodRunner implements AutoCloseable {
 
   /**
    * @param grid output times; they meet those of the reference
-   * @param loops tells residuals and multipliers of closed loops
+   * @param loops residuals and multipliers of closed loops
    */
   public MethodRunner(
       Reference reference, StateDistance distance, RunGrid grid, Optional<LoopForces> loops) {
@@ -142,7 +142,7 @@ public final class MethodRunner implements AutoCloseable {
         TimeUnit.MILLISECONDS);
   }
 
-  /** The largest step is the scene's: it may be what lets a method see a force at all. */
+  /** The largest step is the scene's: without it a method may step over a short force. */
   private RunSettings settings(Candidate candidate, Model model, double tolerance) {
     double absolute = tolerance * absolutePart;
     return new RunSettings(

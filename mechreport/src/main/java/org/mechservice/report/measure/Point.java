@@ -6,7 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * A method at a tolerance: what all its runs say together.
+ * A method at a tolerance: the summary of all its runs.
  *
  * @param first the run that errors and counts are taken from; they are the same in all
  * @param seconds median of the timed runs, s; NaN if there is none
@@ -64,7 +64,7 @@ public record Point(
             / Quantiles.median(Arrays.copyOfRange(seconds, 0, half));
   }
 
-  /** Returns the tolerance asked for. */
+  /** Returns the requested tolerance. */
   public double tolerance() {
     return first.tolerance();
   }
@@ -79,7 +79,9 @@ public record Point(
     return (highSeconds - lowSeconds) / seconds;
   }
 
-  /** Returns whether times cannot be told from another point's: their quartiles overlap. */
+  /**
+   * Returns whether the times are indistinguishable from another point's: the quartiles overlap.
+   */
   public boolean overlaps(Point other) {
     return lowSeconds <= other.highSeconds && other.lowSeconds <= highSeconds;
   }

@@ -13,7 +13,7 @@ import java.util.Optional;
  * @param floor per time, below which an error cannot be told from the reference's own or from
  *     rounding
  * @param rounding per time, by how much a start changed by one unit in the last place moves it
- * @param amplification per time, by what a small change of the start has grown; empty if not known
+ * @param amplification per time, growth of a small change of the start; empty if not known
  * @param jumps at which the state jumps, increasing, s; no time is one of them
  * @param sources how it was made and checked, one sentence each
  */

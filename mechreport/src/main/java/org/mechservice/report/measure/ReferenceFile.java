@@ -47,7 +47,7 @@ public final class ReferenceFile {
   public record Kept(Reference reference, RunGrid grid) {}
 
   /**
-   * Returns what is kept, if it was made for the same purpose.
+   * Returns the stored reference if it was made with the same settings.
    *
    * @throws IOException if the file cannot be read
    */

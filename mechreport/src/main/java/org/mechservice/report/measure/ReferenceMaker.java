@@ -71,14 +71,14 @@ public final class ReferenceMaker {
   private final double extrapolationTolerance;
 
   /**
-   * @param secondsPerCode what one solution may take, s
+   * @param secondsPerCode time limit of one solution, s
    */
   public ReferenceMaker(StateDistance distance, double secondsPerCode) {
     this(distance, secondsPerCode, RADAU_TOLERANCE, EXTRAPOLATION_TOLERANCE);
   }
 
   /**
-   * @param secondsPerCode what one solution may take, s
+   * @param secondsPerCode time limit of one solution, s
    * @param radauTolerance of the collocation codes' estimate
    * @param extrapolationTolerance of the other
    */

@@ -1,14 +1,14 @@
 package org.mechservice.report.measure;
 
-/** Hears how far a report is. */
+/** Receives the progress of a report. */
 public interface ReportProgress {
-  /** Tells nobody. */
+  /** Ignores the progress. */
   ReportProgress SILENT = (what, done, secondsLeft) -> {};
 
   /**
-   * Tells what is being done.
+   * Reports what is being measured.
    *
-   * @param what in a few words
+   * @param what the current work, in a few words
    * @param done part of the whole, from 0 to 1
    * @param secondsLeft estimated, s; NaN if not known yet
    */

@@ -108,7 +108,7 @@ public record Rerun(List<Pair> pairs, int alone) {
     return pairs.stream().filter(Pair::timed).toList();
   }
 
-  /** Returns what is the same and what is not, a sentence each. */
+  /** Returns the findings of the comparison, one sentence each. */
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
     lines.add(line("%d points in both, %d in one alone", pairs.size(), alone));

@@ -229,13 +229,13 @@ public record Spectrum(List<Sample> samples, double interval) {
         .orElse(1 / interval);
   }
 
-  /** What the spectrum means for the choice of an integrator. */
+  /** Meaning of the spectrum for the choice of an integrator. */
   public enum Verdict {
     /** Nothing decays or swings much faster than the run's own scale. */
     NOT_STIFF,
     /** Fast decay without much swinging: stability limits explicit methods. */
     STIFF,
-    /** Fast swinging with little damping: whoever excites it must follow it. */
+    /** Fast oscillation with little damping: an integrator must resolve it once it is excited. */
     OSCILLATORY
   }
 
@@ -247,7 +247,7 @@ public record Spectrum(List<Sample> samples, double interval) {
 
   private static final double WELL_DAMPED = 0.3;
 
-  /** Returns what the fastest mode means. */
+  /** Returns the verdict on the fastest mode. */
   public Verdict verdict() {
     Optional<Mode> fastest = fastest();
     if (fastest.isEmpty()) {

@@ -15,8 +15,8 @@ import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.WatchedModel;
 
 /**
- * What a run spends its time on: the model's methods are timed through a proxy, whose own cost per
- * call is measured and deducted.
+ * How a run's time divides: the model's methods are timed through a proxy, whose own cost per call
+ * is measured and deducted.
  *
  * @param parts part of the run's time, of 1
  * @param tolerance at which
@@ -26,7 +26,7 @@ public record TimeShares(Map<Part, Double> parts, double tolerance) {
     parts = Map.copyOf(parts);
   }
 
-  /** What time goes to. */
+  /** Parts of a run's time. */
   public enum Part {
     START_UP("start-up", ""),
     EVALUATIONS("evaluations", "derivative residual consistent"),
@@ -194,7 +194,7 @@ public record TimeShares(Map<Part, Double> parts, double tolerance) {
       return shares;
     }
 
-    /** Most of what a watched call costs lies outside of what it measures of itself. */
+    /** Most of the cost of a timed call lies outside the interval that it measures. */
     private double costOfWatching() {
       int trials = 20_000;
       Model watched = watched();

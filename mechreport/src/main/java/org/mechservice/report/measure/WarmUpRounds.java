@@ -21,10 +21,10 @@ public final class WarmUpRounds {
   /**
    * Warms up.
    *
-   * @param round runs every point once; returns what that took, s
+   * @param round runs every point once; returns the time it took, s
    * @param blockSeconds time of rounds that are compared with those before them, s
-   * @param progress hears of every round
-   * @param thenSeconds what is to come afterwards, s
+   * @param progress is called for every round
+   * @param thenSeconds estimated time of the work after the warm-up, s
    */
   public static void until(
       DoubleSupplier round, double blockSeconds, ReportProgress progress, double thenSeconds) {

@@ -15,12 +15,12 @@ import org.mechservice.solver.api.WatchedModel;
  * @param solver runs it
  */
 public record Candidate(SimulationMethod method, Supplier<Model> models, Solver solver) {
-  /** Returns a new instance of the equations of motion, without what happens along a run. */
+  /** Returns a new instance of the equations of motion, without events. */
   public ExplicitModel equations() {
     return (ExplicitModel) WatchedModel.bare(ExtendedModel.bare(models.get()));
   }
 
-  /** Returns a new instance of the equations of motion with what happens along a run. */
+  /** Returns a new instance of the equations of motion with its events. */
   public ModelProblem problem() {
     Model made = ExtendedModel.bare(models.get());
     ExplicitModel equations = (ExplicitModel) WatchedModel.bare(made);

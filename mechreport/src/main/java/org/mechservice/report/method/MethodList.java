@@ -1,6 +1,7 @@
 package org.mechservice.report.method;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.SimulationOptions;
@@ -12,18 +13,25 @@ import org.mechservice.client.jar.LocalModel;
 import org.mechservice.solver.api.DependentStates;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ProjectedStates;
+import org.mechservice.solver.catalogue.ClosureMethod;
+import org.mechservice.solver.catalogue.Formulation;
+import org.mechservice.solver.catalogue.IntegrationMethod;
 
 /**
  * Every formulation, closure and integrator, tried on a scene: those that fit, built, and the
  * others with the reason why they do not.
  *
- * @param candidates what can be run
- * @param leftOut what cannot
+ * @param candidates methods that can be run
+ * @param leftOut methods that cannot be run
  */
 public record MethodList(List<Candidate> candidates, List<OmittedMethod> leftOut) {
-  private static final List<String> FORMULATIONS = List.of("DTR", "DSR", "RR", "RR-JF");
-  private static final List<String> INTEGRATORS = List.of("ode113", "DE", "ode15s", "ode15sR");
-  private static final List<String> CLOSURES = List.of("projection", "penalty");
+  private static final List<String> FORMULATIONS = Formulation.labels();
+  private static final List<String> INTEGRATORS =
+      Arrays.stream(IntegrationMethod.values())
+          .filter(method -> method.family() != IntegrationMethod.Family.SWITCHING)
+          .map(IntegrationMethod::label)
+          .toList();
+  private static final List<String> CLOSURES = ClosureMethod.labels();
 
   public MethodList {
     candidates = List.copyOf(candidates);
@@ -61,7 +69,7 @@ public record MethodList(List<Candidate> candidates, List<OmittedMethod> leftOut
     return new MethodList(candidates, leftOut);
   }
 
-  /** The model as the service itself would choose; what it refuses is refused for all methods. */
+  /** Builds the model with the service's own choice; a refusal of it holds for all methods. */
   private static boolean hasLoops(MechSession session) {
     LocalModel chosen =
         session.fetchModel(SimulationOptions.asInFile().formulation("auto").integrator("auto"));

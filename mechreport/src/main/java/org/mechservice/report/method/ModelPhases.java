@@ -23,7 +23,7 @@ public final class ModelPhases implements Phases {
   /** A run is looked at in so many places at least. */
   private static final int PLACES = 200;
 
-  /** How far what an event has set may be off when loops have been closed, relative to 1 + |y|. */
+  /** Largest change of a value that an event has set by closing the loops, relative to 1 + |y|. */
   private static final double KEPT = 1e-8;
 
   /** Phases in a row, each shorter than the one before, that may run into a point. */
@@ -84,7 +84,7 @@ public final class ModelPhases implements Phases {
     return List.copyOf(jumps);
   }
 
-  /** Returns what ended the solution before its time, as a sentence; empty if nothing did. */
+  /** Returns why the solution ended early, as a sentence; empty if it did not. */
   public String end() {
     return end;
   }
@@ -99,7 +99,7 @@ public final class ModelPhases implements Phases {
     return Arrays.stream(parting).anyMatch(i -> kinds.get(i).action() != Action.IMPULSE);
   }
 
-  /** Returns the names of what may change the state. */
+  /** Returns the names of the events that may change the state. */
   public List<String> changing() {
     return kinds.stream()
         .filter(kind -> kind.action() == Action.SET || kind.action() == Action.IMPULSE)

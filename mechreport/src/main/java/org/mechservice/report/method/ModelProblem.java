@@ -25,7 +25,7 @@ public final class ModelProblem implements Problem {
   }
 
   /**
-   * @param events what happens along the solution, made for this object
+   * @param events events along the solution, made for this object
    */
   public ModelProblem(ExplicitModel model, ModelEvents events) {
     this(model, Optional.of(events));
@@ -44,7 +44,7 @@ public final class ModelProblem implements Problem {
     return phases.isPresent() ? phases.get() : Phases.NONE;
   }
 
-  /** Returns what has happened along the last solution; empty if nothing can happen. */
+  /** Returns the phases of the last solution; empty if the model has no events. */
   public Optional<ModelPhases> course() {
     return phases;
   }

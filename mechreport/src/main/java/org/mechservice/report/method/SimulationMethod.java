@@ -8,7 +8,7 @@ package org.mechservice.report.method;
  * @param integrator {@code ode113}, {@code DE}, {@code ode15s} or {@code ode15sR}
  */
 public record SimulationMethod(String formulation, String closure, String integrator) {
-  /** What a model without loops has for a closure. */
+  /** The closure of a model without loops. */
   public static final String OPEN = "none";
 
   /** Returns the method's name, such as {@code DSR penalty ode113}. */

@@ -101,7 +101,9 @@ final class Advice {
         best.overlaps(second) ? ", which the spread of the times does not tell apart" : "");
   }
 
-  /** Returns what the spectrum says; empty if it is of no importance to this scene. */
+  /**
+   * Returns the paragraph on the spectrum; empty if the spectrum does not matter for this scene.
+   */
   Optional<String> stiffness() {
     Optional<Spectrum.Mode> fastest = found.spectrum().flatMap(Spectrum::fastest);
     if (fastest.isEmpty()) {

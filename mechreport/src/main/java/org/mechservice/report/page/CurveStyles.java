@@ -3,10 +3,11 @@ package org.mechservice.report.page;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.report.method.SimulationMethod;
+import org.mechservice.solver.catalogue.IntegrationMethod;
 
 /** Colours and marks of all methods of a page. */
 final class CurveStyles {
-  private static final List<String> INTEGRATORS = List.of("ode113", "DE", "ode15s", "ode15sR");
+  private static final List<String> INTEGRATORS = IntegrationMethod.labels();
   private static final int FAILURES_BESIDE_EACH_OTHER = 4;
   private static final double FAILURE_WIDTH = 7;
 

@@ -9,7 +9,9 @@ import org.mechservice.report.measure.Point;
 import org.mechservice.report.measure.Quantiles;
 import org.mechservice.report.measure.Reference;
 
-/** What a reader must know who does not believe the figures: reference, rules, warmth, spread. */
+/**
+ * How the figures were measured, for a reader who checks them: reference, rules, warm-up, spread.
+ */
 final class HowMeasured {
   /** Warmed up or not, a time scatters by a few per cent. */
   private static final double WARM = 0.05;

@@ -6,7 +6,7 @@ import java.util.Locale;
 final class Html {
   private Html() {}
 
-  /** Returns a text with what HTML would take for markup escaped. */
+  /** Returns a text with the characters of HTML markup escaped. */
   static String escape(String text) {
     return text.replace("&", "&amp;")
         .replace("<", "&lt;")

@@ -80,7 +80,7 @@ final class LogLogChart {
     return this;
   }
 
-  /** Shades what lies below a value of y. */
+  /** Shades the area below a value of y. */
   LogLogChart floor(double value) {
     floor = value;
     return this;

@@ -13,7 +13,7 @@ import org.mechservice.report.method.SimulationMethod;
 final class MethodTables {
   private static final int BAR_WIDTH = 220;
 
-  /** Methods reach 13; what is observed scatters about that. */
+  /** Methods reach order 13; observed orders scatter about it. */
   private static final double HIGHEST_ORDER = 20;
 
   private final SceneFindings found;
@@ -79,7 +79,7 @@ final class MethodTables {
     return best;
   }
 
-  /** What is known of each method as a whole. */
+  /** One row per method: order, events, first runs, allocation. */
   String methods() {
     String at = Html.tolerance(found.effort().typicalTolerance());
     StringBuilder html = new StringBuilder();
@@ -111,7 +111,7 @@ final class MethodTables {
             runs.most());
   }
 
-  /** An error that falls without more steps tells nothing of the order. */
+  /** An error that falls without more steps does not show the order. */
   private static String order(OptionalDouble order) {
     if (order.isEmpty()) {
       return "–";

@@ -38,7 +38,7 @@ public final class PageFrame {
             + "</style><rect width=\"100%\" height=\"100%\" style=\"fill:var(--page)\"/>");
   }
 
-  /** Returns a text with what HTML would take for markup escaped. */
+  /** Returns a text with the characters of HTML markup escaped. */
   public static String escaped(String text) {
     return Html.escape(text);
   }

@@ -8,7 +8,7 @@ import org.mechservice.report.measure.Point;
 import org.mechservice.report.measure.Quantiles;
 import org.mechservice.report.method.SimulationMethod;
 
-/** What the reader must not trust: each doubt is a sentence with its numbers. */
+/** Warnings of results that are not reliable, one sentence with its numbers each. */
 public final class ReliabilityWarnings {
   /** Achieved over requested error within this is an honest tolerance. */
   static final double MOST_OPTIMISTIC = 100;
@@ -18,12 +18,12 @@ public final class ReliabilityWarnings {
   /** Errors nearer to the floor than this are not held against a method. */
   private static final double NEAR_FLOOR = 30;
 
-  /** How much of what the tolerance falls by, in powers of ten, the error must follow. */
+  /** Smallest ratio of the error's decrease to the tolerance's, both in powers of ten. */
   private static final double LEAST_RESPONSE = 0.3;
 
   private static final double MANY_DECADES = 3;
 
-  /** From so many methods on, what the others do tells what the scene is like. */
+  /** Fewest methods from which the other methods characterise the scene. */
   private static final int MANY_METHODS = 3;
 
   /**
@@ -159,7 +159,10 @@ public final class ReliabilityWarnings {
         + " is usual in this scene.";
   }
 
-  /** What the other methods do, and by how much the scene makes errors grow. */
+  /**
+   * Returns the usual ratio of error to tolerance: that of the other methods, or the growth of
+   * errors in the scene if that is larger.
+   */
   private static double usualRatio(SimulationMethod method, SceneFindings found) {
     double usual = Math.max(1, found.growth());
     if (found.methods().size() < MANY_METHODS) {
@@ -174,7 +177,7 @@ public final class ReliabilityWarnings {
     return others.length == 0 ? usual : Math.max(usual, Quantiles.median(others));
   }
 
-  /** Median of error over tolerance, of errors that can be told; 0 if there is none. */
+  /** Returns the median of error over tolerance, of errors above the floor; 0 if there is none. */
   private static double middleRatio(List<Point> points, double floor) {
     double[] ratios =
         points.stream()
@@ -192,7 +195,7 @@ public final class ReliabilityWarnings {
     return points.stream().filter(Point::completed).reduce((a, b) -> b).orElseThrow();
   }
 
-  /** Returns whether what was achieved is far from what was asked for. */
+  /** Returns whether the achieved error is far from the requested tolerance. */
   static boolean dishonest(Point point, double floor) {
     double ratio = point.error() / point.tolerance();
     boolean tooLarge = ratio > MOST_OPTIMISTIC && point.error() > NEAR_FLOOR * floor;

@@ -192,7 +192,7 @@ public final class ScenePage {
     return new LogLogChart.Curve(styles.of(method), marks, failures);
   }
 
-  /** The exponent of the tolerance asked for; of many, every third. */
+  /** Returns the exponent of the requested tolerance; of many tolerances, every third has one. */
   private String label(Point point) {
     long exponent = Math.round(-Math.log10(point.tolerance()));
     boolean crowded = found.effort().tolerances().length > MOST_LABELS;
@@ -277,7 +277,7 @@ public final class ScenePage {
     add("</table></section>");
   }
 
-  /** The code of a message, so that one line tells of all failures of a kind. */
+  /** Returns the code of a message, by which failures are counted in one line. */
   private static String kind(String cause) {
     return cause.substring(0, Math.min(cause.length(), 5));
   }

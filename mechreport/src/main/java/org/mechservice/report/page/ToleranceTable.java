@@ -6,7 +6,9 @@ import org.mechservice.report.SceneFindings;
 import org.mechservice.report.measure.Point;
 import org.mechservice.report.method.SimulationMethod;
 
-/** Error achieved over tolerance asked for, per method and tolerance; flagged where dishonest. */
+/**
+ * Achieved error over requested tolerance, per method and tolerance; flagged outside the bounds.
+ */
 final class ToleranceTable {
   private final SceneFindings found;
   private final CurveStyles styles;

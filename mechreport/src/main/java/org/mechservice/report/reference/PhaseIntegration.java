@@ -13,7 +13,7 @@ import java.util.Optional;
 final class PhaseIntegration {
   private static final double SMALLEST_STEP = 1e-13;
 
-  /** What is left of the bracket round a zero, in units in the last place of time. */
+  /** Final width of the bracket around a zero, in units in the last place of time. */
   private static final double BRACKET = 4;
 
   /** First step of a phase as a part of the phase before: the next may be as short. */
@@ -33,11 +33,11 @@ final class PhaseIntegration {
     /** Tries a step; returns its weighted error, infinite if there is none. */
     double attempt(double t, double step);
 
-    /** Returns by what the last step tried changes the state; not to be modified. */
+    /** Returns the change of the state in the last attempted step. Not to be modified. */
     double[] increment();
 
     /**
-     * Renews what the last step may have failed for.
+     * Renews the Jacobian or the factors that the last step may have failed with.
      *
      * @return false if there was nothing to renew
      */

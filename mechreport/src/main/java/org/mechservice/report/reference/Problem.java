@@ -34,7 +34,7 @@ public interface Problem {
     return Double.POSITIVE_INFINITY;
   }
 
-  /** Returns what parts the course of the solution; the same object at every call. */
+  /** Returns the phases of the solution; the same object at every call. */
   default Phases phases() {
     return Phases.NONE;
   }

@@ -43,7 +43,7 @@ final class ZeroCrossings {
   /**
    * Begins a phase.
    *
-   * @param stretch what is left of the interval
+   * @param stretch rest of the interval
    * @return false if a function has no value
    */
   boolean begin(double t, double[] y, double stretch) {

@@ -1,4 +1,17 @@
-/** Codes of high order that make reference solutions, independent of the product's integrators. */
+/**
+ * Integrators of the report's own, independent of those that it judges.
+ *
+ * <p>{@link org.mechservice.report.reference.RadauCode} is Radau IIA of 5 or 7 stages (Hairer and
+ * Wanner, Solving Ordinary Differential Equations II, section IV.8), {@link
+ * org.mechservice.report.reference.ExtrapolationCode} a Gragg-Bulirsch-Stoer extrapolation (Hairer,
+ * Nørsett and Wanner, part I, section II.9). Both solve a {@link
+ * org.mechservice.report.reference.Problem} far below every tolerance that is reported.
+ *
+ * <p>{@link org.mechservice.report.reference.PhaseIntegration} takes either code through the phases
+ * of a motion: {@link org.mechservice.report.reference.ZeroCrossings} finds where an event function
+ * changes sign, and the step is shortened until it ends there, so no dense output takes part.
+ * {@link org.mechservice.report.reference.CompensatedState} sums the increments with compensation.
+ */
 @NullMarked
 package org.mechservice.report.reference;
 

@@ -22,7 +22,7 @@ public record CaseOutcome(
     warnings = List.copyOf(warnings);
   }
 
-  /** Returns whether what was expected has happened. */
+  /** Returns whether the case ended as expected. */
   public boolean asExpected() {
     boolean honest =
         methods.stream()

@@ -7,14 +7,14 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 
 /**
- * A scene that breaks simulators, with what to expect of it.
+ * A scene that is hard for simulators, with the expected outcome.
  *
  * @param file its name
- * @param hard what is hard about it
- * @param expectation what must happen
+ * @param hard the difficulty, in words
+ * @param expectation the expected outcome
  * @param part for {@link Expectation#REFUSAL}, what the message must name; empty for others
  * @param tolerance relative tolerance of the runs
- * @param judge what a motion is judged by
+ * @param judge the reference of a motion
  * @param bound of that
  */
 public record ExtremeCase(
@@ -38,7 +38,7 @@ public record ExtremeCase(
     REFUSAL
   }
 
-  /** What a motion is judged by. */
+  /** The reference of a motion. */
   public enum JudgedBy {
     /** Largest error against a reference. */
     REFERENCE,

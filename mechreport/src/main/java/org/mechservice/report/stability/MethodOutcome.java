@@ -25,7 +25,7 @@ public record MethodOutcome(
     TOO_LONG,
     /** It moved, and nothing can judge it. */
     NOT_JUDGED,
-    /** It ended well and is wrong: what must never happen. */
+    /** The run ended without a message and its result is wrong, which must never happen. */
     SILENTLY_WRONG,
     /** It ended without a message that has a code. */
     ANONYMOUS

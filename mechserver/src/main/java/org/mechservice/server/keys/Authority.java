@@ -34,7 +34,7 @@ import org.bouncycastle.cert.jcajce.JcaX509v3CertificateBuilder;
 import org.bouncycastle.operator.OperatorCreationException;
 import org.bouncycastle.operator.jcajce.JcaContentSignerBuilder;
 import org.bouncycastle.util.IPAddress;
-import org.mechservice.orb.Role;
+import org.mechservice.orb.tls.Role;
 
 /** A small certificate authority, RFC 5280, with elliptic keys over P-256. */
 final class Authority {
@@ -166,7 +166,7 @@ final class Authority {
     }
   }
 
-  /** What a certificate says beside names and key. */
+  /** The extensions of a certificate. */
   private static final class Extensions {
     private record Entry(ASN1ObjectIdentifier type, boolean critical, ASN1Encodable value) {}
 

@@ -10,7 +10,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
-import org.mechservice.orb.Role;
+import org.mechservice.orb.tls.Role;
 import org.mechservice.sim.service.contract.FileErrors;
 import org.mechservice.solver.catalogue.MessageCode;
 
@@ -26,7 +26,7 @@ import org.mechservice.solver.catalogue.MessageCode;
  *   admin/
  * </pre>
  *
- * What is there is never overwritten, so that more identities can be made later.
+ * Existing files are never overwritten, so that more identities can be made later.
  */
 public final class KeyFolder {
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9._:-]{1,64}");
@@ -88,7 +88,7 @@ public final class KeyFolder {
   /**
    * Makes an identity for a user.
    *
-   * @param role what he may do
+   * @param role of the owner
    * @throws IllegalArgumentException with code S-155 if the name cannot be used
    */
   public void user(String name, Role role) {

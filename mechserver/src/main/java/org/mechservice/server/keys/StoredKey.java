@@ -20,7 +20,7 @@ import java.security.cert.X509Certificate;
 import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
-import org.mechservice.orb.TlsIdentity;
+import org.mechservice.orb.tls.TlsIdentity;
 
 /**
  * A key with its certificate, and its folder on disk, which only its owner may read.

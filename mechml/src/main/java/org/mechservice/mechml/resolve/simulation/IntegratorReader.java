@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import org.mechservice.mechml.AbsoluteTolerances;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.NearestName;
@@ -14,19 +15,19 @@ import org.mechservice.mechml.resolve.value.AttributeText;
 import org.mechservice.mechml.resolve.value.SettingReader;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Unit;
+import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.IntegratorSettings;
 
 /** Reads {@code integrator}. */
 final class IntegratorReader {
   private static final List<String> KNOWN =
-      List.of("auto", "DE", "ode113", "ode15s", "ode15sR", "switching");
-  private static final List<String> BACKWARD = List.of("ode15s", "ode15sR");
+      Stream.concat(Stream.of("auto"), IntegrationMethod.labels().stream().sorted()).toList();
 
-  /** Order of the Adams formulas with local extrapolation at its highest. */
+  /** Highest order of the Adams formulas with local extrapolation. */
   private static final int HIGHEST_ADAMS_ORDER = 13;
 
-  /** Order of the backward differentiation formulas at its highest; the next one is unstable. */
+  /** Highest order of the backward differentiation formulas; the next one is unstable. */
   private static final int HIGHEST_BACKWARD_ORDER = 5;
 
   private final ValueReader values;
@@ -39,7 +40,7 @@ final class IntegratorReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the integrator; empty if something was wrong and has been reported. */
+  /** Returns the integrator; empty after a reported error. */
   Optional<Choice> read(Element element) {
     String name = element.required("name");
     boolean known = isKnown(element, name);
@@ -88,8 +89,14 @@ final class IntegratorReader {
     return settings.read(element, attribute, open, x -> x > 0, "must be positive");
   }
 
+  private static boolean isBackward(String name) {
+    return IntegrationMethod.find(name)
+        .filter(method -> method.family() == IntegrationMethod.Family.BACKWARD)
+        .isPresent();
+  }
+
   private OptionalDouble maxOrder(Element element, String name) {
-    int highest = BACKWARD.contains(name) ? HIGHEST_BACKWARD_ORDER : HIGHEST_ADAMS_ORDER;
+    int highest = isBackward(name) ? HIGHEST_BACKWARD_ORDER : HIGHEST_ADAMS_ORDER;
     return settings.read(
         element,
         "maxOrder",
@@ -135,9 +142,9 @@ final class IntegratorReader {
    * @param name as the file gives it
    * @param relativeTolerance between 0 and 1
    * @param absoluteTolerances positive, SI
-   * @param maxStep s; infinite if the file leaves it open
-   * @param initialStep s; 0 if the file leaves it open
-   * @param maxOrder 0 if the file leaves it open
+   * @param maxStep s; infinite if not given
+   * @param initialStep s; 0 if not given
+   * @param maxOrder 0 if not given
    */
   record Choice(
       String name,

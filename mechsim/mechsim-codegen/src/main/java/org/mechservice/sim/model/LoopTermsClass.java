@@ -15,8 +15,9 @@ import org.mechservice.sim.equations.loop.LoopCode;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.closure.CountedAngles;
-import org.mechservice.solver.closure.LoopEquations;
+import org.mechservice.solver.catalogue.Formulation;
+import org.mechservice.solver.closure.equations.LoopEquations;
+import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -35,7 +36,7 @@ final class LoopTermsClass {
     Program loops = LoopCode.loops(links, rows);
     Program equations = LoopCode.equations(links, rows);
     Optional<TermsClass.OfResidual> ofResidual =
-        choice.formulation().startsWith("RR")
+        Formulation.of(choice.formulation()).isResidual()
             ? Optional.of(
                 new TermsClass.OfResidual(
                     LoopCode.offset(links, rows),
@@ -45,7 +46,7 @@ final class LoopTermsClass {
     return new TermsClass(
         mechanism.name(),
         ModelClass.hasUserForces(mechanism),
-        links.positionCount() + links.velocityCount() + CountedAngles.of(mechanism).size(),
+        links.positionCount() + links.velocityCount() + UnwrappedAngles.of(mechanism).size(),
         links.velocityCount(),
         loops,
         equations,
@@ -65,7 +66,7 @@ final class LoopTermsClass {
 
   /** How forces of users change is added by their classes. */
   private static Optional<Program> derivatives(Links links, FormulationChoice choice) {
-    return choice.formulation().equals("RR-JF")
+    return Formulation.of(choice.formulation()).hasRecursiveJacobian()
         ? Optional.of(ResidualDerivatives.ofLoops(links))
         : Optional.empty();
   }

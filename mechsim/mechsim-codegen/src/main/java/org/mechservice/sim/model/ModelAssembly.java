@@ -20,6 +20,7 @@ import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -158,7 +159,7 @@ final class ModelAssembly {
       return compact(noFaster);
     }
     Optional<ResidualDerivatives.Derived> derivatives =
-        choice.formulation().equals("RR-JF")
+        Formulation.of(choice.formulation()).hasRecursiveJacobian()
             ? Optional.of(ResidualDerivatives.derive(links))
             : Optional.empty();
     List<String> tooLong =
@@ -224,7 +225,9 @@ final class ModelAssembly {
     if (!tooLarge.isEmpty()) {
       return compact(tooLarge);
     }
-    boolean leftToData = choice.formulation().equals("RR-JF") && terms.derivatives().isEmpty();
+    boolean leftToData =
+        Formulation.of(choice.formulation()).hasRecursiveJacobian()
+            && terms.derivatives().isEmpty();
     Optional<String> why =
         leftToData ? Optional.of(GenerationLimits.TOO_LONG_DERIVATIVES) : Optional.empty();
     Set<ColumnGroup> further = ModelColumns.fromData(model, options, false);

@@ -1,39 +1,29 @@
 package org.mechservice.sim.model;
 
-import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.sim.emit.MainClass;
 import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
 /** The main class of a standalone JAR: it joins one model and one integrator. */
 public final class StandaloneMain {
-  private static final String INTEGRATION = "org.mechservice.solver.ode.";
-
-  /** Class of each integrator, below {@link #INTEGRATION}, by its name in settings. */
-  private static final Map<String, String> INTEGRATORS =
-      Map.of(
-          "DE", "adams.De",
-          "ode113", "adams.Ode113",
-          "ode15s", "stiff.Ode15s",
-          "ode15sR", "stiff.Ode15sR",
-          "switching", "switching.Switching");
-
   private StandaloneMain() {}
 
   /**
    * @throws ModelBuildException S-082 if there is no such integrator in this version
    */
   static void requireIntegrator(String name) {
-    if (!INTEGRATORS.containsKey(name)) {
+    if (IntegrationMethod.find(name).isEmpty()) {
       throw new ModelBuildException(
           MessageCode.INTEGRATOR_NOT_AVAILABLE,
           "integrator \""
               + name
-              + "\" is not in this version; use ode113, DE, ode15s, ode15sR or switching");
+              + "\" is not in this version; use "
+              + IntegrationMethod.listed().replace(" and ", " or "));
     }
   }
 
@@ -60,7 +50,7 @@ public final class StandaloneMain {
     return MainClass.of(
         name,
         model.generated().className(),
-        INTEGRATION + INTEGRATORS.getOrDefault(integrator, ""),
+        IntegrationMethod.of(integrator).className(),
         RuntimeSolver.formOf(model.withoutUserClasses(), integrator),
         built,
         shown);

@@ -17,7 +17,8 @@ import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.Variable;
-import org.mechservice.solver.force.ForceFormulas;
+import org.mechservice.solver.catalogue.Formulation;
+import org.mechservice.solver.force.formula.ForceFormulas;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** The class of an open chain, derived. */
@@ -26,7 +27,7 @@ final class TreeClass {
 
   /** Derives y' of an open chain in a formulation. */
   static Program derivative(Links links, FormulationChoice choice) {
-    return choice.formulation().equals("DSR")
+    return choice.formulation().equals(Formulation.DSR.label())
         ? CompositeInertiaEquations.derive(links)
         : ArticulatedBodyEquations.derive(links);
   }
@@ -47,7 +48,7 @@ final class TreeClass {
       List<Omission> leftOut) {
     Mechanism mechanism = links.mechanism();
     Optional<Program> residual =
-        choice.formulation().startsWith("RR")
+        Formulation.of(choice.formulation()).isResidual()
             ? Optional.of(RecursiveResidualEquations.derive(links))
             : Optional.empty();
     return new ModelClass(

@@ -1,17 +1,15 @@
 package org.mechservice.sim.packaging;
 
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.jar.Attributes;
-import java.util.jar.JarInputStream;
-import java.util.jar.Manifest;
 import org.mechservice.sim.compile.SolverClasses;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.simulation.SolverVersion;
@@ -22,13 +20,15 @@ import org.mechservice.solver.text.Sha256;
  * it once and keeps it by its SHA-256; on a class path, {@code RunModel} in it runs the model JAR
  * beside it.
  *
- * <p>The build makes it, because compressing the solver takes longer than a small simulation. Its
- * manifest holds a fingerprint of the class files it was made from. A process whose solver was
- * compiled since then has another fingerprint and makes the JAR anew.
+ * <p>The build makes it, because compressing the solver takes longer than a small simulation.
+ * Beside it lies a record of two lines: the fingerprint of the class files it was made from, and
+ * its SHA-256. A process whose solver was compiled since then has another fingerprint and makes the
+ * JAR anew. A model JAR needs only the hash, so that the JAR itself is read when a client fetches
+ * it.
  */
 public final class RuntimeJar {
   private static final String RESOURCE = "runtime.jar";
-  private static final String FINGERPRINT = "Mech-Solver-Fingerprint";
+  private static final String RECORD = "runtime.txt";
 
   private RuntimeJar() {}
 
@@ -37,60 +37,67 @@ public final class RuntimeJar {
     private static final JarImage CURRENT = ofBuild().orElseGet(RuntimeJar::make);
   }
 
+  /** Read or computed once per process, when first needed. */
+  private static final class Hash {
+    private static final String CURRENT = hashOfBuild().orElseGet(() -> current().sha256());
+  }
+
   /** Returns the JAR of this process's solver. */
   public static JarImage current() {
     return Holder.CURRENT;
   }
 
+  /** Returns the SHA-256 of {@link #current}; the JAR of the build is not read for it. */
+  public static String sha256() {
+    return Hash.CURRENT;
+  }
+
+  /** Returns the hash of the JAR that the build made, unless it is of another solver. */
+  private static Optional<String> hashOfBuild() {
+    return read(RECORD)
+        .map(record -> new String(record, StandardCharsets.UTF_8).lines().toList())
+        .filter(lines -> lines.size() == 2 && lines.get(0).equals(SolverClasses.fingerprint()))
+        .map(lines -> lines.get(1));
+  }
+
   /** Returns the JAR that the build made, unless it is of another solver. */
   static Optional<JarImage> ofBuild() {
-    try (InputStream file = RuntimeJar.class.getResourceAsStream(RESOURCE)) {
-      if (file == null) {
-        return Optional.empty();
-      }
-      byte[] bytes = file.readAllBytes();
-      Map<String, String> manifest = manifestOf(bytes);
-      return SolverClasses.fingerprint().equals(manifest.get(FINGERPRINT))
-          ? Optional.of(image(bytes, manifest))
-          : Optional.empty();
+    return hashOfBuild()
+        .flatMap(
+            hash -> read(RESOURCE).map(RuntimeJar::image).filter(jar -> jar.sha256().equals(hash)));
+  }
+
+  private static Optional<byte[]> read(String resource) {
+    try (InputStream file = RuntimeJar.class.getResourceAsStream(resource)) {
+      return file == null ? Optional.empty() : Optional.of(file.readAllBytes());
     } catch (IOException e) {
       throw new UncheckedIOException("the runtime JAR of the build cannot be read", e);
     }
   }
 
-  private static Map<String, String> manifestOf(byte[] bytes) throws IOException {
-    Map<String, String> attributes = new LinkedHashMap<>();
-    try (JarInputStream jar = new JarInputStream(new ByteArrayInputStream(bytes))) {
-      Manifest manifest = jar.getManifest();
-      if (manifest != null) {
-        manifest
-            .getMainAttributes()
-            .forEach((name, value) -> attributes.put(name.toString(), value.toString()));
-      }
-    }
-    attributes.remove(Attributes.Name.MANIFEST_VERSION.toString());
-    return attributes;
-  }
-
   /** Makes the JAR from the class files of this process's solver. */
   static JarImage make() {
+    ReproducibleJar jar = new ReproducibleJar(manifest());
+    SolverClasses.files().forEach(jar::add);
+    return image(jar.bytes());
+  }
+
+  private static Map<String, String> manifest() {
     Map<String, String> manifest = new LinkedHashMap<>();
     manifest.put("Implementation-Title", "MechService solver");
     manifest.put("Implementation-Version", SolverVersion.CURRENT);
     manifest.put("Mech-Api-Version", Integer.toString(Model.API_VERSION));
-    manifest.put(FINGERPRINT, SolverClasses.fingerprint());
-    ReproducibleJar jar = new ReproducibleJar(manifest);
-    SolverClasses.files().forEach(jar::add);
-    return image(jar.bytes(), manifest);
+    return manifest;
   }
 
-  private static JarImage image(byte[] bytes, Map<String, String> manifest) {
+  private static JarImage image(byte[] bytes) {
     String name = "mechservice-runtime-" + SolverVersion.CURRENT + ".jar";
-    return new JarImage(name, bytes, Sha256.of(bytes), "", 0, manifest);
+    return new JarImage(name, bytes, Sha256.of(bytes), "", 0, manifest());
   }
 
   /**
-   * Writes the JAR beside this class, unless the one there is of this solver. The build calls it.
+   * Writes the JAR and its record beside this class, unless those there are of this solver. The
+   * build calls it.
    *
    * @param arguments the folder of this module's classes
    * @throws IOException if it cannot be written
@@ -100,7 +107,9 @@ public final class RuntimeJar {
       Path folder =
           Path.of(arguments[0]).resolve(RuntimeJar.class.getPackageName().replace('.', '/'));
       Files.createDirectories(folder);
-      Files.write(folder.resolve(RESOURCE), make().bytes());
+      JarImage made = make();
+      Files.write(folder.resolve(RESOURCE), made.bytes());
+      Files.write(folder.resolve(RECORD), List.of(SolverClasses.fingerprint(), made.sha256()));
     }
   }
 }

@@ -3,6 +3,7 @@ package org.mechservice.sim.scene;
 import java.util.Locale;
 import java.util.Optional;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.kinematics.TreeGeometry;
@@ -18,7 +19,7 @@ import org.mechservice.solver.mechanism.Mechanism;
  * forms form no such difference.
  */
 final class DigitsForecast {
-  private static final String MATRIX = "DSR";
+  private static final String MATRIX = Formulation.DSR.label();
 
   /** The mass matrix of more velocities is not factored for a word of warning. */
   private static final int MOST_VELOCITIES = 300;

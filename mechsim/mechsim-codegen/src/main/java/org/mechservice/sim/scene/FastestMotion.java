@@ -11,10 +11,11 @@ import org.apache.commons.math3.linear.RealVector;
 import org.mechservice.solver.api.DependentStates;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.closure.ClosedMechanism;
-import org.mechservice.solver.closure.ProjectionModel;
+import org.mechservice.solver.closure.model.ProjectionModel;
 import org.mechservice.solver.dynamics.DataDrivenModel;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.UserForceElement;
@@ -100,7 +101,8 @@ record FastestMotion(boolean swings, double modulus, double real, Joint joint) {
           mechanism.closures().isEmpty()
               ? new DataDrivenModel(mechanism, settings)
               : new ProjectionModel(
-                  new ClosedMechanism(mechanism, "DSR", settings), UserForceSource.NONE);
+                  new ClosedMechanism(mechanism, Formulation.DSR.label(), settings),
+                  UserForceSource.NONE);
       y = new double[model.description().stateCount()];
       moved = new double[y.length];
       slope = new double[y.length];

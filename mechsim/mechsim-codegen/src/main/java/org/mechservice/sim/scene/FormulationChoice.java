@@ -6,6 +6,9 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.ClosureMethod;
+import org.mechservice.solver.catalogue.Formulation;
+import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.closure.PenaltySettings;
@@ -25,17 +28,14 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
  */
 public record FormulationChoice(String formulation, String closure, String reason) {
   private static final String AUTO = "AUTO";
-  private static final String DTR = "DTR";
-  private static final String DSR = "DSR";
-  private static final String RESIDUAL_DERIVED = "RR-JF";
+  private static final String DTR = Formulation.DTR.label();
+  private static final String DSR = Formulation.DSR.label();
+  private static final String RESIDUAL_DERIVED = Formulation.RR_JF.label();
   private static final String OPEN = "none";
-  private static final String PROJECTION = "projection";
+  private static final String PROJECTION = ClosureMethod.PROJECTION.label();
 
   /** Beyond this size loops are not judged for the choice of their closure. */
   private static final int MOST_VELOCITIES = 1000;
-
-  private static final String RESIDUAL_INTEGRATOR = "ode15sR";
-  private static final List<String> KNOWN = List.of(DTR, DSR, "RR", RESIDUAL_DERIVED);
 
   /**
    * Resolves what was asked for.
@@ -49,9 +49,13 @@ public record FormulationChoice(String formulation, String closure, String reaso
   public static FormulationChoice of(
       String formulation, String closure, RunSettings settings, Mechanism mechanism) {
     String asked = formulation.toUpperCase(Locale.ROOT);
-    if (!asked.equals(AUTO) && !KNOWN.contains(asked)) {
+    if (!asked.equals(AUTO) && Formulation.find(asked).isEmpty()) {
       throw refused(
-          "there is no formulation \"" + formulation + "\"; use DTR, DSR, RR, RR-JF or auto");
+          "there is no formulation \""
+              + formulation
+              + "\"; use "
+              + String.join(", ", Formulation.labels())
+              + " or auto");
     }
     return mechanism.closures().isEmpty()
         ? open(asked, closure, settings.integrator(), mechanism)
@@ -89,7 +93,7 @@ public record FormulationChoice(String formulation, String closure, String reaso
     String chosen = asked;
     String reason = "asked for; it fits: the joints form a tree";
     if (asked.equals(AUTO)) {
-      boolean residual = integrator.equals(RESIDUAL_INTEGRATOR);
+      boolean residual = takesResidual(integrator);
       chosen = residual ? RESIDUAL_DERIVED : DTR;
       reason =
           residual
@@ -105,9 +109,10 @@ public record FormulationChoice(String formulation, String closure, String reaso
 
   private static FormulationChoice closed(
       String asked, String closure, RunSettings settings, Mechanism mechanism) {
-    if (asked.equals(DTR)) {
+    if (!asked.equals(AUTO) && !Formulation.of(asked).takesLoops()) {
       throw refused(
-          "DTR is for open chains; the scene closes loops at "
+          asked
+              + " is for open chains; the scene closes loops at "
               + loops(mechanism)
               + "; use DSR, RR or RR-JF");
     }
@@ -122,7 +127,7 @@ public record FormulationChoice(String formulation, String closure, String reaso
     String why = "the scene closes loops at " + loops(mechanism);
     String chosen = asked;
     if (asked.equals(AUTO)) {
-      chosen = settings.integrator().equals(RESIDUAL_INTEGRATOR) ? RESIDUAL_DERIVED : DSR;
+      chosen = takesResidual(settings.integrator()) ? RESIDUAL_DERIVED : DSR;
       why = "auto: " + why;
     } else {
       requireIntegrator(asked, settings.integrator());
@@ -155,7 +160,7 @@ public record FormulationChoice(String formulation, String closure, String reaso
   }
 
   private static void requireIntegrator(String formulation, String integrator) {
-    if (formulation.startsWith("RR") && !integrator.equals(RESIDUAL_INTEGRATOR)) {
+    if (Formulation.of(formulation).isResidual() && !takesResidual(integrator)) {
       throw refused(
           "formulation "
               + formulation
@@ -163,6 +168,10 @@ public record FormulationChoice(String formulation, String closure, String reaso
               + integrator
               + " does not take; use ode15sR, or DTR or DSR");
     }
+  }
+
+  private static boolean takesResidual(String integrator) {
+    return IntegrationMethod.find(integrator).filter(IntegrationMethod::takesResidual).isPresent();
   }
 
   private static String loops(Mechanism mechanism) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -71,7 +72,7 @@ public final class GenerationLimits {
   }
 
   private static List<String> noFaster(String formulation, long operations, String which) {
-    return formulation.equals("DSR") && operations > MOST_OF_COMPOSITE_INERTIAS
+    return formulation.equals(Formulation.DSR.label()) && operations > MOST_OF_COMPOSITE_INERTIAS
         ? List.of(
             "DSR of more than "
                 + MOST_OF_COMPOSITE_INERTIAS
@@ -101,7 +102,10 @@ public final class GenerationLimits {
   public static List<String> notGenerated(Mechanism mechanism, FormulationChoice choice) {
     List<String> beyond = new ArrayList<>();
     boolean loops = !mechanism.closures().isEmpty();
-    int elements = choice.formulation().equals("RR-JF") || loops ? elements(mechanism) : 0;
+    int elements =
+        Formulation.of(choice.formulation()).hasRecursiveJacobian() || loops
+            ? elements(mechanism)
+            : 0;
     if (elements > MOST_ELEMENTS) {
       beyond.add(
           (loops ? "loops of bodies with a mass matrix" : "a Jacobian")

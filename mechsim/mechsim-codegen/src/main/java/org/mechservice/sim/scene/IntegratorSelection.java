@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.Formulation;
+import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.ForceElement;
@@ -26,9 +28,9 @@ import org.mechservice.solver.mechanism.force.SpringDamper;
  * @param reason why, in a clause; empty if {@code switching} decides along the run
  */
 public record IntegratorSelection(String integrator, Optional<String> reason) {
-  private static final String SWITCHING = "switching";
-  private static final String STIFF = "ode15s";
-  private static final String RESIDUAL = "ode15sR";
+  private static final String SWITCHING = IntegrationMethod.SWITCHING.label();
+  private static final String STIFF = IntegrationMethod.ODE15S.label();
+  private static final String RESIDUAL = IntegrationMethod.ODE15SR.label();
 
   /**
    * Time constants of the fastest motion in a run from which on an implicit method is cheaper from
@@ -53,7 +55,7 @@ public record IntegratorSelection(String integrator, Optional<String> reason) {
   public static IntegratorSelection of(
       String formulation, Mechanism mechanism, RunSettings settings) {
     String asked = formulation.toUpperCase(Locale.ROOT);
-    if (asked.startsWith("RR")) {
+    if (Formulation.find(asked).filter(Formulation::isResidual).isPresent()) {
       return new IntegratorSelection(RESIDUAL, Optional.empty());
     }
     return lastingStiffness(mechanism, settings)

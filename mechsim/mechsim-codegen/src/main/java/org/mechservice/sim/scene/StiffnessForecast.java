@@ -2,8 +2,8 @@ package org.mechservice.sim.scene;
 
 import java.util.Locale;
 import java.util.Optional;
-import java.util.Set;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.text.ShortestDecimal;
@@ -15,8 +15,6 @@ import org.mechservice.solver.text.ShortestDecimal;
 public final class StiffnessForecast {
   /** Steps from which the user is told; a run of this length takes from seconds to minutes. */
   private static final double MANY_STEPS = 1e6;
-
-  private static final Set<String> EXPLICIT = Set.of("ode113", "DE");
 
   private StiffnessForecast() {}
 
@@ -37,12 +35,18 @@ public final class StiffnessForecast {
 
   /** Returns whether it makes no difference which of two integrators a run has. */
   static boolean isSame(String integrator, String other) {
-    return integrator.equals(other) || !(EXPLICIT.contains(integrator) || EXPLICIT.contains(other));
+    return integrator.equals(other) || !(isAdams(integrator) || isAdams(other));
   }
 
   /** What swings undamped has to be followed by every method. */
   private static boolean limits(FastestMotion motion, String integrator) {
-    return EXPLICIT.contains(integrator) || !motion.isDamped();
+    return isAdams(integrator) || !motion.isDamped();
+  }
+
+  private static boolean isAdams(String integrator) {
+    return IntegrationMethod.find(integrator)
+        .filter(method -> method.family() == IntegrationMethod.Family.ADAMS)
+        .isPresent();
   }
 
   private static double steps(FastestMotion motion, RunSettings settings) {

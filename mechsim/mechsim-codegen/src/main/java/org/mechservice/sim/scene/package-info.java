@@ -1,4 +1,23 @@
-/** What a mechanism is, seen before anything is generated from it: topology, freedoms, findings. */
+/**
+ * Analysis of a mechanism before anything is generated from it.
+ *
+ * <p>{@link org.mechservice.sim.scene.SceneAnalysis} describes the tree: where each joint is in the
+ * state, the degrees of freedom, and suspicious data such as a joint that moves no mass. {@link
+ * org.mechservice.sim.scene.LoopAnalysis} describes the loops: their equations, the rank of these,
+ * and how well the start closes them. {@link org.mechservice.sim.scene.RunForecast} collects
+ * forecasts of the run: stiffness, loss of digits, fast spin, pulses shorter than a step, formulas
+ * without a value. Each {@link org.mechservice.sim.scene.Finding} has a code of the error
+ * catalogue.
+ *
+ * <p>Three classes decide what {@code auto} means: {@link
+ * org.mechservice.sim.scene.FormulationChoice} (formulation and closure), {@link
+ * org.mechservice.sim.scene.IntegratorSelection} (integrator), and {@link
+ * org.mechservice.sim.scene.GenerationLimits} (code or data). {@code FastestMotion} finds the
+ * dominant eigenvalues of the linearised equations for two of them, with Commons Math.
+ *
+ * <p>Depends on the mechanism and the data-driven formulations of solver-mechanics. Knows neither
+ * equations nor code. NUMERICS §1 and §3 have the mathematics.
+ */
 @NullMarked
 package org.mechservice.sim.scene;
 

@@ -1,12 +1,18 @@
 /**
- * Numbers that are known only when a model runs.
+ * Symbolic numbers: arithmetic that is recorded instead of computed.
  *
  * <p>{@link org.mechservice.sim.symbolic.Scalar} has the arithmetic of a number but records it in
  * an {@link org.mechservice.sim.symbolic.Expressions} graph: equal expressions are one node,
- * constants are folded, what is zero disappears. Mechanics written once over it becomes a {@link
- * org.mechservice.sim.symbolic.Program}, which is printed as source or evaluated in doubles.
+ * constants are folded, and terms that are zero disappear ({@code Simplification}). {@link
+ * org.mechservice.sim.symbolic.ScalarVector} and {@link org.mechservice.sim.symbolic.ScalarMatrix}
+ * are vectors and matrices of three such numbers a side. {@link
+ * org.mechservice.sim.symbolic.Differentiation} and {@link
+ * org.mechservice.sim.symbolic.Substitution} make new expressions from old ones.
  *
- * <p>Nodes are numbered in the order in which they arise and nothing depends on hash order: the
+ * <p>Mechanics written over scalars becomes a {@link org.mechservice.sim.symbolic.Program}: outputs
+ * in sections, with guards. A program is printed as source or byte code, or evaluated in doubles.
+ *
+ * <p>Nodes are numbered in the order in which they arise, and nothing depends on hash order: the
  * same mechanics over the same numbers gives the same program, operation by operation.
  */
 @NullMarked

@@ -6,8 +6,8 @@ import java.util.TreeSet;
 import java.util.stream.Stream;
 
 /**
- * What of Java the classes of users may use: numbers, texts and collections. What is not listed is
- * refused, so that what later versions of Java bring is too.
+ * The allow-list of Java classes and members for user classes: numbers, texts and collections.
+ * Anything not listed is refused, so additions in later Java versions are refused too.
  */
 final class AllowedJava {
   private static final Set<String> CLASSES = new TreeSet<>();
@@ -74,7 +74,7 @@ final class AllowedJava {
           "java/lang/Boolean.getBoolean",
           "java/lang/Throwable.printStackTrace");
 
-  /** What the compiler itself uses for lambdas, texts that are joined, and records. */
+  /** Members that the compiler itself calls for lambdas, string concatenation and records. */
   private static final Set<String> BOOTSTRAPS =
       Set.of(
           "java/lang/invoke/LambdaMetafactory",

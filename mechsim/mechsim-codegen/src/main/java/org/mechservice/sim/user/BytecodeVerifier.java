@@ -16,8 +16,8 @@ import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.Type;
 
 /**
- * Makes sure, without loading them, that classes of users use nothing but each other, the force
- * interface and {@link AllowedJava}: no files, network, reflection, threads or processes.
+ * Verifies, without loading them, that user classes use nothing but each other, the force interface
+ * and {@link AllowedJava}: no files, network, reflection, threads or processes.
  */
 final class BytecodeVerifier extends ClassVisitor {
   private static final String INTERFACE = UserForce.class.getPackageName().replace('.', '/') + "/";
@@ -32,7 +32,7 @@ final class BytecodeVerifier extends ClassVisitor {
     this.findings = findings;
   }
 
-  /** Tells the findings what a class may not use, with method and line. */
+  /** Adds to the findings each use of something not allowed, with method and line. */
   static void check(SortedMap<String, byte[]> classFiles, UserCodeFindings findings) {
     for (byte[] file : classFiles.values()) {
       new ClassReader(file)

@@ -18,7 +18,7 @@ import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.Type;
 
-/** Looks at the class of a force, without loading it: can it be made, and is it a force? */
+/** Checks, without loading it, that a class is a force and has a constructor to make it with. */
 final class ForceClassCheck {
   private static final Set<String> FORCES =
       Set.of(
@@ -33,7 +33,7 @@ final class ForceClassCheck {
   }
 
   /**
-   * Tells the findings why the class cannot be the force.
+   * Adds to the findings why the class cannot be the force.
    *
    * @param who the force, for the message
    */
@@ -84,7 +84,7 @@ final class ForceClassCheck {
     return false;
   }
 
-  /** What stands at the head of a class, and whether it has the constructor. */
+  /** The header of a class, and whether it has the constructor. */
   private static final class Head extends ClassVisitor {
     private int access;
     private boolean constructor;

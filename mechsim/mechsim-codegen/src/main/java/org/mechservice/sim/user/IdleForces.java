@@ -14,9 +14,8 @@ import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.Type;
 
 /**
- * Classes in the place of those of users, under their names: forces that read nothing and do
- * nothing. With them a model can be asked what it is and puts out where theirs are not to be
- * loaded.
+ * Stand-ins for user classes, under the same names: forces that read nothing and do nothing. With
+ * them a model can describe itself and its columns where user classes must not be loaded.
  */
 public final class IdleForces {
   private static final String OBJECT = "java/lang/Object";

@@ -14,7 +14,7 @@ import org.mechservice.solver.api.UserForce;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
-/** Follows what classes refer to, from the forces of a model on. Nothing is loaded. */
+/** Follows the references of classes, starting from the forces of a model; loads nothing. */
 final class NeededClasses {
   private static final String INTERFACE = UserForce.class.getPackageName().replace('.', '/') + "/";
   private static final String PRODUCT = "org/mechservice/";
@@ -26,7 +26,7 @@ final class NeededClasses {
 
   /**
    * @param given class files by binary name; not modified
-   * @param findings told what is missing, and what may not be used
+   * @param findings receives missing classes and classes that cannot be used; modified
    */
   NeededClasses(SortedMap<String, byte[]> given, UserCodeFindings findings) {
     this.given = given;
@@ -60,7 +60,7 @@ final class NeededClasses {
     return true;
   }
 
-  /** The class of a force is not there, or is there in another package. */
+  /** Reports that the class of a force is missing, or is in another package. */
   private void wanted(UserForceElement force, String who) {
     String name = force.className();
     String simple = name.substring(name.lastIndexOf('.') + 1);

@@ -12,13 +12,13 @@ import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.ClassNode;
 
-/** The classes in the files that came with a model: read, or compiled. */
+/** Reads the class files, and compiles the sources, that came with a model. */
 final class UserClassFiles {
-  /** Where the product and Java have theirs. */
+  /** Packages of Java and of the product, closed to user classes. */
   private static final List<String> RESERVED =
       List.of("java.", "javax.", "jdk.", "sun.", "com.sun.", "org.mechservice.");
 
-  /** Number of a class file's version for Java 0, so to speak. */
+  /** A class file's version less this number is the version of Java. */
   private static final int JAVA_ZERO = 44;
 
   private final UserCodeFindings findings;
@@ -33,7 +33,7 @@ final class UserClassFiles {
    * Returns class files by binary name.
    *
    * @param compile whether sources may be compiled here
-   * @param findings told what cannot be used
+   * @param findings receives files that cannot be used; modified
    */
   static SortedMap<String, byte[]> of(
       List<UserFile> files, boolean compile, UserCodeFindings findings) {

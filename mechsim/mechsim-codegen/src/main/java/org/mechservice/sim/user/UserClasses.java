@@ -14,7 +14,7 @@ import org.mechservice.solver.text.Sha256;
  * Immutable.
  */
 public final class UserClasses {
-  /** Those of a model that names none. */
+  /** The classes of a model without user forces. */
   public static final UserClasses NONE = new UserClasses(Collections.emptySortedMap());
 
   private final SortedMap<String, byte[]> classFiles;
@@ -52,9 +52,10 @@ public final class UserClasses {
   }
 
   /**
-   * Makes sure that the classes may run on a machine of somebody else.
+   * Verifies that the classes may run on a server.
    *
-   * @throws MechmlException S-156 if one uses what it may not; says in which method and line
+   * @throws MechmlException S-156 if a class uses what it may not; the message names method and
+   *     line
    */
   public void requireHarmless() throws MechmlException {
     UserCodeFindings findings = new UserCodeFindings();
@@ -72,7 +73,7 @@ public final class UserClasses {
     return classFiles;
   }
 
-  /** Returns a number that tells these classes from others; empty if there are none. */
+  /** Returns the SHA-256 of these classes; empty if there are none. */
   public String sha256() {
     StringBuilder all = new StringBuilder();
     classFiles.forEach((name, bytes) -> all.append(name).append(Sha256.of(bytes)));

@@ -8,7 +8,7 @@ import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.Severity;
 
-/** What is wrong with the classes of a model; each thing is said once. */
+/** Errors in the user classes of a model; each error is reported once. */
 final class UserCodeFindings {
   private final Map<String, Diagnostic> found = new LinkedHashMap<>();
 

@@ -1,7 +1,20 @@
 /**
- * Classes that users have written for their forces: the one place where they are admitted ({@link
- * org.mechservice.sim.user.UserClasses#admit}) and the one where they are loaded ({@link
- * org.mechservice.sim.user.UserClasses#loader}).
+ * Java classes that users have written for their forces: checked before anything loads them.
+ *
+ * <p>{@link org.mechservice.sim.user.UserClasses} is the main type and the only place where such
+ * classes are admitted and loaded. {@code admit} takes the files that came with a model: {@code
+ * UserClassFiles} reads class files and has sources compiled by {@code SourceCompiler}, {@code
+ * NeededClasses} follows references from the forces of the model, and {@code ForceClassCheck}
+ * decides whether a class is a force. {@code UserCodeFindings} collects what is wrong, so that a
+ * user sees all errors at once.
+ *
+ * <p>{@code BytecodeVerifier} is the allow-list that stands between foreign code and this machine:
+ * a class may use its own classes, the force interface and the members that {@code AllowedJava}
+ * lists. What the list does not name is refused. Confinement by the operating system is a second
+ * wall, outside this package. {@code IdleForces} stands in for user classes where they must not be
+ * loaded.
+ *
+ * <p>Depends on {@code sim.compile} and ASM.
  */
 @NullMarked
 package org.mechservice.sim.user;

@@ -116,7 +116,7 @@ class ReadableSourceTest {
   @Test
   void parametersKeepTheirNames() throws Exception {
     byte[] file;
-    try (var in = Objects.requireNonNull(getClass().getResourceAsStream("tuned.xml"))) {
+    try (var in = Objects.requireNonNull(Scenes.class.getResourceAsStream("tuned.xml"))) {
       file = in.readAllBytes();
     }
     String text =

@@ -37,6 +37,7 @@ final class RuntimeJarTest {
   void sameSolverGivesTheSameBytes() {
     assertThat(RuntimeJar.make().bytes()).isEqualTo(MADE.bytes());
     assertThat(RuntimeJar.current()).isSameAs(RuntimeJar.current());
+    assertThat(RuntimeJar.sha256()).isEqualTo(MADE.sha256());
   }
 
   @Test

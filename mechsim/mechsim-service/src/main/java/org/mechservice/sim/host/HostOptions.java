@@ -5,11 +5,11 @@ import java.util.Optional;
 import org.mechservice.sim.service.limits.HostLimits;
 
 /**
- * What a host is like.
+ * The options of a host.
  *
  * @param name its name, unique at its servers
  * @param capacity simulations it runs at once
- * @param limits what it allows
+ * @param limits of its clients
  * @param spool folder in which ended runs outlive the process; empty: they do not
  * @param userCode whether classes of users may be compiled and run here
  */
@@ -20,7 +20,7 @@ public record HostOptions(
     this(name, capacity, limits, spool, false);
   }
 
-  /** A host with the limits of one nobody configured, which keeps nothing over its end. */
+  /** A host with default limits and without a spool folder. */
   public HostOptions(String name, int capacity) {
     this(name, capacity, HostLimits.DEFAULT, Optional.empty());
   }

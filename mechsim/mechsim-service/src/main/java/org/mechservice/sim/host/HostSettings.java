@@ -2,16 +2,16 @@ package org.mechservice.sim.host;
 
 import java.util.List;
 import java.util.Optional;
-import org.mechservice.orb.TlsIdentity;
+import org.mechservice.orb.tls.TlsIdentity;
 
 /**
- * How a host process runs.
+ * The settings of a host process.
  *
  * @param serverUrls the servers to register with
  * @param listenAddress address to listen on
  * @param port port to listen on; 0: any free one
- * @param host what it is like
- * @param tls who the host is on the network; empty: it serves this machine only, unencrypted
+ * @param host its options
+ * @param tls identity of the host; empty: it serves this machine only, unencrypted
  */
 public record HostSettings(
     List<String> serverUrls,
@@ -23,7 +23,7 @@ public record HostSettings(
     serverUrls = List.copyOf(serverUrls);
   }
 
-  /** A host of one server that nobody configured. */
+  /** A host of one server with default options. */
   public HostSettings(String serverUrl, String name, String listenAddress, int port, int capacity) {
     this(List.of(serverUrl), listenAddress, port, new HostOptions(name, capacity));
   }

@@ -51,7 +51,8 @@ final class ServerRegistration implements AutoCloseable {
    * Registers the host.
    *
    * @throws ServiceUnreachableException if the server cannot be reached
-   * @throws IllegalArgumentException if the server does not take the host; the message says why
+   * @throws IllegalArgumentException if the server does not accept the host; the message names the
+   *     reason
    */
   void begin() {
     registration = register();

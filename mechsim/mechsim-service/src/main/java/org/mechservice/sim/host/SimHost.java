@@ -32,8 +32,8 @@ import org.mechservice.sim.service.session.WarmUp;
 import org.mechservice.solver.api.Solver;
 
 /**
- * The place MechSims live in: a host process has one, and so has a server that runs simulations
- * itself.
+ * The servant of a host: opens sessions and answers operators. A host process has one, and so has a
+ * server that runs simulations itself.
  */
 public final class SimHost implements MechSimHostOperations, AutoCloseable {
   private static final long GRACE_CHECK_MILLIS = 100;
@@ -61,9 +61,9 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   }
 
   /**
-   * Opens a host that shares its limits with somebody else.
+   * Opens a host that shares its limits with its server.
    *
-   * @param limits in force; those of the options do not matter
+   * @param limits current limits; those of the options are ignored
    */
   public SimHost(
       ServiceOrb orb, HostOptions options, CurrentLimits limits, Solver solver, Runnable shutdown) {
@@ -85,7 +85,7 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
             options.userCode());
   }
 
-  /** Begins to make the host ready for its first client; one that comes meanwhile is served. */
+  /** Begins to load classes for the first client; clients are served meanwhile. */
   public void warmUp() {
     warmUp.begin();
   }

@@ -95,7 +95,7 @@ public final class SimHostProcess implements AutoCloseable {
     return orb.endpoint().toString();
   }
 
-  /** Begins to make the host ready for its first client. */
+  /** Begins to load classes for the first client. */
   public void warmUp() {
     host.warmUp();
   }

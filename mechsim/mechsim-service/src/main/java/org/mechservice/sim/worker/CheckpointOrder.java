@@ -9,9 +9,9 @@ import java.util.Optional;
 import org.mechservice.solver.api.Checkpoints;
 
 /**
- * What a worker is told of checkpoints.
+ * The checkpoints that a worker starts from and makes.
  *
- * @param possible whether it may be asked for some
+ * @param possible whether the worker can make checkpoints
  * @param modelHash what identifies the model to the bit
  * @param saved what to go on from; empty: the run begins at the start
  */

@@ -21,7 +21,7 @@ import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.Variable;
 
-/** A worker: computes the one run it is told to, and ends. */
+/** Main class of a worker process: computes one run and ends. */
 public final class WorkerMain implements ResultSink {
   // From the worker
   static final byte COLUMNS = 'C';
@@ -47,7 +47,9 @@ public final class WorkerMain implements ResultSink {
     this.out = new DataOutputStream(new BufferedOutputStream(out));
   }
 
-  /** Computes what standard input says; rows and result go to standard output. */
+  /**
+   * Reads the order from standard input, computes, and writes rows and result to standard output.
+   */
   public static void main(String[] arguments) throws IOException {
     OutputStream out = System.out;
     // Nothing a class prints may get between the messages.
@@ -94,7 +96,7 @@ public final class WorkerMain implements ResultSink {
     /** Whether the host has let the run go on from the present step already. */
     private boolean letGo;
 
-    /** Returns whether the host wants a checkpoint of this step before it is asked to go on. */
+    /** Returns whether the host wants a checkpoint of this step before the next one. */
     @Override
     public boolean holdsAt(double time, double stepSize, int order, long steps) {
       boolean save = ask(STEP, time, stepSize, order, steps) == SAVE && !stopRequested();
@@ -120,7 +122,7 @@ public final class WorkerMain implements ResultSink {
         out.writeLong(steps);
         out.flush();
       } catch (IOException e) {
-        stop(); // nobody listens any more
+        stop(); // the host has closed the pipe
         return STOP;
       }
       answers.acquireUninterruptibly();
@@ -160,7 +162,7 @@ public final class WorkerMain implements ResultSink {
     }
   }
 
-  /** Whoever gave the order may stop it at any time; when he is gone, nobody wants it any more. */
+  /** Waits for the stop of the run: a byte from the host, or the end of its process. */
   private void listen() {
     try {
       for (int order = in.read(); order >= 0; order = in.read()) {

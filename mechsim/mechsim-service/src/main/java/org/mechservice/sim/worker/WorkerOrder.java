@@ -16,7 +16,7 @@ import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.RunSettings;
 
 /**
- * What a worker is to compute.
+ * The run that a worker computes.
  *
  * @param className the model's class
  * @param classFiles the model's own class files, by binary name

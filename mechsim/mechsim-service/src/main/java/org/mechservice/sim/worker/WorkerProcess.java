@@ -20,7 +20,7 @@ import org.mechservice.solver.api.Variable;
 
 /** A worker as its host sees it. Runs once. */
 public final class WorkerProcess {
-  /** Java ends with it when there is no memory left, if told to. */
+  /** Exit status of a Java process that runs out of memory, with {@code ExitOnOutOfMemoryError}. */
   private static final int EXIT_OUT_OF_MEMORY = 3;
 
   private static final long WATCH_MILLIS = 20;
@@ -59,7 +59,8 @@ public final class WorkerProcess {
    * @param control steers and watches
    * @param checkpoints given one where the run is held or stopped, and, while the time between two
    *     is 0, after each step
-   * @throws IllegalArgumentException if the order makes no sense; the message says why
+   * @throws IllegalArgumentException if the settings do not fit the model; the message names the
+   *     reason
    * @throws WorkerLostException if the process has ended without a result
    * @throws IOException if a row cannot be kept, or no process can be started
    */
@@ -104,7 +105,7 @@ public final class WorkerProcess {
     return builder.start();
   }
 
-  /** Stops the worker when that is asked for, by force if it does not by itself. */
+  /** Stops the worker on request; kills it if it does not end by itself. */
   private static void watch(Process started, RunControl control) {
     try {
       while (!started.waitFor(WATCH_MILLIS, TimeUnit.MILLISECONDS)) {

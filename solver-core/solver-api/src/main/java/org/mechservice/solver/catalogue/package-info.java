@@ -1,6 +1,10 @@
 /**
  * The closed lists that every part of the product shares, each written once: {@link
- * org.mechservice.solver.catalogue.MessageCode} has all messages with their severity and page.
+ * org.mechservice.solver.catalogue.MessageCode} has all messages with their severity and page,
+ * {@link org.mechservice.solver.catalogue.Formulation} the formulations, {@link
+ * org.mechservice.solver.catalogue.ClosureMethod} the ways to close loops and {@link
+ * org.mechservice.solver.catalogue.IntegrationMethod} the integrators, with the facts about them
+ * that others decide by.
  *
  * <p>A list is an enum. Text stands for an entry only at a border: in MechML, on the command line,
  * in CORBA, JSON and manifests. There it is read and written by the enum itself, which refuses an

@@ -1,6 +1,7 @@
 package org.mechservice.solver.closure;
 
 import java.util.Locale;
+import org.mechservice.solver.catalogue.ClosureMethod;
 
 /**
  * Numbers of the penalty closure (NUMERICS §3; García de Jalón and Bayo 1994, ch. 5). As text they
@@ -19,7 +20,7 @@ public record PenaltySettings(double stiffness, double frequency, double damping
   public static final PenaltySettings DEFAULT = new PenaltySettings(1e7, 10, 1);
 
   /** What the closure is called. */
-  public static final String CLOSURE = "penalty";
+  public static final String CLOSURE = ClosureMethod.PENALTY.label();
 
   private static final double LEAST_STIFFNESS = 1e3;
   private static final double LARGEST_STIFFNESS = 1e12;
@@ -98,7 +99,7 @@ public record PenaltySettings(double stiffness, double frequency, double damping
   }
 
   /** Returns the numbers as a sentence for the report. */
-  String text() {
+  public String text() {
     return String.format(
         Locale.ROOT,
         "The loops are closed by penalty: alpha is %.4g times the largest inertia, Omega %.4g 1/s,"

@@ -1,7 +1,10 @@
 package org.mechservice.solver.dynamics;
 
 import org.mechservice.solver.api.RunSettings;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.catalogue.Formulation;
+import org.mechservice.solver.dynamics.recursion.ArticulatedBody;
+import org.mechservice.solver.dynamics.tree.PivotCheck;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
@@ -30,7 +33,7 @@ public final class DataDrivenModel extends OpenTreeModel {
    *     be used
    */
   public DataDrivenModel(Mechanism mechanism, RunSettings defaults, UserForceSource userForces) {
-    super(mechanism, "DTR", defaults, userForces);
+    super(mechanism, Formulation.DTR.label(), defaults, userForces);
     dynamics = new ArticulatedBody(tree);
     workspace = dynamics.newWorkspace(motion);
   }

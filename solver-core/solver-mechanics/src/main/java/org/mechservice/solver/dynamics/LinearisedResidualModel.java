@@ -4,8 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.LinearisedModel;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.Formulation;
+import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
+import org.mechservice.solver.dynamics.derivative.TreeIteration;
+import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.force.ForceSet;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
@@ -39,7 +43,7 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
    */
   public LinearisedResidualModel(
       Mechanism mechanism, RunSettings defaults, UserForceSource userForces, Mode mode) {
-    super(mechanism, "RR-JF", defaults, userForces);
+    super(mechanism, Formulation.RR_JF.label(), defaults, userForces);
     this.mode = mode;
     TreePattern pattern = new TreePattern(tree, coupledLinks(loads.forces()));
     jacobian = new ResidualJacobian(motion, pattern);

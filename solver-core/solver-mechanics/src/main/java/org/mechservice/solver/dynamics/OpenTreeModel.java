@@ -15,11 +15,13 @@ import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.dynamics.tree.PivotCheck;
 import org.mechservice.solver.force.ForceSet;
-import org.mechservice.solver.force.FormulaCheck;
-import org.mechservice.solver.force.TriedStates;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.formula.FormulaCheck;
+import org.mechservice.solver.force.formula.SampleStates;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
@@ -72,7 +74,7 @@ public abstract class OpenTreeModel
     List<String> closures = mechanism.closures().stream().map(LoopClosure::name).toList();
     if (!closures.isEmpty()) {
       String advice =
-          formulation.equals("DTR")
+          formulation.equals(Formulation.DTR.label())
               ? "use DSR, RR or RR-JF"
               : "choose how they are closed: projection or penalty";
       throw new IllegalArgumentException(
@@ -179,7 +181,7 @@ public abstract class OpenTreeModel
     return FormulaCheck.of(motion)
         .flatMap(
             check ->
-                TriedStates.search(
+                SampleStates.search(
                     check.lines(),
                     (time, state) -> {
                       motion.sweep(time, state);

@@ -2,7 +2,8 @@ package org.mechservice.solver.dynamics;
 
 import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.api.RunSettings;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.catalogue.Formulation;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
@@ -22,7 +23,7 @@ public class RecursiveResidualModel extends SemiRecursiveModel implements Residu
    */
   public RecursiveResidualModel(
       Mechanism mechanism, RunSettings defaults, UserForceSource userForces) {
-    this(mechanism, "RR", defaults, userForces);
+    this(mechanism, Formulation.RR.label(), defaults, userForces);
   }
 
   RecursiveResidualModel(

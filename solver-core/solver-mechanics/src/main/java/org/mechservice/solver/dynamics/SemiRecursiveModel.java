@@ -1,7 +1,9 @@
 package org.mechservice.solver.dynamics;
 
 import org.mechservice.solver.api.RunSettings;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.catalogue.Formulation;
+import org.mechservice.solver.dynamics.tree.PivotCheck;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** DSR without generated code: an open tree by composite inertias. */
@@ -19,7 +21,7 @@ public class SemiRecursiveModel extends OpenTreeModel {
    *     be used
    */
   public SemiRecursiveModel(Mechanism mechanism, RunSettings defaults, UserForceSource userForces) {
-    this(mechanism, "DSR", defaults, userForces);
+    this(mechanism, Formulation.DSR.label(), defaults, userForces);
   }
 
   SemiRecursiveModel(

@@ -13,9 +13,11 @@ import org.mechservice.solver.api.ResultTable;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.catalogue.ClosureMethod;
+import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.compact.CompactModel;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 
 /**
  * Small motions of a mechanism about its start or an equilibrium, as a table: one row per mode with
@@ -120,7 +122,11 @@ final class LinearModel implements ResultTable, RunNotes {
   private boolean start(double t) {
     boolean open = data.mechanism().closures().isEmpty();
     CompactModel free =
-        new CompactModel(data.mechanism(), "DSR", open ? "none" : "projection", data.settings());
+        new CompactModel(
+            data.mechanism(),
+            Formulation.DSR.label(),
+            open ? "none" : ClosureMethod.PROJECTION.label(),
+            data.settings());
     ExplicitModel model = (ExplicitModel) WatchedModel.bare(free.model(userForces));
     model.initialState(y);
     double[] yDot = new double[y.length];

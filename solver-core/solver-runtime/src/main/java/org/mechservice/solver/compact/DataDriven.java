@@ -2,21 +2,22 @@ package org.mechservice.solver.compact;
 
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.ClosedMechanism;
-import org.mechservice.solver.closure.LinearisedProjectionModel;
-import org.mechservice.solver.closure.LoopTerms;
-import org.mechservice.solver.closure.PenaltyModel;
 import org.mechservice.solver.closure.PenaltySettings;
-import org.mechservice.solver.closure.ProjectionModel;
-import org.mechservice.solver.closure.ResidualPenaltyModel;
-import org.mechservice.solver.closure.ResidualPenaltyModel.Derivatives;
-import org.mechservice.solver.closure.ResidualProjectionModel;
+import org.mechservice.solver.closure.equations.LoopTerms;
+import org.mechservice.solver.closure.model.LinearisedProjectionModel;
+import org.mechservice.solver.closure.model.PenaltyModel;
+import org.mechservice.solver.closure.model.ProjectionModel;
+import org.mechservice.solver.closure.model.ResidualPenaltyModel;
+import org.mechservice.solver.closure.model.ResidualPenaltyModel.Derivatives;
+import org.mechservice.solver.closure.model.ResidualProjectionModel;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.dynamics.LinearisedResidualModel;
 import org.mechservice.solver.dynamics.RecursiveResidualModel;
 import org.mechservice.solver.dynamics.SemiRecursiveModel;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** Takes the data-driven formulation that a compact model names. */
@@ -45,14 +46,13 @@ final class DataDriven {
 
   private static Model open(
       String formulation, Mechanism mechanism, RunSettings settings, UserForceSource userForces) {
-    return switch (formulation) {
-      case "DTR" -> new DataDrivenModel(mechanism, settings, userForces);
-      case "DSR" -> new SemiRecursiveModel(mechanism, settings, userForces);
-      case "RR" -> new RecursiveResidualModel(mechanism, settings, userForces);
-      case "RR-JF" ->
+    return switch (known(formulation)) {
+      case DTR -> new DataDrivenModel(mechanism, settings, userForces);
+      case DSR -> new SemiRecursiveModel(mechanism, settings, userForces);
+      case RR -> new RecursiveResidualModel(mechanism, settings, userForces);
+      case RR_JF ->
           new LinearisedResidualModel(
               mechanism, settings, userForces, LinearisedResidualModel.Mode.FULL);
-      default -> throw unknown(formulation);
     };
   }
 
@@ -66,22 +66,26 @@ final class DataDriven {
   private static Model byPenalty(
       ClosedMechanism closed, CompactModel model, UserForceSource userForces) {
     PenaltySettings settings = PenaltySettings.of(model.closure());
-    return switch (model.formulation()) {
-      case "DSR" -> new PenaltyModel(closed, userForces, settings);
-      case "RR" -> new ResidualPenaltyModel(closed, userForces, settings, Derivatives.DIFFERENCES);
-      case "RR-JF" -> new ResidualPenaltyModel(closed, userForces, settings, Derivatives.RECURSIVE);
-      default -> throw unknown(model.formulation());
+    return switch (known(model.formulation())) {
+      case DSR -> new PenaltyModel(closed, userForces, settings);
+      case RR -> new ResidualPenaltyModel(closed, userForces, settings, Derivatives.DIFFERENCES);
+      case RR_JF -> new ResidualPenaltyModel(closed, userForces, settings, Derivatives.RECURSIVE);
+      case DTR -> throw unknown(model.formulation());
     };
   }
 
   private static Model byProjection(
       ClosedMechanism closed, String formulation, UserForceSource userForces) {
-    return switch (formulation) {
-      case "DSR" -> new ProjectionModel(closed, userForces);
-      case "RR" -> new ResidualProjectionModel(closed, userForces);
-      case "RR-JF" -> new LinearisedProjectionModel(closed, userForces);
-      default -> throw unknown(formulation);
+    return switch (known(formulation)) {
+      case DSR -> new ProjectionModel(closed, userForces);
+      case RR -> new ResidualProjectionModel(closed, userForces);
+      case RR_JF -> new LinearisedProjectionModel(closed, userForces);
+      case DTR -> throw unknown(formulation);
     };
+  }
+
+  private static Formulation known(String formulation) {
+    return Formulation.find(formulation).orElseThrow(() -> unknown(formulation));
   }
 
   private static IllegalArgumentException unknown(String formulation) {

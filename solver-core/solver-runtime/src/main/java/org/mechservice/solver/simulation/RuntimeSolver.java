@@ -13,7 +13,7 @@ import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.WatchedModel;
-import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.ode.IntegratorFactory;
 import org.mechservice.solver.ode.adams.De;
 import org.mechservice.solver.ode.adams.Ode113;
@@ -26,8 +26,6 @@ import org.mechservice.solver.ode.switching.Switching;
  * form of the equations that fits it and the model.
  */
 public final class RuntimeSolver implements Solver {
-  private static final String RESIDUAL = "ode15sR";
-
   @Override
   public RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
       throws IOException {
@@ -59,26 +57,25 @@ public final class RuntimeSolver implements Solver {
   }
 
   private static EquationForm bareFormOf(Model model, String integrator) {
-    if (integrator.equals(RESIDUAL) && model instanceof ResidualModel) {
+    if (takesResidual(integrator) && model instanceof ResidualModel) {
       return new ResidualForm();
     }
     boolean loops = model instanceof DependentStates || model instanceof ProjectedStates;
     return loops ? new ExplicitLoopForm() : new ExplicitForm();
   }
 
+  private static boolean takesResidual(String integrator) {
+    return IntegrationMethod.find(integrator).filter(IntegrationMethod::takesResidual).isPresent();
+  }
+
+  /** Returns the maker of the integrator of a name; the compiler asks for a line for each. */
   private static IntegratorFactory integrator(String name) {
-    return switch (name) {
-      case "ode113" -> Ode113::new;
-      case "DE" -> De::new;
-      case "ode15s" -> Ode15s::new;
-      case RESIDUAL -> Ode15sR::new;
-      case "switching" -> Switching::new;
-      default ->
-          throw new IllegalArgumentException(
-              MessageCode.INTEGRATOR_UNKNOWN
-                  + " integrator \""
-                  + name
-                  + "\" is unknown; there are ode113, DE, ode15s, ode15sR and switching");
+    return switch (IntegrationMethod.of(name)) {
+      case ODE113 -> Ode113::new;
+      case DE -> De::new;
+      case ODE15S -> Ode15s::new;
+      case ODE15SR -> Ode15sR::new;
+      case SWITCHING -> Switching::new;
     };
   }
 }

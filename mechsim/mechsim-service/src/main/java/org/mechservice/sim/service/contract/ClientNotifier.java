@@ -15,9 +15,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Calls a client back, in order, from a thread of its own: a slow or dead client holds up nobody
- * else. Progress that was not delivered yet is replaced by newer progress; of the rest at most
- * {@value #WAITING} messages wait. What is lost here stays in the {@link SessionEvents}.
+ * Calls a client back, in order, from a thread of its own, so that a slow or dead client does not
+ * delay others. New progress replaces progress that was not delivered yet; at most {@value
+ * #WAITING} messages wait. Messages lost here stay in the {@link SessionEvents}.
  */
 public final class ClientNotifier {
   private static final Logger LOG = LoggerFactory.getLogger(ClientNotifier.class);

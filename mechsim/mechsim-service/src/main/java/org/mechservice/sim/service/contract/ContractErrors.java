@@ -26,46 +26,46 @@ import org.mechservice.solver.catalogue.Severity;
 public final class ContractErrors {
   private ContractErrors() {}
 
-  /** The interface has it, this version has not. */
+  /** Returns the refusal of an operation that this version does not support. */
   public static NotAvailable notAvailable(String text) {
     return new NotAvailable(MessageCode.NOT_AVAILABLE.code(), text);
   }
 
-  /** An option is unknown or its value is not usable. */
+  /** Returns the refusal of an unknown option or of its value. */
   public static InvalidOption option(String name, String text) {
     return new InvalidOption(MessageCode.OPTION_VALUE.code(), text, name);
   }
 
-  /** Not possible now. */
+  /** Returns the refusal of an operation in the present state. */
   public static InvalidState state(SimState current, String text) {
     return new InvalidState(MessageCode.WRONG_STATE.code(), text, current);
   }
 
   /**
-   * More than this server allows.
+   * Returns the refusal of a value above a limit.
    *
    * @param name the limit, as {@code limits} lists it
    * @param value what it allows
-   * @param requested what was asked for
+   * @param requested value requested
    */
   public static LimitExceeded limit(String name, long value, long requested, String text) {
     return new LimitExceeded(MessageCode.LIMIT_EXCEEDED.code(), text, name, value, requested);
   }
 
-  /** No host takes a session now. */
+  /** Returns the refusal of a session because no host accepts one. */
   public static LimitExceeded noPlace(String text) {
     return new LimitExceeded(MessageCode.NO_PLACE_FOR_SESSION.code(), text, "places", 0, 1);
   }
 
-  /** There is no such thing, or no longer. */
+  /** Returns the refusal of an unknown or expired name. */
   public static NotFound notFound(String text) {
     return new NotFound(MessageCode.NO_SUCH_OBJECT.code(), text);
   }
 
   /**
-   * The model cannot be used.
+   * Returns the refusal of a model with errors.
    *
-   * @param diagnostics why, at least one of them an error
+   * @param diagnostics of the model; at least one is an error
    */
   public static InvalidModel model(List<Diagnostic> diagnostics) {
     long errors = diagnostics.stream().filter(said -> said.severity() == Severity.ERROR).count();
@@ -75,7 +75,7 @@ public final class ContractErrors {
         ContractTypes.diagnostics(diagnostics));
   }
 
-  /** There are warnings, and the request is strict. */
+  /** Returns the refusal of a model with warnings by a strict request. */
   public static InvalidModel strict(List<Diagnostic> warnings) {
     int count = warnings.size();
     return new InvalidModel(

@@ -12,7 +12,7 @@ import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** What the modules know, in the types of the contract. */
+/** Converts diagnostics, columns, failures and maps to the types of the contract. */
 public final class ContractTypes {
   private ContractTypes() {}
 

@@ -5,16 +5,16 @@ import org.mechservice.idl.Severity;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * Something operators hear of.
+ * An event for operators.
  *
  * @param kind one of the kinds the contract lists
- * @param level how bad it is
+ * @param level severity
  * @param code entry of the error catalogue; empty: none
- * @param hostName host it is about; empty: that of the journal
- * @param sessionId session it is about; empty: none
- * @param simId simulation it is about; empty: none
- * @param owner client it is about; empty: none
- * @param text what happened
+ * @param hostName host concerned; empty: that of the journal
+ * @param sessionId session concerned; empty: none
+ * @param simId simulation concerned; empty: none
+ * @param owner client concerned; empty: none
+ * @param text one sentence for people
  */
 public record JournalEntry(
     String kind,
@@ -26,27 +26,27 @@ public record JournalEntry(
     String owner,
     String text) {
 
-  /** Something ordinary. */
+  /** Returns an entry of information. */
   public static JournalEntry info(String kind, String text) {
     return new JournalEntry(kind, Severity.SEV_INFO, "", "", "", "", "", text);
   }
 
-  /** Something an operator should look at. */
+  /** Returns a warning that an operator should look at. */
   public static JournalEntry warning(String kind, MessageCode code, String text) {
     return new JournalEntry(kind, Severity.SEV_WARNING, code.code(), "", "", "", "", text);
   }
 
-  /** Returns the same about a host. */
+  /** Returns the same entry concerning a host. */
   public JournalEntry onHost(String name) {
     return new JournalEntry(kind, level, code, name, sessionId, simId, owner, text);
   }
 
-  /** Returns the same about a session. */
+  /** Returns the same entry concerning a session. */
   public JournalEntry inSession(String id, String client) {
     return new JournalEntry(kind, level, code, hostName, id, simId, client, text);
   }
 
-  /** Returns the same about a simulation. */
+  /** Returns the same entry concerning a simulation. */
   public JournalEntry ofSimulation(String id) {
     return new JournalEntry(kind, level, code, hostName, sessionId, id, owner, text);
   }

@@ -12,23 +12,24 @@ import java.util.function.ToLongFunction;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The values used last, as many as are allowed and together not larger than allowed; the very last
- * one is there whatever its size. Who asks for one that is being made waits for it. Thread-safe.
+ * A cache of the most recently used values, bounded in number and in total size; the latest value
+ * is kept whatever its size. A second request for a value that is being made waits for it.
+ * Thread-safe.
  *
- * @param <K> what a value is found by
- * @param <V> what is made
+ * @param <K> type of keys
+ * @param <V> type of values
  */
 final class BoundedCache<K, V> {
   private final int most;
   private final long largest;
   private final ToLongFunction<V> size;
 
-  /** Used last stands last. */
+  /** In the order of use, the latest last. */
   private final Map<K, CompletableFuture<V>> kept = new LinkedHashMap<>(16, 0.75f, true);
 
   /**
-   * @param most how many values are kept
-   * @param largest size of all of them together
+   * @param most largest number of values
+   * @param largest largest total size
    * @param size of one of them
    */
   BoundedCache(int most, long largest, ToLongFunction<V> size) {
@@ -37,16 +38,17 @@ final class BoundedCache<K, V> {
     this.size = size;
   }
 
-  /** Returns a value that is there already. */
+  /** Returns a value that is in the cache. */
   synchronized Optional<V> known(K key) {
     CompletableFuture<V> future = kept.get(key);
     return future == null ? Optional.empty() : Optional.ofNullable(made(future));
   }
 
   /**
-   * Returns a value, made if it is not there.
+   * Returns a value; makes it if it is not in the cache.
    *
-   * @param make called by the executor; what it throws is thrown here, and tried again next time
+   * @param make runs in the executor; its exception is thrown here, and the next call makes it
+   *     again
    */
   V get(K key, Executor executor, Supplier<V> make) {
     CompletableFuture<V> future;
@@ -72,12 +74,12 @@ final class BoundedCache<K, V> {
     }
   }
 
-  /** Keeps a value no longer. */
+  /** Removes a value. */
   synchronized void forget(K key) {
     kept.remove(key);
   }
 
-  /** Lets those go that were used longest ago; what is still being made has no size yet. */
+  /** Removes the least recently used values; a value that is still being made has no size yet. */
   private synchronized void bound(CompletableFuture<V> wanted) {
     long sum = kept.values().stream().mapToLong(this::sizeOf).sum();
     Iterator<CompletableFuture<V>> oldest = kept.values().iterator();

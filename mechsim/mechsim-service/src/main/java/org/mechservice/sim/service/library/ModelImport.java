@@ -29,9 +29,9 @@ public final class ModelImport {
   /**
    * Translates a file into MechML.
    *
-   * @param foreign the file; the end of its name says what it is
-   * @param losses takes what of it is not in the result, then what looks odd in the model
-   * @param limits what the host allows
+   * @param foreign the file; the suffix of its name is its format
+   * @param losses receives the parts that are not in the result, then the warnings of the model
+   * @param limits of the host
    * @throws InvalidModel if the file cannot be used
    * @throws NotAvailable if its format is not known
    * @throws LimitExceeded if it is too large

@@ -27,7 +27,7 @@ public final class ModelWarnings {
    * Returns the reader's warnings, then joints that move nothing or that no inertia resists, and
    * whether a run will take very many steps.
    *
-   * @param formulation asked for
+   * @param formulation requested
    * @param run settings of the run
    */
   static List<Diagnostic> of(MechmlModel model, String formulation, RunSettings run) {

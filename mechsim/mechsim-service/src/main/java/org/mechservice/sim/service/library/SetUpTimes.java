@@ -4,8 +4,8 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * What a session's models have cost this process so far, under the names of Rodríguez et al. 2003,
- * in s. What was done before for somebody else and is kept costs nothing.
+ * The set-up times of a session's models in this process, under the names of Rodríguez et al. 2003,
+ * in s. A model from the cache takes no time.
  */
 public final class SetUpTimes {
   private double treating;

@@ -36,6 +36,8 @@ import org.mechservice.sim.scene.IntegratorSelection;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.catalogue.Formulation;
+import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
@@ -70,10 +72,10 @@ public record SimulationRequest(
     OptionalDouble maxDrift,
     List<String> earlierIds) {
   /** Integrator for {@code auto} with explicit formulations: ode113, and ode15s when stiff. */
-  private static final String EXPLICIT_INTEGRATOR = "switching";
+  private static final String EXPLICIT_INTEGRATOR = IntegrationMethod.SWITCHING.label();
 
   /** Integrator for {@code auto} with residual formulations. */
-  private static final String RESIDUAL_INTEGRATOR = "ode15sR";
+  private static final String RESIDUAL_INTEGRATOR = IntegrationMethod.ODE15SR.label();
 
   private static final String AUTO = "auto";
 
@@ -122,9 +124,9 @@ public record SimulationRequest(
   }
 
   /**
-   * Reads which class of a model is asked for, from 0.
+   * Returns the index of the source file requested, from 0.
    *
-   * @throws InvalidOption if it is no such number
+   * @throws InvalidOption if it is not a number from 0 to 999
    */
   public static int sourcePart(RequestOptions given) throws InvalidOption {
     String text = given.text(OPT_SOURCE_PART.value, "0");
@@ -265,7 +267,9 @@ public record SimulationRequest(
   }
 
   private static String automatic(String formulation) {
-    return formulation.toUpperCase(Locale.ROOT).startsWith("RR")
+    return Formulation.find(formulation.toUpperCase(Locale.ROOT))
+            .filter(Formulation::isResidual)
+            .isPresent()
         ? RESIDUAL_INTEGRATOR
         : EXPLICIT_INTEGRATOR;
   }

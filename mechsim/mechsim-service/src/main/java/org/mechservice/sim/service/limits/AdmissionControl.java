@@ -8,7 +8,7 @@ import java.util.Locale;
 import java.util.function.ToLongFunction;
 import org.mechservice.idl.LimitExceeded;
 
-/** Decides whether a host takes one more simulation. */
+/** Decides whether a host accepts one more simulation. */
 public final class AdmissionControl {
   private static final double MEGABYTE = 1e6;
 

@@ -11,7 +11,7 @@ public final class CurrentLimits {
     limits = atStart;
   }
 
-  /** Returns what holds now. */
+  /** Returns the present limits. */
   public HostLimits now() {
     return limits;
   }

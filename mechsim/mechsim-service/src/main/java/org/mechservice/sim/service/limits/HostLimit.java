@@ -7,14 +7,14 @@ import org.mechservice.idl.MAX_MECHML_BYTES;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * What an operator can bound, each with its name, unit, value if he does not, and the page of the
- * error catalogue that a refusal points to.
+ * The limits of a host, each with its name, unit, default and the code of the error catalogue for
+ * its refusals.
  */
 public enum HostLimit {
   /** A client renews at a third of it, so two renewals may be lost. */
   LEASE(
       "lease", "s", 120, 1, MessageCode.LIMIT_EXCEEDED, "a session lives this long without a call"),
-  /** Together with the next keeps one client from taking all memory. */
+  /** This and the next limit keep one client from taking all memory. */
   SESSIONS("sessions", "1", 200, 0, MessageCode.TOO_MANY_SESSIONS, "sessions on one host at once"),
   SIMULATIONS(
       "simulations",
@@ -87,7 +87,7 @@ public enum HostLimit {
       1,
       MessageCode.TOO_MANY_CONNECTIONS,
       "connections to one process at once"),
-  /** A week, so that who went home on Friday finds his results on Monday. */
+  /** A week, so that results of Friday are there on Monday. */
   RETENTION(
       "retention",
       "s",
@@ -148,9 +148,9 @@ public enum HostLimit {
   /**
    * Returns a refusal.
    *
-   * @param value what is allowed
-   * @param requested what was asked for
-   * @param message what was asked for, and what to do
+   * @param value value allowed
+   * @param requested value requested
+   * @param message the request, and advice
    */
   public LimitExceeded refusal(long value, long requested, String message) {
     return new LimitExceeded(code.code(), message, label, value, requested);

@@ -10,16 +10,16 @@ import org.mechservice.idl.Limit;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** What a host allows. Immutable. */
+/** The values of all limits of a host. Immutable. */
 public final class HostLimits {
-  /** The value of what is not bounded. */
+  /** The value of a limit that is not set. */
   public static final long UNLIMITED = -1;
 
-  /** Without these, dead clients would stay for ever, and hostile ones take all there is. */
+  /** Limits that protect the host from dead and hostile clients. */
   private static final Set<HostLimit> NEVER_UNLIMITED =
       Set.of(HostLimit.LEASE, HostLimit.CONNECTIONS, HostLimit.MODEL_BYTES);
 
-  /** The limits of a host nobody configured. */
+  /** The default limits. */
   public static final HostLimits DEFAULT = new HostLimits(new EnumMap<>(HostLimit.class));
 
   private static final int RESERVED_CONNECTIONS = 20;
@@ -47,8 +47,8 @@ public final class HostLimits {
   }
 
   /**
-   * Returns how many connections there may be with those of operators and hosts, who need to get
-   * through when clients have taken all of theirs.
+   * Returns the number of connections allowed including those reserved for operators and hosts, who
+   * must connect when clients have used up their own.
    */
   public int connectionsAtAll() {
     return (int) Math.min(of(HostLimit.CONNECTIONS) + RESERVED_CONNECTIONS, Integer.MAX_VALUE);

@@ -2,7 +2,7 @@ package org.mechservice.sim.service.limits;
 
 import java.io.IOException;
 
-/** A run has reached a limit and ends; the rows so far are kept. */
+/** A run has reached a limit; it ends, and its rows so far are kept. */
 public final class LimitReachedException extends IOException {
   private static final long serialVersionUID = 1L;
 

@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.concurrent.atomic.AtomicLong;
 import org.mechservice.idl.LimitExceeded;
 
-/** How much disk the rows of a host's runs take, and how much they may. */
+/** The disk space of the rows of a host's runs, and its limits. */
 public final class SpoolQuota {
   private static final double MEGABYTE = 1e6;
 
@@ -16,7 +16,7 @@ public final class SpoolQuota {
   }
 
   /**
-   * Takes room for rows that are going to be written.
+   * Reserves space for rows that are going to be written.
    *
    * @param more bytes
    * @param ofRun bytes the run will have then
@@ -42,12 +42,12 @@ public final class SpoolQuota {
     }
   }
 
-  /** Takes room for rows that are there already. */
+  /** Counts rows that are on disk already. */
   public void note(long bytes) {
     used.addAndGet(bytes);
   }
 
-  /** Gives room back. */
+  /** Frees space. */
   public void giveBack(long bytes) {
     used.addAndGet(-bytes);
   }

@@ -30,7 +30,7 @@ public record ResultColumns(List<Variable> variables, List<String> groups) {
    * Finds out which column belongs to which group.
    *
    * @param columnsOf the columns of a run with certain groups
-   * @param asked the groups of this run
+   * @param asked column groups of this run
    */
   public static ResultColumns of(
       Function<Set<ColumnGroup>, List<Variable>> columnsOf, Set<ColumnGroup> asked) {

@@ -18,7 +18,7 @@ import org.mechservice.idl.ResultCursorOperations;
 import org.mechservice.idl.ResultCursorPOATie;
 import org.mechservice.orb.ActiveObject;
 import org.mechservice.orb.GuardedServant;
-import org.mechservice.orb.ReplyRoom;
+import org.mechservice.orb.connection.ReplyMemory;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.contract.ContractTypes;
 import org.mechservice.sim.service.limits.HostLimit;
@@ -34,7 +34,7 @@ public final class ResultCursors {
     HostLimits limits();
 
     /** Returns the memory for blocks. */
-    ReplyRoom replyRoom();
+    ReplyMemory replyRoom();
 
     /** Makes a cursor callable until it is closed or the session ends. */
     ActiveObject activate(Servant servant);
@@ -113,7 +113,7 @@ public final class ResultCursors {
     private final ResultSpool spool;
     private final ResultColumns.Selection selection;
     private final IntSupplier leaseSeconds;
-    private final ReplyRoom room;
+    private final ReplyMemory room;
     private final Consumer<Cursor> destroyed;
     private long nextRow;
 
@@ -126,7 +126,7 @@ public final class ResultCursors {
         ResultSpool spool,
         ResultColumns.Selection selection,
         IntSupplier leaseSeconds,
-        ReplyRoom room,
+        ReplyMemory room,
         Consumer<Cursor> destroyed) {
       this.spool = spool;
       this.selection = selection;

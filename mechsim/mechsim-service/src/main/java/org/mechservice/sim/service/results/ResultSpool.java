@@ -30,8 +30,8 @@ public final class ResultSpool implements AutoCloseable {
 
   /**
    * @param columns numbers per row
-   * @param place where rows go that do not fit into memory
-   * @param account told how much there is
+   * @param place file for rows that do not fit into memory
+   * @param account counts the bytes on disk
    */
   ResultSpool(int columns, RowFile place, SpoolQuota account) {
     this.columns = columns;
@@ -42,7 +42,7 @@ public final class ResultSpool implements AutoCloseable {
   }
 
   /**
-   * Returns the rows a process before this one has left.
+   * Returns the rows that an earlier process has written.
    *
    * @throws IOException if they cannot be read
    */
@@ -88,8 +88,8 @@ public final class ResultSpool implements AutoCloseable {
   }
 
   /**
-   * Lets the rows so far outlive the process, if they shall. Those of a run that puts out few would
-   * otherwise be in memory alone for as long as it takes.
+   * Writes the rows so far to the file, if it outlives the process. Without this, the rows of a run
+   * with little output would stay in memory until its end.
    *
    * @throws LimitReachedException if that is more than the run, or all runs, may have
    * @throws IOException if that is not possible
@@ -113,7 +113,7 @@ public final class ResultSpool implements AutoCloseable {
   }
 
   /**
-   * Writes everything to where it outlives the process, if it shall, without waiting for the disk.
+   * Writes all rows to the file, if it outlives the process, without forcing them to disk.
    *
    * @throws IOException if that is not possible
    */
@@ -122,8 +122,8 @@ public final class ResultSpool implements AutoCloseable {
   }
 
   /**
-   * Writes everything to where it outlives the machine, if it shall. Who reads meanwhile does not
-   * wait for the disk.
+   * Writes all rows to the file, if it outlives the process, and forces them to disk. Readers do
+   * not wait meanwhile.
    *
    * @throws IOException if that is not possible
    */
@@ -246,7 +246,7 @@ public final class ResultSpool implements AutoCloseable {
     }
   }
 
-  /** Gives the rows up: nobody reads them any more, and their room is free. */
+  /** Ends all reading and frees the quota. */
   synchronized void giveUp() {
     closed = true;
     notifyAll();
@@ -254,7 +254,7 @@ public final class ResultSpool implements AutoCloseable {
     accounted = 0;
   }
 
-  /** Gives the rows up; what shall outlive the process stays on disk. */
+  /** Ends all reading; a file that outlives the process stays on disk. */
   @Override
   public synchronized void close() {
     giveUp();

@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
-/** Where the rows of a run go that do not fit into memory. */
+/** The file for the rows of a run that do not fit into memory. */
 interface RowFile {
   /** Opens it, creating it if need be. */
   FileChannel open() throws IOException;
@@ -14,14 +14,14 @@ interface RowFile {
   /** Returns its size, bytes; 0 if it is not there. */
   long size() throws IOException;
 
-  /** Returns whether the rows shall outlive the process. */
+  /** Returns whether the file outlives the process. */
   boolean lasting();
 
   /** Deletes it. */
   void delete() throws IOException;
 
   /**
-   * A file without a name, where the system allows that: nothing is left of it when the process
+   * A temporary file, without a name where the system allows that: it disappears when the process
    * ends, however it ends.
    */
   static RowFile temporary() {

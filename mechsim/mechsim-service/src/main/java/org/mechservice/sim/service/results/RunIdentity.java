@@ -3,17 +3,17 @@ package org.mechservice.sim.service.results;
 import java.util.List;
 
 /**
- * What a run is called and whose it is.
+ * The names of a run and its owner.
  *
- * @param simId its identity, unguessable
- * @param sessionId of the session that asked for it
+ * @param simId its id, unguessable
+ * @param sessionId of the session that created it
  * @param hostName host it runs on
- * @param owner client that asked for it
+ * @param owner client that created it
  * @param modelName name of its model
  * @param fileName name of the model's file
  * @param modelText the model's file; empty if it is not kept
  * @param createdAt UTC, ms since 1970-01-01
- * @param earlierIds of the runs on other hosts that it goes on from
+ * @param earlierIds ids of the runs on other hosts that it continues
  */
 public record RunIdentity(
     String simId,
@@ -30,7 +30,7 @@ public record RunIdentity(
     earlierIds = List.copyOf(earlierIds);
   }
 
-  /** Returns whether who asks for an id means this run. */
+  /** Returns whether an id is that of this run or of an earlier one that it continues. */
   public boolean answersTo(String id) {
     return simId.equals(id) || earlierIds.contains(id);
   }

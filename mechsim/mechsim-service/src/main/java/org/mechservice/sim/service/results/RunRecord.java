@@ -20,18 +20,18 @@ import org.mechservice.idl.StepTried;
 import org.mechservice.solver.api.Variable;
 
 /**
- * What is left of a run but its rows.
+ * The record of a run: all that is kept of it besides its rows.
  *
- * @param identity what it is called and whose it is
+ * @param identity its names and its owner
  * @param columns of its rows
  * @param states name and unit of its states
- * @param progress how far it came, with its final state
+ * @param progress at its end, with its final state
  * @param startedAt UTC, ms since 1970-01-01; 0 if it never began
- * @param endedAt UTC, ms since 1970-01-01; 0 if it was still going on when this was written
+ * @param endedAt UTC, ms since 1970-01-01; 0 if it had not ended when this was written
  * @param text how it ended
  * @param report the run report as JSON; empty if there is none
  * @param failure why it failed, if it did
- * @param curves how it went
+ * @param curves samples of step size, order, energy drift and residual
  */
 public record RunRecord(
     RunIdentity identity,
@@ -52,7 +52,7 @@ public record RunRecord(
     curves = List.copyOf(curves);
   }
 
-  /** Returns the same without the model's text, for those of whom there are many. */
+  /** Returns the same record without the model's text, which may be long. */
   RunRecord withoutText() {
     return new RunRecord(
         identity.withoutText(),

@@ -34,9 +34,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The runs of a host that have ended: those whose rows are kept although their session is gone, and
- * the latest of all others, for administrators. With a folder, what has ended is on disk before
- * anybody is told so, and outlives the process.
+ * The ended runs of a host: those whose rows are kept after the end of their session, and the
+ * latest of all others, for administrators. With a folder, a run is on disk before its end is
+ * announced, and outlives the process.
  */
 public final class RunStore implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(RunStore.class);
@@ -117,7 +117,7 @@ public final class RunStore implements AutoCloseable {
     }
   }
 
-  /** A run of a process that did not live to write down its end. */
+  /** Returns the record of a run whose process ended before the run. */
   private static RunRecord cutOff(RunRecord run, ResultSpool rows) throws IOException {
     Progress last = run.progress();
     last.state = SimState.SIM_FAILED;
@@ -153,7 +153,7 @@ public final class RunStore implements AutoCloseable {
     return account;
   }
 
-  /** Returns an empty place for the rows of a run. */
+  /** Returns the empty rows of a new run. */
   public ResultSpool newRows(String simId, int columns) {
     RowFile place = folder.map(spool -> spool.rows(simId)).orElseGet(RowFile::temporary);
     return new ResultSpool(columns, place, account);
@@ -174,7 +174,7 @@ public final class RunStore implements AutoCloseable {
     void run() throws IOException;
   }
 
-  /** Does what nobody waits for, in order. */
+  /** Queues work of the disk thread. */
   public Future<?> soon(String simId, DiskWork work) {
     try {
       return disk.submit(() -> tried(simId, work));
@@ -232,7 +232,7 @@ public final class RunStore implements AutoCloseable {
     }
   }
 
-  /** Returns a run that is kept; one whose time is over is not, although it may not be deleted. */
+  /** Returns a run that is kept; empty after its retention time, even if it is not deleted yet. */
   public Optional<Kept> find(String simId) {
     return Optional.ofNullable(kept.get(simId))
         .or(() -> continuing(simId))
@@ -245,13 +245,13 @@ public final class RunStore implements AutoCloseable {
         .findFirst();
   }
 
-  /** Deletes what is on disk of a run; its room is free at once. */
+  /** Deletes the files of a run in the disk thread; its quota is free at once. */
   public void delete(RunFiles files, ResultSpool rows, String simId) {
     rows.giveUp();
     var unused = soon(simId, files::delete);
   }
 
-  /** Remembers that there was a run, for administrators. */
+  /** Keeps the record of a run for administrators. */
   public void remember(RunRecord run) {
     RunRecord remains = run.identity().modelText().length() > LONG_TEXT ? run.withoutText() : run;
     synchronized (remembered) {
@@ -263,14 +263,14 @@ public final class RunStore implements AutoCloseable {
   }
 
   /**
-   * Deletes what has been kept long enough.
+   * Deletes the runs whose retention time is over.
    *
-   * @param takenUp whether a client reads a run just now, which then stays until it is let go
+   * @param reopened whether a client has reopened a run; such a run stays until it is released
    */
-  public void expire(Predicate<String> takenUp) {
+  public void expire(Predicate<String> reopened) {
     long now = System.currentTimeMillis();
     kept.values().stream()
-        .filter(run -> run.until() < now && !takenUp.test(run.run().identity().simId()))
+        .filter(run -> run.until() < now && !reopened.test(run.run().identity().simId()))
         .forEach(this::drop);
   }
 
@@ -282,7 +282,7 @@ public final class RunStore implements AutoCloseable {
     }
   }
 
-  /** Returns what is known of an ended run, kept or not. */
+  /** Returns the record of an ended run, kept or only remembered. */
   public Optional<RunRecord> known(String simId) {
     Optional<RunRecord> stillKept = find(simId).map(Kept::run);
     if (stillKept.isPresent()) {
@@ -303,7 +303,7 @@ public final class RunStore implements AutoCloseable {
     return summaries;
   }
 
-  /** Gives up what does not outlive the process. */
+  /** Finishes the work of the disk thread and closes all files. */
   @Override
   public void close() {
     disk.shutdown();

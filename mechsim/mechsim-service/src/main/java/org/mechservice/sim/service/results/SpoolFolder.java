@@ -19,8 +19,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The folder in which a host keeps its runs over its own end: for each run, its rows and what is
- * known of it. One process at a time uses it.
+ * The folder in which the runs of a host outlive its process: for each run, its rows and its
+ * record. One process at a time uses it.
  */
 final class SpoolFolder implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(SpoolFolder.class);
@@ -77,8 +77,8 @@ final class SpoolFolder implements AutoCloseable {
   }
 
   /**
-   * Writes down what is known of a run. After a crash there is either this or what was written
-   * before, never half of it.
+   * Writes the record of a run and forces it to disk. After a crash the folder contains either the
+   * new or the old record, complete.
    */
   void write(RunRecord run) throws IOException {
     put(run, true);
@@ -86,8 +86,8 @@ final class SpoolFolder implements AutoCloseable {
   }
 
   /**
-   * Writes down what is known of a run without waiting for the disk: from then on it outlives the
-   * process, and the machine as soon as it is written again.
+   * Writes the record of a run without forcing it to disk: it outlives the process, but not yet a
+   * crash of the machine.
    */
   void note(RunRecord run) throws IOException {
     put(run, false);
@@ -128,12 +128,12 @@ final class SpoolFolder implements AutoCloseable {
     }
   }
 
-  /** Deletes what is known of a run; its rows are deleted by themselves. */
+  /** Deletes the record of a run, not its rows. */
   void delete(String simId) throws IOException {
     Files.deleteIfExists(record(simId));
   }
 
-  /** Returns all that was written down and can be read; the rest is left where it is. */
+  /** Returns all records that can be read; other files stay as they are. */
   List<RunRecord> readAll() throws IOException {
     List<RunRecord> found = new ArrayList<>();
     try (Stream<Path> files = Files.list(folder)) {

@@ -12,9 +12,7 @@ import org.mechservice.solver.api.TunableParameter;
  * requested one or when the run was cancelled. Thread-safe.
  */
 final class RunCheckpoints implements Checkpoints {
-  /**
-   * Seconds between checkpoints that nobody requests: finite, so that a cancelled run makes one.
-   */
+  /** Seconds between checkpoints without a request: finite, so that a cancelled run makes one. */
   private static final double WHEN_ASKED = Double.MAX_VALUE;
 
   private final Supplier<String> modelHash;

@@ -34,7 +34,7 @@ public final class RunFactory {
   /**
    * Returns the columns of a run.
    *
-   * @throws IllegalArgumentException if the model has not what is asked for
+   * @throws IllegalArgumentException if the model lacks a requested column group
    */
   public ResultColumns columns(Model model, RunRequest request) {
     Simulation.requireBalance(model, request);
@@ -42,8 +42,8 @@ public final class RunFactory {
   }
 
   /**
-   * Makes the computing of a run: here, or where the model has classes of users, in a process of
-   * its own.
+   * Makes the task of a run: computed in this process, or in a process of its own if the model has
+   * classes of users.
    *
    * @param memoryBytes most memory of a process of its own; negative: what Java takes by itself
    */

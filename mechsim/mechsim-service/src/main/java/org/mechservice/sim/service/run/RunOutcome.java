@@ -30,8 +30,8 @@ record RunOutcome(Optional<Map<String, Object>> report, Outcome outcome) {
   }
 
   /**
-   * The outcome of a run whose computation ended with an exception; one that nobody expects is
-   * logged as an incident.
+   * The outcome of a run whose computation ended with an exception; an unexpected one is logged as
+   * an incident.
    */
   static RunOutcome ofException(Throwable thrown, String simId, RunControl control) {
     if (thrown instanceof WorkerLostException lost) {

@@ -13,12 +13,12 @@ import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.TunableParameter;
 
-/** The computing of one run: here, or in a process of its own. It is done once. */
+/** The computation of one run, in this process or in one of its own; runs once. */
 public interface RunTask {
   /** Returns a model that knows names and columns; it may lack what users have written. */
   Model model();
 
-  /** Returns what the model says of itself. */
+  /** Returns the description of the model. */
   ModelDescription description();
 
   /** Returns when the run starts and ends, and how it is integrated. */

@@ -367,7 +367,7 @@ final class MechSimServant implements MechSimOperations {
         asked.standalone()
             ? ModelJars.standalone(compiled, source.sha256())
             : ModelJars.model(compiled, source.sha256());
-    String runtime = asked.standalone() ? "" : RuntimeJar.current().sha256();
+    String runtime = asked.standalone() ? "" : RuntimeJar.sha256();
     times.addPacking(System.nanoTime() - start);
     info.value =
         new JarInfo(

@@ -22,7 +22,7 @@ import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.ActiveObject;
 import org.mechservice.orb.GuardedServant;
-import org.mechservice.orb.ReplyRoom;
+import org.mechservice.orb.connection.ReplyMemory;
 import org.mechservice.sim.service.contract.ClientNotifier;
 import org.mechservice.sim.service.contract.ContractTypes;
 import org.mechservice.sim.service.contract.JournalEntry;
@@ -69,7 +69,7 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
       SimulationServant servant, ActiveObject object, @Nullable IMechClient listener) {}
 
   /**
-   * @param client called back; null: nobody
+   * @param client called back; null: none
    */
   Session(String owner, @Nullable IMechClient client, HostServices host) {
     this.owner = owner;
@@ -110,7 +110,7 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
   }
 
   @Override
-  public ReplyRoom replyRoom() {
+  public ReplyMemory replyRoom() {
     return host.orb().replyRoom();
   }
 

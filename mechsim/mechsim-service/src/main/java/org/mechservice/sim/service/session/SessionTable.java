@@ -303,7 +303,7 @@ public final class SessionTable implements AutoCloseable {
   /**
    * Cancels a simulation on behalf of an administrator.
    *
-   * @param reason told to the client
+   * @param reason reported to the client
    * @return whether there is such a simulation
    */
   public boolean kill(String simId, String reason) {

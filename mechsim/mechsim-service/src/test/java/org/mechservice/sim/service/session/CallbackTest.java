@@ -17,6 +17,8 @@ import org.mechservice.idl.MechSim;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.Progress;
 import org.mechservice.idl.SimState;
+import org.mechservice.orb.testing.CursorRows;
+import org.mechservice.sim.service.testing.PacedSolver;
 
 class CallbackTest {
   private static final NameValue[] AS_IN_FILE = new NameValue[0];
@@ -99,7 +101,7 @@ class CallbackTest {
       IMechSimRemote run =
           there.session().createSimulation(AS_IN_FILE, there.clientOrb.export(hanging));
       run.start();
-      assertThat(HostedClient.rows(run.openResults(ALL), 0)).hasSize(1000);
+      assertThat(CursorRows.toEnd(run.openResults(ALL), 0)).hasSize(1000);
       assertThat(run.getProgress().state).isEqualTo(SimState.SIM_DONE);
       hanging.blocked.countDown();
     }

@@ -22,8 +22,11 @@ import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ResultBlockHolder;
 import org.mechservice.idl.ResultCursor;
 import org.mechservice.idl.SimState;
+import org.mechservice.orb.testing.CursorRows;
+import org.mechservice.orb.testing.Eventually;
 import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.service.limits.HostLimits;
+import org.mechservice.sim.service.testing.PacedSolver;
 import org.mechservice.solver.api.Solver;
 import org.omg.CORBA.UserException;
 
@@ -44,7 +47,7 @@ class CancelContractTest {
       run.cancel();
       run.cancel();
       cursor.seekRow(0);
-      List<double[]> rows = HostedClient.rows(cursor, 0);
+      List<double[]> rows = CursorRows.toEnd(cursor, 0);
       assertThat(rows).isNotEmpty();
       assertThat(run.getProgress().state).isEqualTo(SimState.SIM_CANCELLED);
       assertThat(run.report()).contains("\"outcome\":\"stopped\"");
@@ -78,7 +81,7 @@ class CancelContractTest {
       assertThat(run.report()).contains("\"outcome\":\"stopped\"", "\"steps\":1", "\"rows\":1");
       evaluationEnds.countDown();
       await(lateRowRefused);
-      assertThat(HostedClient.rows(run.openResults(ALL), 0)).hasSize(1);
+      assertThat(CursorRows.toEnd(run.openResults(ALL), 0)).hasSize(1);
       assertThat(run.getProgress().state).isEqualTo(SimState.SIM_CANCELLED);
     }
   }
@@ -97,7 +100,7 @@ class CancelContractTest {
       IMechSimRemote run = there.simulation();
       run.stepOnce();
       run.cancel();
-      HostedClient.rows(run.openResults(ALL), 0);
+      CursorRows.toEnd(run.openResults(ALL), 0);
       assertThat(run.getProgress().state).isEqualTo(SimState.SIM_CANCELLED);
     }
   }
@@ -174,14 +177,14 @@ class CancelContractTest {
       run.start();
       Eventually.holds(() -> run.getProgress().rowsReady > 0);
       run.cancel();
-      rows = HostedClient.rows(run.openResults(ALL), 0).size();
+      rows = CursorRows.toEnd(run.openResults(ALL), 0).size();
     }
     assertThat(rows).isPositive();
     try (HostedClient after = withFolder(PacedSolver.endless())) {
       IMechSimRemote run = found(after, simId);
       assertThat(run.getProgress().state).isEqualTo(SimState.SIM_CANCELLED);
       assertThat(run.report()).contains("\"outcome\":\"stopped\"");
-      assertThat(HostedClient.rows(run.openResults(ALL), 0)).hasSize(rows);
+      assertThat(CursorRows.toEnd(run.openResults(ALL), 0)).hasSize(rows);
     }
   }
 

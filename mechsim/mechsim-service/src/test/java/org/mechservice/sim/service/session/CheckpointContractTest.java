@@ -12,6 +12,7 @@ import org.mechservice.idl.InvalidState;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.SimState;
+import org.mechservice.orb.testing.CursorRows;
 import org.omg.CORBA.UserException;
 
 /** What clients are promised about checkpoints. */
@@ -29,7 +30,7 @@ class CheckpointContractTest {
 
   private static List<double[]> rowsToEnd(IMechSimRemote run) throws UserException {
     run.start();
-    return HostedClient.rows(run.openResults(ALL), 0);
+    return CursorRows.toEnd(run.openResults(ALL), 0);
   }
 
   @Test

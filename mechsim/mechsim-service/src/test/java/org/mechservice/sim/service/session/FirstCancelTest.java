@@ -17,6 +17,7 @@ import org.mechservice.idl.OPT_T_END;
 import org.mechservice.idl.OPT_T_STEP;
 import org.mechservice.idl.SimState;
 import org.mechservice.orb.ServiceOrb;
+import org.mechservice.orb.testing.Eventually;
 
 /**
  * Who cancels first in the life of a host waits no longer than those after him: what Java would

@@ -4,8 +4,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
@@ -14,9 +12,6 @@ import org.mechservice.idl.MechSim;
 import org.mechservice.idl.MechSimHelper;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
-import org.mechservice.idl.ResultBlock;
-import org.mechservice.idl.ResultBlockHolder;
-import org.mechservice.idl.ResultCursor;
 import org.mechservice.orb.ListenAddress;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.sim.host.HostOptions;
@@ -82,22 +77,6 @@ final class HostedClient implements AutoCloseable {
 
   IMechSimRemote simulation(NameValue... options) throws UserException {
     return session().createSimulation(options, null);
-  }
-
-  /** Returns the rows from where the cursor is to the end of data. */
-  static List<double[]> rows(ResultCursor cursor, int maxRows) throws UserException {
-    List<double[]> rows = new ArrayList<>();
-    ResultBlockHolder holder = new ResultBlockHolder();
-    do {
-      cursor.nextBlock(maxRows, 1000, holder);
-      ResultBlock block = holder.value;
-      for (int row = 0; row < block.rowCount; row++) {
-        double[] values = new double[block.columnCount];
-        System.arraycopy(block.values, row * block.columnCount, values, 0, values.length);
-        rows.add(values);
-      }
-    } while (!holder.value.endOfData);
-    return rows;
   }
 
   @Override

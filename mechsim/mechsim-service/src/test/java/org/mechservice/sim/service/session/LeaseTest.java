@@ -17,8 +17,11 @@ import org.mechservice.idl.MechSim;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.ResultBlockHolder;
 import org.mechservice.idl.ResultCursor;
+import org.mechservice.orb.testing.CursorRows;
+import org.mechservice.orb.testing.Eventually;
 import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
+import org.mechservice.sim.service.testing.PacedSolver;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 import org.omg.CORBA.UserException;
 
@@ -122,7 +125,7 @@ class LeaseTest {
       slow.nextBlock(1, 1000, new ResultBlockHolder());
       long before = usedHeap();
       ResultCursor other = run.openResults(new String[] {"t"});
-      assertThat(HostedClient.rows(other, 0)).hasSize(rows);
+      assertThat(CursorRows.toEnd(other, 0)).hasSize(rows);
       // The other client's own list of rows is the larger part of this.
       assertThat(usedHeap() - before).isLessThan(20_000_000);
       ResultBlockHolder block = new ResultBlockHolder();

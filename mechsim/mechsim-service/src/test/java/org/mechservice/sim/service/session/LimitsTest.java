@@ -13,8 +13,11 @@ import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.SimState;
+import org.mechservice.orb.testing.CursorRows;
+import org.mechservice.orb.testing.Eventually;
 import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
+import org.mechservice.sim.service.testing.PacedSolver;
 import org.mechservice.solver.api.Solver;
 import org.omg.CORBA.UserException;
 
@@ -192,7 +195,7 @@ class LimitsTest {
 
   private static void assertRowsAreKept(IMechSimRemote run) throws UserException {
     long rows = run.getProgress().rowsReady;
-    assertThat(HostedClient.rows(run.openResults(new String[] {"t"}), 0))
+    assertThat(CursorRows.toEnd(run.openResults(new String[] {"t"}), 0))
         .hasSize(Math.toIntExact(rows));
   }
 

@@ -15,6 +15,7 @@ import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.Parameter;
+import org.mechservice.orb.testing.CursorRows;
 import org.omg.CORBA.UserException;
 
 /** Parameters of a simulation may be set until it starts: those that stayed inputs, to numbers. */
@@ -66,7 +67,7 @@ class ParametersContractTest {
   /** Runs to 1 s and returns the way gone. */
   private static double way(IMechSimRemote run) throws UserException {
     run.start();
-    List<double[]> rows = HostedClient.rows(run.openResults(ALL), 0);
+    List<double[]> rows = CursorRows.toEnd(run.openResults(ALL), 0);
     return rows.get(rows.size() - 1)[1];
   }
 

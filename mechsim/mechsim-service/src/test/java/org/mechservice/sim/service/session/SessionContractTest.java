@@ -25,8 +25,10 @@ import org.mechservice.idl.NotFound;
 import org.mechservice.idl.Severity;
 import org.mechservice.idl.SimEvent;
 import org.mechservice.idl.SimState;
+import org.mechservice.orb.testing.CursorRows;
 import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
+import org.mechservice.sim.service.testing.PacedSolver;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 import org.omg.CORBA.UserException;
 
@@ -174,7 +176,7 @@ class SessionContractTest {
       MechSim session = there.session();
       IMechSimRemote run = session.createSimulation(AS_IN_FILE, null);
       run.start();
-      HostedClient.rows(run.openResults(ALL), 0);
+      CursorRows.toEnd(run.openResults(ALL), 0);
       SimEvent[] events = session.pollEvents(0, 100, 0);
       assertThat(Arrays.stream(events).map(event -> event.seqNo)).isSorted();
       assertThat(Arrays.stream(events).map(event -> event.text))

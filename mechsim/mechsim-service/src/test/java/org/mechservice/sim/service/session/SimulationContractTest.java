@@ -25,8 +25,11 @@ import org.mechservice.idl.Progress;
 import org.mechservice.idl.ResultBlockHolder;
 import org.mechservice.idl.ResultCursor;
 import org.mechservice.idl.SimState;
+import org.mechservice.orb.testing.CursorRows;
+import org.mechservice.orb.testing.Eventually;
 import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
+import org.mechservice.sim.service.testing.PacedSolver;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.RunReport;
@@ -44,7 +47,7 @@ class SimulationContractTest {
       IMechSimRemote run = there.simulation();
       assertThat(run.getProgress().state).isEqualTo(SimState.SIM_CREATED);
       run.start();
-      List<double[]> rows = HostedClient.rows(run.openResults(ALL), 0);
+      List<double[]> rows = CursorRows.toEnd(run.openResults(ALL), 0);
       assertThat(rows).hasSize(301);
       assertThat(rows.get(300)[0]).isEqualTo(3);
       Progress end = run.getProgress();
@@ -59,7 +62,7 @@ class SimulationContractTest {
     try (HostedClient there = HostedClient.withInstalledSolver()) {
       IMechSimRemote run = there.simulation(new NameValue("rtol", "1e-7"));
       run.start();
-      HostedClient.rows(run.openResults(ALL), 0);
+      CursorRows.toEnd(run.openResults(ALL), 0);
       JsonObject report = JsonParser.parseString(run.report()).getAsJsonObject();
       assertThat(report.get("scene").getAsString()).isEqualTo("FiveBarPendulum");
       assertThat(report.get("relativeTolerance").getAsDouble()).isEqualTo(1e-7);
@@ -75,9 +78,9 @@ class SimulationContractTest {
       IMechSimRemote run = there.simulation();
       ResultCursor openedBefore = run.openResults(ALL);
       run.start();
-      List<double[]> stepByStep = HostedClient.rows(openedBefore, 1);
-      List<double[]> inBlocks = HostedClient.rows(run.openResults(ALL), 17);
-      List<double[]> atTheEnd = HostedClient.rows(run.openResults(ALL), 0);
+      List<double[]> stepByStep = CursorRows.toEnd(openedBefore, 1);
+      List<double[]> inBlocks = CursorRows.toEnd(run.openResults(ALL), 17);
+      List<double[]> atTheEnd = CursorRows.toEnd(run.openResults(ALL), 0);
       assertThat(inBlocks).usingElementComparator(Arrays::compare).isEqualTo(stepByStep);
       assertThat(atTheEnd).usingElementComparator(Arrays::compare).isEqualTo(stepByStep);
     }
@@ -92,7 +95,7 @@ class SimulationContractTest {
       assertThat(Arrays.stream(cursor.channels()).map(channel -> channel.name + " " + channel.unit))
           .containsExactly(
               "j2.q rad", "t s", "energy.kinetic J", "energy.potential J", "energy.work J");
-      assertThat(HostedClient.rows(cursor, 0).get(3)).containsExactly(3002, 3, 3011, 3012, 3013);
+      assertThat(CursorRows.toEnd(cursor, 0).get(3)).containsExactly(3002, 3, 3011, 3012, 3013);
     }
   }
 
@@ -103,7 +106,7 @@ class SimulationContractTest {
       IMechSimRemote run = there.simulation();
       run.start();
       ResultCursor cursor = run.openResults(ALL);
-      assertThat(HostedClient.rows(cursor, 1)).hasSize(rowsOfBlock + 10);
+      assertThat(CursorRows.toEnd(cursor, 1)).hasSize(rowsOfBlock + 10);
       cursor.seekRow(0);
       ResultBlockHolder block = new ResultBlockHolder();
       assertThat(cursor.nextBlock(-1, 0, block)).isTrue(); // unsigned: as many as there are
@@ -123,9 +126,9 @@ class SimulationContractTest {
       IMechSimRemote run = there.simulation();
       run.start();
       ResultCursor cursor = run.openResults(new String[] {"t"});
-      HostedClient.rows(cursor, 0);
+      CursorRows.toEnd(cursor, 0);
       cursor.seekRow(97);
-      assertThat(HostedClient.rows(cursor, 0).stream().map(row -> row[0]))
+      assertThat(CursorRows.toEnd(cursor, 0).stream().map(row -> row[0]))
           .containsExactly(97.0, 98.0, 99.0);
       assertThatThrownBy(() -> cursor.seekRow(101)).isInstanceOf(NotFound.class);
       assertThatThrownBy(() -> cursor.seekRow(-1)).isInstanceOf(NotFound.class);
@@ -150,7 +153,7 @@ class SimulationContractTest {
       assertThat(run.getStates(time)).hasSize(10).startsWith(50_001, 50_002);
       assertThat(time.value).isEqualTo(50);
       run.resume();
-      assertThat(HostedClient.rows(run.openResults(ALL), 0)).hasSize(1000);
+      assertThat(CursorRows.toEnd(run.openResults(ALL), 0)).hasSize(1000);
     }
   }
 
@@ -206,7 +209,7 @@ class SimulationContractTest {
       assertThatThrownBy(run::report).isInstanceOf(InvalidState.class);
       assertThatThrownBy(() -> run.runTo(Double.NaN)).isInstanceOf(InvalidState.class);
       run.start();
-      HostedClient.rows(run.openResults(ALL), 0);
+      CursorRows.toEnd(run.openResults(ALL), 0);
       InvalidState refusal = catchThrowableOfType(InvalidState.class, run::start);
       assertThat(refusal.current).isEqualTo(SimState.SIM_DONE);
       assertThat(refusal.code).isEqualTo("S-009");
@@ -295,7 +298,7 @@ class SimulationContractTest {
   private static FailureRecord failureOf(HostedClient there) throws UserException {
     IMechSimRemote run = there.simulation();
     run.start();
-    HostedClient.rows(run.openResults(ALL), 0);
+    CursorRows.toEnd(run.openResults(ALL), 0);
     assertThat(run.getProgress().state).isEqualTo(SimState.SIM_FAILED);
     assertThat(run.report()).contains("\"outcome\":\"failed\"");
     return run.failure();
@@ -350,7 +353,7 @@ class SimulationContractTest {
           new Thread(
               () -> {
                 try {
-                  HostedClient.rows(cursor, 0);
+                  CursorRows.toEnd(cursor, 0);
                 } catch (UserException e) {
                   throw new IllegalStateException(e);
                 }

@@ -23,6 +23,8 @@ import org.mechservice.idl.NotFound;
 import org.mechservice.idl.OPT_CONTINUES;
 import org.mechservice.idl.Progress;
 import org.mechservice.idl.SimState;
+import org.mechservice.orb.testing.CursorRows;
+import org.mechservice.orb.testing.Eventually;
 import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.service.limits.CurrentLimits;
@@ -32,6 +34,7 @@ import org.mechservice.sim.service.results.ResultSpool;
 import org.mechservice.sim.service.results.RunIdentity;
 import org.mechservice.sim.service.results.RunRecord;
 import org.mechservice.sim.service.results.RunStore;
+import org.mechservice.sim.service.testing.PacedSolver;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.Variable;
 import org.omg.CORBA.DoubleHolder;
@@ -59,7 +62,7 @@ class SpoolRestartTest {
     try (HostedClient before = on(folder, SimHost.installedSolver())) {
       IMechSimRemote run = before.simulation();
       run.start();
-      rows = HostedClient.rows(run.openResults(ALL), 0);
+      rows = CursorRows.toEnd(run.openResults(ALL), 0);
       report = run.report();
       state = run.getStates(new DoubleHolder());
       simId = run.simId();
@@ -71,7 +74,7 @@ class SpoolRestartTest {
       DoubleHolder time = new DoubleHolder();
       assertThat(run.getStates(time)).isEqualTo(state);
       assertThat(time.value).isEqualTo(3);
-      assertThat(HostedClient.rows(run.openResults(ALL), 7))
+      assertThat(CursorRows.toEnd(run.openResults(ALL), 7))
           .usingElementComparator(Arrays::compare)
           .isEqualTo(rows);
       assertThatThrownBy(run::start).isInstanceOf(InvalidState.class);
@@ -100,7 +103,7 @@ class SpoolRestartTest {
     try (HostedClient before = on(folder, SimHost.installedSolver())) {
       IMechSimRemote run = before.simulation(moved);
       run.start();
-      HostedClient.rows(run.openResults(ALL), 0);
+      CursorRows.toEnd(run.openResults(ALL), 0);
       simId = run.simId();
       assertThat(found(before, "0b-2").simId()).isEqualTo(simId);
     }
@@ -175,7 +178,7 @@ class SpoolRestartTest {
     try (HostedClient before = on(folder, SimHost.installedSolver())) {
       IMechSimRemote run = before.simulation();
       run.start();
-      HostedClient.rows(run.openResults(ALL), 0);
+      CursorRows.toEnd(run.openResults(ALL), 0);
       simId = run.simId();
       run.destroy();
     }
@@ -201,7 +204,7 @@ class SpoolRestartTest {
       assertThat(run.getProgress().state).isEqualTo(SimState.SIM_FAILED);
       assertThat(run.failure().code).isEqualTo("S-112");
       assertThat(run.failure().text).endsWith("its rows up to then are kept.");
-      List<double[]> rows = HostedClient.rows(run.openResults(ALL), 0);
+      List<double[]> rows = CursorRows.toEnd(run.openResults(ALL), 0);
       assertThat(rows).hasSizeGreaterThan(1000);
       for (int i = 0; i < rows.size(); i++) {
         assertThat(rows.get(i)[0]).isEqualTo(i);

@@ -15,6 +15,8 @@ import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.SimState;
+import org.mechservice.orb.testing.CursorRows;
+import org.mechservice.orb.testing.Eventually;
 import org.omg.CORBA.DoubleHolder;
 
 /** What clients are promised about the state of a run between its rows. */
@@ -55,7 +57,7 @@ class StateContractTest {
               },
               null);
       upTo.start();
-      List<double[]> rows = HostedClient.rows(upTo.openResults(HostedClient.ALL), 0);
+      List<double[]> rows = CursorRows.toEnd(upTo.openResults(HostedClient.ALL), 0);
       double[] last = rows.get(rows.size() - 1);
       assertThat(last[0]).isEqualTo(time.value);
       // Either is within ten times the tolerances of the file, 1e-5, of the motion.
@@ -75,14 +77,14 @@ class StateContractTest {
           new ModelFile[0]);
       IMechSimRemote undisturbed = session.createSimulation(AS_IN_FILE, null);
       undisturbed.start();
-      List<double[]> expected = HostedClient.rows(undisturbed.openResults(HostedClient.ALL), 0);
+      List<double[]> expected = CursorRows.toEnd(undisturbed.openResults(HostedClient.ALL), 0);
       IMechSimRemote run = session.createSimulation(AS_IN_FILE, null);
       for (int i = 0; i < 10; i++) {
         step(run);
         run.getStates(new DoubleHolder());
       }
       run.resume();
-      List<double[]> rows = HostedClient.rows(run.openResults(HostedClient.ALL), 0);
+      List<double[]> rows = CursorRows.toEnd(run.openResults(HostedClient.ALL), 0);
       assertThat(rows).usingElementComparator(Arrays::compare).isEqualTo(expected);
       assertThat(run.report()).contains("\"outcome\":\"completed\"");
     }

@@ -15,6 +15,8 @@ import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.SimState;
+import org.mechservice.orb.testing.CursorRows;
+import org.mechservice.orb.testing.Eventually;
 import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.user.PushedCart;
@@ -52,7 +54,7 @@ class UserCodeContractTest {
       session.loadModel(MODEL, source(PushedCart.harmlessSource()));
       IMechSimRemote run = session.createSimulation(AS_IN_FILE, null);
       run.start();
-      List<double[]> rows = HostedClient.rows(run.openResults(HostedClient.ALL), 100);
+      List<double[]> rows = CursorRows.toEnd(run.openResults(HostedClient.ALL), 100);
       double[] last = rows.get(rows.size() - 1);
       assertThat(last[2]).isCloseTo(PushedCart.FORCE / MASS * END, within(1e-8));
     }
@@ -67,7 +69,7 @@ class UserCodeContractTest {
       NameValue[] all = {new NameValue("columns", "all")};
       IMechSimRemote run = session.createSimulation(all, null);
       run.start();
-      List<double[]> rows = HostedClient.rows(run.openResults(HostedClient.ALL), 100);
+      List<double[]> rows = CursorRows.toEnd(run.openResults(HostedClient.ALL), 100);
       assertThat(rows.get(0)).hasSize(3 + 1 + 13 + 3 + 6 + 12);
     }
   }
@@ -83,7 +85,7 @@ class UserCodeContractTest {
       session.loadModel(new ModelFile("pushed.xml", file), source(PushedCart.harmlessSource()));
       IMechSimRemote run = session.createSimulation(AS_IN_FILE, null);
       run.start();
-      List<double[]> rows = HostedClient.rows(run.openResults(HostedClient.ALL), 100);
+      List<double[]> rows = CursorRows.toEnd(run.openResults(HostedClient.ALL), 100);
       assertThat(rows).hasSize(2).allSatisfy(mode -> assertThat(mode).hasSize(8));
       assertThat(rows).allSatisfy(mode -> assertThat(mode[2]).isZero());
     }
@@ -172,7 +174,7 @@ class UserCodeContractTest {
             source(PushedCart.harmlessSource().replace("(slide, 3)", "(slide, " + force + ")")));
         IMechSimRemote run = session.createSimulation(AS_IN_FILE, null);
         run.start();
-        List<double[]> rows = HostedClient.rows(run.openResults(HostedClient.ALL), 100);
+        List<double[]> rows = CursorRows.toEnd(run.openResults(HostedClient.ALL), 100);
         assertThat(rows.get(rows.size() - 1)[2]).isCloseTo(force / MASS * END, within(1e-8));
       }
     }

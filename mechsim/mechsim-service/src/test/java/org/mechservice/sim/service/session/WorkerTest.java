@@ -18,6 +18,8 @@ import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.SimState;
+import org.mechservice.orb.testing.CursorRows;
+import org.mechservice.orb.testing.Eventually;
 import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.service.limits.HostLimit;
@@ -103,7 +105,7 @@ class WorkerTest {
     try (HostedClient there = host(limits)) {
       IMechSimRemote alone = simulation(there, PUSH);
       alone.start();
-      List<double[]> rows = HostedClient.rows(alone.openResults(HostedClient.ALL), 0);
+      List<double[]> rows = CursorRows.toEnd(alone.openResults(HostedClient.ALL), 0);
       IMechSimRemote loop = simulation(there, LOOP);
       IMechSimRemote bomb = simulation(there, BOMB);
       loop.start();
@@ -111,7 +113,7 @@ class WorkerTest {
       for (int i = 0; i < 3; i++) {
         IMechSimRemote good = simulation(there, PUSH);
         good.start();
-        assertThat(HostedClient.rows(good.openResults(HostedClient.ALL), 0))
+        assertThat(CursorRows.toEnd(good.openResults(HostedClient.ALL), 0))
             .usingElementComparator(Arrays::compare)
             .isEqualTo(rows);
       }
@@ -173,7 +175,7 @@ class WorkerTest {
 
   private static List<double[]> rowsToEnd(IMechSimRemote run) throws UserException {
     run.start();
-    return HostedClient.rows(run.openResults(HostedClient.ALL), 0);
+    return CursorRows.toEnd(run.openResults(HostedClient.ALL), 0);
   }
 
   @Test

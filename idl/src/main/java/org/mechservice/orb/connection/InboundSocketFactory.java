@@ -1,0 +1,141 @@
+package org.mechservice.orb.connection;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import org.jacorb.config.Configurable;
+import org.jacorb.config.Configuration;
+import org.jacorb.config.ConfigurationException;
+import org.jacorb.orb.factory.ServerSocketFactory;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Opens ports whose connections are known to an {@link InboundConnections}.
+ *
+ * <p>Made by the ORB from its properties, hence public.
+ */
+public class InboundSocketFactory implements ServerSocketFactory, Configurable {
+  /** The property that names the set of connections. */
+  public static final String CONNECTIONS_PROPERTY = "mechservice.inbound";
+
+  /** Clients that connect in the same moment wait here; beyond it they must try again. */
+  private static final int BACKLOG = 1024;
+
+  private @Nullable InboundConnections connections;
+
+  @Override
+  public void configure(Configuration configuration) throws ConfigurationException {
+    connections = InboundConnections.byId(configuration.getAttribute(CONNECTIONS_PROPERTY));
+  }
+
+  @Override
+  public ServerSocket createServerSocket(int port) throws IOException {
+    return new Port(port, null);
+  }
+
+  @Override
+  public ServerSocket createServerSocket(int port, int backlog) throws IOException {
+    return createServerSocket(port);
+  }
+
+  @Override
+  public ServerSocket createServerSocket(int port, int backlog, InetAddress address)
+      throws IOException {
+    return new Port(port, address);
+  }
+
+  private InboundConnections known() {
+    if (connections == null) {
+      throw new IllegalStateException("used before it was configured");
+    }
+    return connections;
+  }
+
+  /** Returns what the ORB reads from and writes to, of a connection that was accepted. */
+  protected Socket ready(Accepted accepted) throws IOException {
+    accepted.readAsMessages();
+    return accepted;
+  }
+
+  private final class Port extends ServerSocket {
+    Port(int port, @Nullable InetAddress address) throws IOException {
+      super(port, BACKLOG, address);
+    }
+
+    @Override
+    public Socket accept() throws IOException {
+      Accepted accepted = new Accepted(known());
+      implAccept(accepted);
+      known().add(accepted);
+      return ready(accepted);
+    }
+  }
+
+  /** A connection somebody else has opened. */
+  protected static final class Accepted extends Socket {
+    private final InboundConnections connections;
+    private @Nullable ReplyQueue replies;
+    private @Nullable RequestStream requests;
+
+    public Accepted(InboundConnections connections) {
+      this.connections = connections;
+    }
+
+    @Override
+    public OutputStream getOutputStream() throws IOException {
+      synchronized (connections) {
+        if (replies == null) {
+          replies = new ReplyQueue(this, super.getOutputStream(), connections.room());
+        }
+        return replies;
+      }
+    }
+
+    /** What comes in are messages, not something else that holds them. */
+    void readAsMessages() throws IOException {
+      synchronized (connections) {
+        requests = new RequestStream(this, super.getInputStream(), connections.requests());
+      }
+    }
+
+    @Override
+    public InputStream getInputStream() throws IOException {
+      RequestStream messages = requests();
+      return messages == null ? super.getInputStream() : messages;
+    }
+
+    private @Nullable RequestStream requests() {
+      synchronized (connections) {
+        return requests;
+      }
+    }
+
+    private @Nullable ReplyQueue replies() {
+      synchronized (connections) {
+        return replies;
+      }
+    }
+
+    @Override
+    @SuppressWarnings(
+        "UnsynchronizedOverridesSynchronized") // must not wait for a thread that waits for this one
+    public void close() throws IOException {
+      connections.remove(this);
+      ReplyQueue last = replies();
+      if (last != null && !isClosed()) {
+        last.finish();
+      }
+      super.close();
+      if (last != null) {
+        last.abandon();
+      }
+      RequestStream messages = requests();
+      if (messages != null) {
+        messages.ended();
+      }
+    }
+  }
+}

@@ -1,0 +1,102 @@
+package org.mechservice.orb.tls;
+
+import java.net.Socket;
+import java.security.cert.X509Certificate;
+import java.util.Optional;
+import javax.net.ssl.SSLPeerUnverifiedException;
+import javax.net.ssl.SSLSocket;
+import org.jacorb.orb.giop.GIOPConnection;
+import org.jacorb.orb.iiop.IIOPConnection;
+import org.jacorb.orb.portableInterceptor.ServerRequestInfoImpl;
+import org.mechservice.orb.connection.ReplyMemory;
+import org.omg.CORBA.INITIALIZE;
+import org.omg.CORBA.LocalObject;
+import org.omg.PortableInterceptor.ORBInitInfo;
+import org.omg.PortableInterceptor.ORBInitInfoPackage.DuplicateName;
+import org.omg.PortableInterceptor.ORBInitializer;
+import org.omg.PortableInterceptor.ServerRequestInfo;
+import org.omg.PortableInterceptor.ServerRequestInterceptor;
+
+/**
+ * Sets {@link Caller#current} before each call; the ORB runs interceptors and servant in one
+ * thread.
+ *
+ * <p>Made by the ORB from its properties, hence public.
+ */
+public final class CallerInterceptor extends LocalObject
+    implements ORBInitializer, ServerRequestInterceptor {
+  private static final long serialVersionUID = 1L;
+
+  @Override
+  public void pre_init(ORBInitInfo info) {
+    // There is nothing to be done so early.
+  }
+
+  @Override
+  public void post_init(ORBInitInfo info) {
+    try {
+      info.add_server_request_interceptor(this);
+    } catch (DuplicateName e) {
+      throw (INITIALIZE) new INITIALIZE("caller").initCause(e);
+    }
+  }
+
+  @Override
+  public void receive_request_service_contexts(ServerRequestInfo request) {
+    ReplyMemory.made();
+    Caller.isNow(callerAt(((ServerRequestInfoImpl) request).getConnection()));
+  }
+
+  private static Caller callerAt(GIOPConnection connection) {
+    if (connection == null || !(connection.getTransport() instanceof IIOPConnection over)) {
+      return Caller.inThisProcess();
+    }
+    Socket socket = over.getSocket();
+    String address = socket.getInetAddress().getHostAddress() + ":" + socket.getPort();
+    return new Caller(
+        socket instanceof SSLSocket encrypted
+            ? Optional.of(certificate(encrypted))
+            : Optional.empty(),
+        address);
+  }
+
+  private static X509Certificate certificate(SSLSocket socket) {
+    try {
+      return (X509Certificate) socket.getSession().getPeerCertificates()[0];
+    } catch (SSLPeerUnverifiedException e) {
+      // Such connections are not accepted.
+      throw (org.omg.CORBA.NO_PERMISSION)
+          new org.omg.CORBA.NO_PERMISSION("no certificate").initCause(e);
+    }
+  }
+
+  @Override
+  public void receive_request(ServerRequestInfo request) {
+    // The caller is known already.
+  }
+
+  @Override
+  public void send_reply(ServerRequestInfo request) {
+    ReplyMemory.made();
+  }
+
+  @Override
+  public void send_exception(ServerRequestInfo request) {
+    ReplyMemory.made();
+  }
+
+  @Override
+  public void send_other(ServerRequestInfo request) {
+    ReplyMemory.made();
+  }
+
+  @Override
+  public String name() {
+    return "caller";
+  }
+
+  @Override
+  public void destroy() {
+    // It holds nothing.
+  }
+}

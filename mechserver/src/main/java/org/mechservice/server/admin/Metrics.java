@@ -1,0 +1,136 @@
+package org.mechservice.server.admin;
+
+import java.lang.management.ManagementFactory;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.ToDoubleFunction;
+import org.mechservice.idl.HostLoad;
+import org.mechservice.idl.NameValue;
+import org.mechservice.server.hosts.HostDirectory;
+import org.mechservice.server.hosts.MechServerServant;
+import org.mechservice.server.hosts.RegisteredHost;
+
+/** The figures of a server and its hosts, in the text format of Prometheus, version 0.0.4. */
+public final class Metrics {
+  /** Counts of a host that only grow, with their names here. */
+  private static final Map<String, String> COUNTERS =
+      Map.of(
+          "sessionsOpened", "sessions_opened",
+          "completed", "runs_completed",
+          "failed", "runs_failed",
+          "cancelled", "runs_cancelled");
+
+  private final HostDirectory directory;
+  private final MechServerServant server;
+
+  public Metrics(HostDirectory directory, MechServerServant server) {
+    this.directory = directory;
+    this.server = server;
+  }
+
+  /** Returns all figures. */
+  public String text() {
+    directory.refresh();
+    List<RegisteredHost> hosts =
+        directory.all().stream().filter(RegisteredHost::reachable).toList();
+    StringBuilder text = new StringBuilder();
+    Runtime machine = Runtime.getRuntime();
+    one(text, "draining", "whether new sessions are refused", server.draining() ? 1 : 0);
+    one(text, "hosts", "hosts that are registered", directory.all().size());
+    one(text, "hosts_reachable", "hosts that answer", hosts.size());
+    one(
+        text,
+        "uptime_seconds",
+        "time since the start",
+        (System.currentTimeMillis() - server.getInfo().startedAt) * 1e-3);
+    one(text, "heap_bytes", "heap in use", (double) machine.totalMemory() - machine.freeMemory());
+    one(text, "threads", "live threads", ManagementFactory.getThreadMXBean().getThreadCount());
+    gauge(text, hosts, "sessions", "sessions", load -> load.sessions);
+    gauge(text, hosts, "runs_running", "runs that compute or are paused", load -> load.running);
+    gauge(text, hosts, "runs_queued", "runs that wait for a place", load -> load.queued);
+    gauge(
+        text, hosts, "cpu_load", "share of the machine's processors in use", load -> load.cpuLoad);
+    gauge(text, hosts, "host_memory_bytes", "memory in use", load -> (double) load.memoryUsed);
+    gauge(text, hosts, "spool_bytes", "size of all rows kept", load -> number(load, "spoolBytes"));
+    gauge(text, hosts, "connections", "connections", load -> number(load, "connections"));
+    COUNTERS.entrySet().stream()
+        .sorted(Map.Entry.comparingByValue())
+        .forEach(
+            counter ->
+                perHost(
+                    text,
+                    hosts,
+                    counter.getValue() + "_total",
+                    "counter",
+                    counter.getValue().replace('_', ' ') + " since the start of the host",
+                    load -> number(load, counter.getKey())));
+    return text.toString();
+  }
+
+  private static double number(HostLoad load, String name) {
+    for (NameValue statistic : load.statistics) {
+      if (statistic.key.equals(name)) {
+        return Double.parseDouble(statistic.text);
+      }
+    }
+    return 0;
+  }
+
+  private static void head(StringBuilder text, String name, String type, String help) {
+    text.append(
+        String.format(
+            Locale.ROOT,
+            "# HELP mechservice_%s %s\n# TYPE mechservice_%s %s\n",
+            name,
+            help,
+            name,
+            type));
+  }
+
+  private static void one(StringBuilder text, String name, String help, double value) {
+    head(text, name, "gauge", help);
+    text.append("mechservice_").append(name).append(' ').append(value).append('\n');
+  }
+
+  private static void gauge(
+      StringBuilder text,
+      List<RegisteredHost> hosts,
+      String name,
+      String help,
+      ToDoubleFunction<HostLoad> value) {
+    perHost(text, hosts, name, "gauge", help, value);
+  }
+
+  private static void perHost(
+      StringBuilder text,
+      List<RegisteredHost> hosts,
+      String name,
+      String type,
+      String help,
+      ToDoubleFunction<HostLoad> value) {
+    head(text, name, type, help);
+    for (RegisteredHost host : hosts) {
+      // Host names have letters, digits, points, hyphens and underscores only.
+      text.append("mechservice_")
+          .append(name)
+          .append("{host=\"")
+          .append(host.name())
+          .append("\"} ");
+      text.append(value.applyAsDouble(host.load())).append('\n');
+    }
+  }
+
+  /** Returns whether sessions can be opened, and if not, why. */
+  public MetricsEndpoint.Health health() {
+    Optional<String> trouble = Optional.empty();
+    directory.refresh();
+    if (server.draining()) {
+      trouble = Optional.of("the server is being emptied");
+    } else if (directory.all().stream().noneMatch(RegisteredHost::open)) {
+      trouble = Optional.of("no host takes sessions");
+    }
+    return new MetricsEndpoint.Health(trouble.isEmpty(), trouble.orElse("ok") + "\n");
+  }
+}

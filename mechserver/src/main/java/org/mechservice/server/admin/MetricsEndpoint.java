@@ -1,0 +1,103 @@
+package org.mechservice.server.admin;
+
+import com.sun.net.httpserver.HttpExchange;
+import com.sun.net.httpserver.HttpServer;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.function.Supplier;
+import org.mechservice.orb.GuardedServant;
+import org.mechservice.orb.PortInUseException;
+import org.mechservice.server.hosts.HostCalls;
+import org.mechservice.solver.catalogue.MessageCode;
+
+/**
+ * Figures for a monitoring system, over HTTP on this machine's loopback interface: {@code /metrics}
+ * in the text format of Prometheus, {@code /health} with status 200 as long as sessions can be
+ * opened and 503 otherwise.
+ */
+public final class MetricsEndpoint implements AutoCloseable {
+  private static final String TEXT = "text/plain; version=0.0.4; charset=utf-8";
+
+  /**
+   * How the service is.
+   *
+   * @param good whether it works
+   * @param text why, for people
+   */
+  public record Health(boolean good, String text) {}
+
+  private final HttpServer server;
+  private final ExecutorService threads =
+      Executors.newSingleThreadExecutor(HostCalls.named("metrics"));
+
+  private MetricsEndpoint(HttpServer server) {
+    this.server = server;
+  }
+
+  /**
+   * Opens the port.
+   *
+   * @param port 0: any free one
+   * @param metrics writes the figures
+   * @param health returns the state of the service
+   * @throws PortInUseException if the port is taken
+   */
+  public static MetricsEndpoint open(int port, Supplier<String> metrics, Supplier<Health> health) {
+    InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
+    try {
+      MetricsEndpoint endpoint = new MetricsEndpoint(HttpServer.create(address, 0));
+      endpoint.serve(metrics, health);
+      return endpoint;
+    } catch (IOException e) {
+      throw new PortInUseException(address.getHostString() + ":" + port, e);
+    }
+  }
+
+  private void serve(Supplier<String> metrics, Supplier<Health> health) {
+    server.createContext("/metrics", exchange -> answer(exchange, () -> ok(metrics.get())));
+    server.createContext("/health", exchange -> answer(exchange, health));
+    server.setExecutor(threads);
+    server.start();
+  }
+
+  private static Health ok(String text) {
+    return new Health(true, text);
+  }
+
+  private static void answer(HttpExchange exchange, Supplier<Health> content) throws IOException {
+    try (exchange) {
+      Health said = said(content);
+      byte[] body = said.text().getBytes(StandardCharsets.UTF_8);
+      exchange.getResponseHeaders().set("Content-Type", TEXT);
+      exchange.sendResponseHeaders(said.good() ? 200 : 503, body.length);
+      exchange.getResponseBody().write(body);
+    }
+  }
+
+  private static Health said(Supplier<Health> content) {
+    try {
+      return content.get();
+    } catch (RuntimeException e) {
+      return new Health(
+          false,
+          MessageCode.INTERNAL_SERVER_ERROR
+              + " incident "
+              + GuardedServant.record("metrics", e)
+              + "\n");
+    }
+  }
+
+  public int port() {
+    return server.getAddress().getPort();
+  }
+
+  @Override
+  public void close() {
+    server.stop(0);
+    threads.shutdownNow();
+  }
+}

@@ -1,0 +1,130 @@
+package org.mechservice.server.hosts;
+
+import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.jspecify.annotations.Nullable;
+import org.mechservice.idl.API_VERSION;
+import org.mechservice.idl.DiagnosticSeqHolder;
+import org.mechservice.idl.IMechClient;
+import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.InvalidModel;
+import org.mechservice.idl.Limit;
+import org.mechservice.idl.LimitExceeded;
+import org.mechservice.idl.MechServerOperations;
+import org.mechservice.idl.MechSim;
+import org.mechservice.idl.ModelFile;
+import org.mechservice.idl.NotAvailable;
+import org.mechservice.idl.NotFound;
+import org.mechservice.idl.ServerFailure;
+import org.mechservice.idl.ServerInfo;
+import org.mechservice.orb.ServiceVersion;
+import org.mechservice.orb.tls.Caller;
+import org.mechservice.sim.service.contract.ContractErrors;
+import org.mechservice.sim.service.library.ModelImport;
+import org.mechservice.sim.service.limits.CurrentLimits;
+
+/** Where clients connect. */
+public final class MechServerServant implements MechServerOperations {
+  private static final String[] CAPABILITIES = {
+    "formulation=DTR",
+    "formulation=DSR",
+    "formulation=RR",
+    "formulation=RR-JF",
+    "closure=projection",
+    "closure=penalty",
+    "integrator=ode113",
+    "integrator=DE",
+    "integrator=ode15s",
+    "integrator=ode15sR",
+    "integrator=switching",
+    "jar=model",
+    "jar=standalone",
+    "import=urdf",
+    "option=continues"
+  };
+
+  private final String name;
+  private final HostDirectory directory;
+  private final Placement placement;
+  private final CurrentLimits limits;
+  private final long startedAt = System.currentTimeMillis();
+  private final AtomicBoolean draining = new AtomicBoolean();
+
+  public MechServerServant(
+      String name, HostDirectory directory, Placement placement, CurrentLimits limits) {
+    this.name = name;
+    this.directory = directory;
+    this.placement = placement;
+    this.limits = limits;
+  }
+
+  /** Takes no new sessions, or takes them again. */
+  public void setDraining(boolean drain) {
+    draining.set(drain);
+  }
+
+  public boolean draining() {
+    return draining.get();
+  }
+
+  @Override
+  public ServerInfo getInfo() {
+    int places =
+        directory.all().stream()
+            .filter(RegisteredHost::open)
+            .mapToInt(RegisteredHost::capacity)
+            .sum();
+    String[] capabilities = Arrays.copyOf(CAPABILITIES, CAPABILITIES.length + 1);
+    capabilities[CAPABILITIES.length] = "places=" + places;
+    return new ServerInfo(name, API_VERSION.value, ServiceVersion.CURRENT, startedAt, capabilities);
+  }
+
+  @Override
+  public MechSim createSession(String claimedName, String hostName, @Nullable IMechClient client)
+      throws LimitExceeded, NotFound, ServerFailure {
+    String clientName = Caller.current().name(claimedName);
+    if (draining.get()) {
+      throw ContractErrors.noPlace(
+          "server " + name + " is being emptied and takes no new sessions");
+    }
+    return hostName.isEmpty()
+        ? placement.anywhere(clientName, client)
+        : placement.on(hostName, clientName, client);
+  }
+
+  @Override
+  public MechSim findSession(String sessionId) throws NotFound {
+    return directory
+        .search(host -> host.findSession(sessionId))
+        .orElseThrow(
+            () ->
+                ContractErrors.notFound(
+                    "there is no session " + sessionId + directory.silentHosts()));
+  }
+
+  @Override
+  public IMechSimRemote findSimulation(String simId) throws NotFound {
+    return directory
+        .search(host -> host.findSimulation(simId))
+        .orElseThrow(() -> ContractErrors.notFound(whatBecameOf(simId)));
+  }
+
+  private String whatBecameOf(String simId) {
+    return directory
+        .runs()
+        .endOf(simId)
+        .map(fate -> simId + ": " + fate + "; if the host comes back with its folder, try again")
+        .orElseGet(() -> "there is no simulation " + simId + directory.silentHosts());
+  }
+
+  @Override
+  public ModelFile importModel(ModelFile foreign, DiagnosticSeqHolder losses)
+      throws InvalidModel, NotAvailable, LimitExceeded {
+    return ModelImport.translate(foreign, losses, limits.now());
+  }
+
+  @Override
+  public Limit[] limits() {
+    return limits.now().toLimits();
+  }
+}
