@@ -5,7 +5,7 @@ import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.dynamics.LinearisedResidualModel;
 import org.mechservice.solver.dynamics.RecursiveResidualModel;
 import org.mechservice.solver.dynamics.SemiRecursiveModel;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Param;

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What is wrong is said once, where it is wrong, and nothing is left lying about. */
+/** Each input error causes one message with its position, and no file is left behind. */
 class BadInputIT {
   private static final Pattern CODE = Pattern.compile("\\b[MNS]-\\d{3}\\b");
 
@@ -29,7 +29,10 @@ class BadInputIT {
     terminal = new Terminal(directory);
   }
 
-  /** Each row spoils the pendulum: what is replaced (where it last occurs), and by what. */
+  /**
+   * Each row makes the pendulum invalid: the text to replace (its last occurrence), and the
+   * replacement.
+   */
   @ParameterizedTest(name = "{0}")
   @CsvSource(
       delimiter = '|',
@@ -41,9 +44,11 @@ class BadInputIT {
         "unknown joint type | type=\"R\" | type=\"Q\"",
         "unknown joint name | <jointVal name=\"j5\" | <jointVal name=\"j55\"",
         "unknown body name | <body1 name=\"bar4\" | <body1 name=\"bar44\"",
-        "unknown point name | <body1 name=\"bar4\" point=\"p2\" | <body1 name=\"bar4\" point=\"p3\"",
+        "unknown point name | <body1 name=\"bar4\" point=\"p2\" | <body1 name=\"bar4\""
+            + " point=\"p3\"",
         "unknown vector name | point=\"p2\" vector=\"u2\" | point=\"p2\" vector=\"u3\"",
-        "vector of length zero | vx=\"0.0\" vy=\"-0.6\" vz=\"0.8\" | vx=\"0.0\" vy=\"0.0\" vz=\"0.0\"",
+        "vector of length zero | vx=\"0.0\" vy=\"-0.6\" vz=\"0.8\" | vx=\"0.0\" vy=\"0.0\""
+            + " vz=\"0.0\"",
         "not a number | <mass value=\"1.0\"/> | <mass value=\"1,0\"/>",
         "division by zero | Izz=\"1.0/12.0\" | Izz=\"1.0/0.0\"",
         "Java in a value | <mass value=\"1.0\"/> | <mass value=\"System.exit(0)\"/>",

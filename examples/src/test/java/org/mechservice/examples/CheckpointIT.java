@@ -11,7 +11,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A run left with --checkpoint and taken up with --resume. */
+/** A run saved with --checkpoint and continued with --resume. */
 class CheckpointIT {
   private static final String BALL =
       WorkingTree.TOP.resolve("examples/benchmarks/bouncing_ball.xml").toString();

@@ -35,7 +35,7 @@ class CppContractIT {
     WorkingTree.unmirror(directory);
   }
 
-  /** Returns what the contract has, as INTERFACE.OPERATION. */
+  /** Returns the operations of the contract, as INTERFACE.OPERATION. */
   private static Set<String> operations() throws IOException {
     String text = Files.readString(IDL).replaceAll("//.*", "");
     Set<String> operations = new TreeSet<>();

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Pages of the project that tell a user what to type. */
+/** Reads the commands in the project's Markdown pages. */
 final class Documentation {
   private Documentation() {}
 

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the pages tell a user to type works when typed. */
+/** The commands in the pages work. */
 class DocumentedCommandsIT {
   private static final String TEST_COMMAND = "mvn verify";
 

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The examples of the language's elements come out as their comments say. */
+/** The examples of the language's elements give the results stated in their comments. */
 class ElementExamplesIT {
   private static final Path FOLDER = WorkingTree.TOP.resolve("examples/elements");
   private static final Pattern END = Pattern.compile("Ends with (.*?)\\.\n-->", Pattern.DOTALL);

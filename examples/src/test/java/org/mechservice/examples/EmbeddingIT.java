@@ -7,11 +7,12 @@ import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.mechservice.solver.api.Model;
 
-/** A model's class in a program that knows nothing of the service. */
+/** A model's class in a program without the service. */
 class EmbeddingIT {
   @TempDir Path directory;
 
@@ -32,7 +33,9 @@ class EmbeddingIT {
     }
   }
 
-  /** A push of t newtons on 1 kg: t³/6 m, which a method of fourth order has to rounding. */
+  /**
+   * A force of t newtons on 1 kg: t³/6 m, which a method of fourth order reproduces to rounding.
+   */
   @Test
   void timeAndClassesOfUsersAreForTheProgramAsForTheService() throws Exception {
     List<String> printed = run(element("force"), "forceWithData", "0.5", "50");
@@ -40,7 +43,7 @@ class EmbeddingIT {
     assertThat(number(printed.get(0))).isCloseTo(0.125 / 6, within(1e-15));
   }
 
-  /** Events and tunable parameters stand beside the code as data. */
+  /** Events and tunable parameters are data beside the code. */
   @Test
   void aModelWithDataBesideItsCodeIsAModelToo() throws Exception {
     List<String> printed = run(element("event"), "eventWithData", "0.5", "50");
@@ -52,6 +55,13 @@ class EmbeddingIT {
     return Double.parseDouble(line.substring(line.indexOf(' ') + 1));
   }
 
+  /** Returns the class path of the solver, as the page gives it. */
+  private static String solver() {
+    return Stream.of("solver-api", "solver-ode", "solver-mechanics", "solver-runtime")
+        .map(module -> WorkingTree.TOP.resolve("solver-core").resolve(module) + "/target/*")
+        .collect(Collectors.joining(File.pathSeparator));
+  }
+
   private static Path element(String name) {
     return WorkingTree.TOP.resolve("examples/elements").resolve(name + ".xml");
   }
@@ -59,12 +69,11 @@ class EmbeddingIT {
   private List<String> run(Path scene, String model, String end, String steps) throws Exception {
     Terminal terminal = new Terminal(directory);
     terminal.mech("build", scene.toString(), "-o", "p.jar").orFail();
-    Path solver = Path.of(Model.class.getProtectionDomain().getCodeSource().getLocation().toURI());
     return terminal
         .run(
             "java",
             "-cp",
-            solver + File.pathSeparator + directory.resolve("p.jar"),
+            solver() + File.pathSeparator + directory.resolve("p.jar"),
             WorkingTree.TOP.resolve("examples/embedding/Embedding.java").toString(),
             "org.mechservice.model." + model,
             end,

@@ -9,7 +9,9 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The bouncing ball through the launcher: events are told, and the same wherever it runs. */
+/**
+ * The bouncing ball through the launcher: the report lists the events, the same ones in every mode.
+ */
 class EventsIT {
   private static final String BALL =
       WorkingTree.TOP.resolve("examples/benchmarks/bouncing_ball.xml").toString();

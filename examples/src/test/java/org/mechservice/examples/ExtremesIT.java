@@ -14,8 +14,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * The scenes that break simulators, with the method each file names: what cases.csv expects
- * happens. All methods on all of them are the business of {@code mech stability}.
+ * The extreme scenes, with the method named in each file, give the outcome stated in cases.csv.
+ * {@code mech stability} runs all methods on all of them.
  */
 class ExtremesIT {
   private static final Path FOLDER = WorkingTree.TOP.resolve("examples/extremes");

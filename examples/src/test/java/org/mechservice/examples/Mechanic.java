@@ -9,12 +9,12 @@ import java.util.List;
 import org.mechservice.cli.Mech;
 
 /**
- * Runs commands of {@code mech} in this process, each with an embedded server of its own: hundreds
- * of models in the time a few starts of Java take.
+ * Runs commands of {@code mech} in this process, each with an embedded server of its own. This is
+ * much faster than starting a Java process for each of hundreds of models.
  */
 final class Mechanic {
   /**
-   * What a command did.
+   * Result of a command.
    *
    * @param status its exit status
    * @param out what it printed on standard output

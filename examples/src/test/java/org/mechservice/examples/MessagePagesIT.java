@@ -17,7 +17,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** Every message a user can meet has its page, and no page speaks of a message that is gone. */
+/** Every message has a page, and every page belongs to a message. */
 class MessagePagesIT {
   private static final Path PAGES = WorkingTree.TOP.resolve("docs/errors");
   private static final Path CATALOGUE = Path.of("MessageCode.java");

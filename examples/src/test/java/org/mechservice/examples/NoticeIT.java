@@ -14,7 +14,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** NOTICE keeps up with the dependencies. */
+/** NOTICE lists exactly the dependencies. */
 class NoticeIT {
   private static final Pattern LIBRARY = Pattern.compile("(?<![\\w-])[a-z][\\w-]* \\d[\\w.]*");
 

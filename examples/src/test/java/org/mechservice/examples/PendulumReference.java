@@ -2,7 +2,7 @@ package org.mechservice.examples;
 
 /** The pendulum's reference solution, examples/pendulum/reference.csv. */
 final class PendulumReference {
-  /** The pendulum is chaotic: what is wrong in the last digit at the start is seen beyond 3 s. */
+  /** The pendulum is chaotic: an error in the last digit at the start is visible beyond 3 s. */
   static final double COMPARABLE_UNTIL = 3;
 
   private static final ResultTable TABLE =

@@ -39,7 +39,7 @@ record ReferenceSolution(List<Double> times, List<List<Double>> states) {
       for (String line : text.lines().skip(1).toList()) {
         List<Double> row = Arrays.stream(line.split(",")).map(Double::valueOf).toList();
         times.add(row.get(0));
-        // The second number says how far two ways to compute the reference differ.
+        // The second number is the difference of two ways to compute the reference.
         states.add(row.subList(2, row.size()));
       }
       return Optional.of(new ReferenceSolution(times, states));

@@ -118,7 +118,7 @@ class SameBitsEverywhereIT {
         .hasSameBinaryContentAs(directory.resolve("remote113.csv"));
   }
 
-  /** A spring and a damper so stiff that ode113 soon gives way to ode15s. */
+  /** A spring and a damper so stiff that the run soon changes from ode113 to ode15s. */
   private static Terminal.Ended stiff(String command, String... further) {
     String file = WorkingTree.TOP.resolve("examples/extremes/stiff_1e9_c1e5.xml").toString();
     List<String> all = new ArrayList<>(List.of(command, file));

@@ -52,7 +52,7 @@ class SceneIT {
       extremes/high_spin_1e5_sym.xml, ode113, 1e-10, 0.01, 1e-4, 1e-6
       """;
 
-  /** Models whose motion other tests judge by laws. */
+  /** Models whose motion other tests check against laws of mechanics. */
   private static final List<String> JUDGED_BY_LAWS =
       List.of(
           "benchmarks/bouncing_ball.xml",
@@ -110,7 +110,8 @@ class SceneIT {
   }
 
   /**
-   * Its contact leans with the step, the class pushes straight up: 1 mm/s, for some milliseconds.
+   * Its contact force is normal to the sloping step, that of the class is vertical: the speeds
+   * differ by 1 mm/s for some milliseconds.
    */
   @Test
   void suspensionOfElementsMovesAsThatOfClassesToTheLeanOfItsContact() throws IOException {
@@ -154,7 +155,7 @@ class SceneIT {
     }
   }
 
-  /** The elements' and the extreme ones have tests of their own that take whole folders. */
+  /** The scenes of the elements and the extreme scenes have tests of their own. */
   @Test
   void noExampleIsLeftOut() throws IOException {
     Set<String> known = new TreeSet<>(JUDGED_BY_LAWS);

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Measures on this machine what the paper measured on its own: docs/reports/set-up-times.md. */
+/** Measures the paper's set-up times on this machine: docs/reports/set-up-times.md. */
 @Tag("soak")
 class SetUpTimesIT {
   private static final Path PAGE = WorkingTree.TOP.resolve("docs/reports/set-up-times.md");

@@ -11,9 +11,9 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 
-/** A terminal standing in a directory: runs commands there and keeps what they print. */
+/** Runs commands in a directory and keeps their output. */
 final class Terminal {
-  /** No command of these tests works this long, however slow the machine. */
+  /** Time limit of a command, far above the duration of every command of these tests. */
   private static final Duration PATIENCE = Duration.ofMinutes(5);
 
   private final Path directory;
@@ -91,7 +91,7 @@ final class Terminal {
     }
   }
 
-  /** A command at work. */
+  /** A running command. */
   static final class Running implements AutoCloseable {
     private final String command;
     private final Process process;
@@ -116,7 +116,7 @@ final class Terminal {
       }
     }
 
-    /** Waits until something holds, while the command goes on. */
+    /** Waits until a condition holds while the command runs. */
     void awaitThat(String what, BooleanSupplier condition) {
       long deadline = System.nanoTime() + PATIENCE.toNanos();
       while (!condition.getAsBoolean()) {

@@ -165,6 +165,18 @@ class ArchitectureTest {
         .check(PRODUCT);
   }
 
+  /** Returns the module of a package, whose name is relative to the root package. */
+  static String moduleOf(String name) {
+    return PACKAGES.entrySet().stream()
+        .filter(
+            module ->
+                module.getValue().stream()
+                    .anyMatch(prefix -> name.equals(prefix) || name.startsWith(prefix + ".")))
+        .map(Map.Entry::getKey)
+        .findFirst()
+        .orElse("");
+  }
+
   private static List<String> packagesOf(String module) {
     return Objects.requireNonNull(PACKAGES.get(module), module).stream()
         .map(name -> ROOT + name + "..")

@@ -1,7 +1,7 @@
 package org.mechservice.mechml;
 
 /**
- * Local errors below which a state does not matter, by class of state.
+ * Absolute error tolerances, one for each class of state.
  *
  * @param position of displacements, m
  * @param angle of angles, rad, and of Euler parameters

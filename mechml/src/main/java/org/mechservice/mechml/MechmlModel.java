@@ -6,16 +6,16 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
 
 /**
- * A model file, read and resolved: SI units, numbers only.
+ * A model file after reading: a mechanism and settings in SI units, with all names resolved.
  *
  * @param mechanism the mechanism
- * @param settings the simulation wanted
+ * @param settings the chosen simulation
  * @param simulations every simulation of the file, in file order
  * @param parameters in file order
- * @param outputs columns of its author's own, in file order
+ * @param outputs user-defined result columns, in file order
  * @param unused points, vectors and parameters that nothing refers to, such as {@code point "p3" of
  *     body "bar"}
- * @param warnings what is worth knowing, in file order; no errors
+ * @param warnings diagnostics below errors, in file order
  */
 public record MechmlModel(
     Mechanism mechanism,
@@ -33,12 +33,12 @@ public record MechmlModel(
     warnings = List.copyOf(warnings);
   }
 
-  /** Returns the mechanism with what happens along the simulation wanted. */
+  /** Returns the mechanism with the events of the chosen simulation. */
   public Mechanism watchedMechanism() {
     return mechanism.withEvents(settings.events());
   }
 
-  /** A model with one simulation, and neither parameters nor outputs of its own. */
+  /** Creates a model with one simulation and without parameters and outputs. */
   public MechmlModel(Mechanism mechanism, SimulationSettings settings, List<Diagnostic> warnings) {
     this(mechanism, settings, List.of(settings), List.of(), List.of(), List.of(), warnings);
   }

@@ -5,17 +5,18 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * What is wanted of a model file beside what it says.
+ * Options for reading a model file: the simulation to choose and the parameters to set.
  *
- * @param simulation name or number, from 1, of the {@code MBSsimulation} wanted; empty: the first
- * @param values parameters set to other values: name and expression, read in the unit that the file
- *     gives the parameter
- * @param tunable names of parameters that are to stay inputs of the model, besides those the file
- *     marks
+ * @param simulation name or number, from 1, of the chosen {@code MBSsimulation}; empty for the
+ *     first
+ * @param values new values of parameters: name and expression, in the unit that the file gives the
+ *     parameter
+ * @param tunable names of parameters that stay inputs of the model, besides those marked in the
+ *     file
  */
 public record ReadOptions(
     Optional<String> simulation, Map<String, String> values, Set<String> tunable) {
-  /** The file as it is. */
+  /** Default options: the first simulation, all parameters as in the file. */
   public static final ReadOptions NONE = new ReadOptions(Optional.empty(), Map.of(), Set.of());
 
   public ReadOptions {

@@ -5,17 +5,17 @@ import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.mechanism.Event;
 
 /**
- * What one of the file's simulation blocks asks for.
+ * The settings of one simulation block of the file.
  *
  * @param name the block's name; empty if it has none
- * @param task what is to be computed
- * @param run interval, output distance, integrator, tolerances; the integrator as the file names
- *     it, {@code auto} where the task needs none. A task without time set stands at the instant 0
+ * @param task kind of computation
+ * @param run interval, output distance, integrator, tolerances; the integrator has the name given
+ *     in the file, {@code auto} where the task needs none; a task without time set is at time 0
  * @param absoluteTolerances by class of state
- * @param formulation formulation asked for; {@code auto} if the file leaves it open
- * @param closure how loops are closed; {@code auto} if the file leaves it open
- * @param columns groups of result columns beside the joints'
- * @param events what happens at zeros of expressions, in file order
+ * @param formulation formulation given in the file; {@code auto} if there is none
+ * @param closure loop closure given in the file; {@code auto} if there is none
+ * @param columns additional groups of result columns
+ * @param events events at zeros of expressions, in file order
  */
 public record SimulationSettings(
     String name,
@@ -45,7 +45,7 @@ public record SimulationSettings(
     events = List.copyOf(events);
   }
 
-  /** Settings of a dynamic simulation that leaves everything else open. */
+  /** Creates the settings of a dynamic simulation with defaults for everything else. */
   public SimulationSettings(RunSettings run, String formulation) {
     this(
         "",

@@ -1,9 +1,9 @@
 package org.mechservice.mechml;
 
-/** What a simulation block asks for. */
+/** Kind of computation that a simulation block requests. */
 public sealed interface SimulationTask {
 
-  /** Returns the element that asks for it, such as {@code dynamic}. */
+  /** Returns the name of its MechML element, such as {@code dynamic}. */
   String element();
 
   /** Motion under forces. */
@@ -14,7 +14,7 @@ public sealed interface SimulationTask {
     }
   }
 
-  /** Motion of driven coordinates and what follows from it. */
+  /** Kinematics: the motion of driven coordinates and of all coordinates that depend on them. */
   record Kinematic() implements SimulationTask {
     @Override
     public String element() {
@@ -29,7 +29,9 @@ public sealed interface SimulationTask {
    * @param maxIterations corrections allowed
    */
   record StaticEquilibrium(double tolerance, int maxIterations) implements SimulationTask {
-    /** What holds where the file says nothing: nine digits, and ten times what Newton needs. */
+    /**
+     * Defaults: nine digits, and ten times as many corrections as Newton's method usually needs.
+     */
     public static final StaticEquilibrium DEFAULT = new StaticEquilibrium(1e-9, 100);
 
     @Override
@@ -38,7 +40,7 @@ public sealed interface SimulationTask {
     }
   }
 
-  /** Forces that the prescribed motion needs. */
+  /** Inverse dynamics: the forces that produce the prescribed motion. */
   record InverseDynamic() implements SimulationTask {
     @Override
     public String element() {

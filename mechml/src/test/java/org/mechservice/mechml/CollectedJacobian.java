@@ -1,6 +1,6 @@
 package org.mechservice.mechml;
 
-import org.mechservice.solver.force.ForceJacobian;
+import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.kinematics.TreeGeometry;
 
 /** Sums the derivatives of forces, as one list of numbers. Unmoving bodies do not count. */

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 import org.mechservice.solver.api.UserForce;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 
 /** The Java sources beside a model, compiled as the service does: nothing but the solver to see. */
 final class UserClasses {

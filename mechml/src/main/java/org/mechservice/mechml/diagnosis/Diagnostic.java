@@ -4,9 +4,9 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.Severity;
 
 /**
- * Something to say about a model file.
+ * A message about a model file.
  *
- * @param severity how much it matters
+ * @param severity whether the model can still be used
  * @param code entry of the error catalogue, such as {@code M-014}
  * @param message what was found, what was expected, and what to write instead
  * @param file name of the file
@@ -24,7 +24,9 @@ public record Diagnostic(
     int column,
     String path) {
 
-  /** Returns {@code file:line:column: code message}, as much of the position as is known. */
+  /**
+   * Returns {@code file:line:column: code message}, with the parts of the position that are known.
+   */
   @Override
   public String toString() {
     String position =

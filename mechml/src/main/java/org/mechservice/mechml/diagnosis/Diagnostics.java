@@ -8,9 +8,9 @@ import java.util.Set;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.Severity;
 
-/** Collects what there is to say about one file; says the same thing at the same position once. */
+/** Collects the diagnostics of one file; keeps only one of several equal ones. */
 public final class Diagnostics {
-  /** As many messages as somebody reads; a file with more has one cause for most of them. */
+  /** Largest number of messages kept; in a file with more, most of them have one cause. */
   public static final int MOST = 100;
 
   private final String file;
@@ -31,13 +31,13 @@ public final class Diagnostics {
     return file;
   }
 
-  /** Adds what makes the model unusable. */
+  /** Adds an error: the model cannot be used. */
   public void error(MessageCode code, SourcePosition position, String message) {
     errors = true;
     add(Severity.ERROR, code, position, message);
   }
 
-  /** Adds what is probably not meant. */
+  /** Adds a warning: a probable mistake. */
   public void warning(MessageCode code, SourcePosition position, String message) {
     add(Severity.WARNING, code, position, message);
   }
@@ -60,7 +60,7 @@ public final class Diagnostics {
     return errors;
   }
 
-  /** Returns everything found, in file order. */
+  /** Returns all diagnostics in file order. */
   public List<Diagnostic> inFileOrder() {
     List<Diagnostic> ordered = new ArrayList<>(found);
     ordered.sort(Comparator.comparingInt(Diagnostic::line).thenComparingInt(Diagnostic::column));
@@ -79,9 +79,9 @@ public final class Diagnostics {
   }
 
   /**
-   * Ends the reading if something was wrong.
+   * Ends the reading if there is an error.
    *
-   * @throws MechmlException with everything found if there is an error
+   * @throws MechmlException with all diagnostics if one of them is an error
    */
   public void throwIfErrors() throws MechmlException {
     if (errors) {

@@ -3,7 +3,7 @@ package org.mechservice.mechml.diagnosis;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** A model file cannot be used; carries every diagnostic found. */
+/** Thrown when a model file has errors; carries all diagnostics. */
 public final class MechmlException extends Exception {
   private static final long serialVersionUID = 1L;
 

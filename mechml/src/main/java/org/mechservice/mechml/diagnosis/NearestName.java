@@ -4,7 +4,7 @@ import java.util.Collection;
 import java.util.Locale;
 import java.util.Optional;
 
-/** The name a user most likely meant. */
+/** Finds the known name nearest to a misspelled one. */
 public final class NearestName {
   /** Longer names are not compared: the work grows with the square of the length. */
   private static final int LONGEST = 64;

@@ -2,7 +2,7 @@ package org.mechservice.mechml.diagnosis;
 
 import java.util.Locale;
 
-/** Text of messages: the same on every machine, whatever its language. */
+/** Formats the text of messages independently of the machine's language. */
 public final class Phrase {
   private Phrase() {}
 

@@ -1,6 +1,6 @@
 package org.mechservice.mechml.diagnosis;
 
-/** Text from a model file as it stands in messages: in quotes, on one line, of bounded length. */
+/** Formats text from a model file for messages: in quotes, on one line, shortened. */
 public final class Quoted {
   private static final int LONGEST = 60;
 

@@ -1,8 +1,8 @@
 package org.mechservice.mechml.document;
 
 /**
- * An attribute as the XML parser hands it on: line breaks have become blanks, references their
- * text.
+ * An attribute after XML parsing: line breaks have become blanks, and references have been replaced
+ * by their text.
  *
  * @param name name
  * @param value text

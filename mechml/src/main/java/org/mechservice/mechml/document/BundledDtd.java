@@ -13,7 +13,7 @@ import org.xml.sax.InputSource;
 import org.xml.sax.SAXException;
 import org.xml.sax.ext.EntityResolver2;
 
-/** Answers the XML parser's only question for a file with the DTD that comes with this library. */
+/** Gives the XML parser the bundled DTD and refuses every other file. */
 final class BundledDtd implements EntityResolver2 {
   private static final String FILE = "mechml.dtd";
   private static final byte[] TEXT = load();
@@ -38,17 +38,17 @@ final class BundledDtd implements EntityResolver2 {
     }
   }
 
-  /** Returns whether the DTD has been asked for. */
+  /** Returns whether the parser has read the DTD. */
   boolean isServed() {
     return served;
   }
 
-  /** Returns whether the file itself did not name it. */
+  /** Returns whether the file has no DOCTYPE. */
   boolean isUnasked() {
     return unasked;
   }
 
-  /** {@inheritDoc} A file without DOCTYPE is checked all the same. */
+  /** {@inheritDoc} A file without DOCTYPE is checked, too. */
   @Override
   public InputSource getExternalSubset(String name, @Nullable String baseUri) {
     unasked = true;
@@ -58,7 +58,7 @@ final class BundledDtd implements EntityResolver2 {
   /**
    * {@inheritDoc}
    *
-   * @throws SAXException for everything but the DTD of MechML
+   * @throws SAXException if the file is not the DTD of MechML
    */
   @Override
   public InputSource resolveEntity(

@@ -3,6 +3,6 @@ package org.mechservice.mechml.document;
 /**
  * A comment.
  *
- * @param text what stands between {@code <!--} and {@code -->}, line breaks as line feeds
+ * @param text the text between {@code <!--} and {@code -->}, with line feeds as line breaks
  */
 public record Comment(String text) implements Content {}

@@ -1,4 +1,4 @@
 package org.mechservice.mechml.document;
 
-/** What stands between the tags of an element. */
+/** Content of an element: child elements and comments. */
 public sealed interface Content permits Element, Comment {}

@@ -6,29 +6,29 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Which children an element may have in which order: the content model of a DTD.
+ * Content model of a DTD: the children that an element may have, in their order.
  *
- * <p>DTD models are deterministic: the next child's name alone says where in the model it belongs.
- * So a model can be read child by child, each leaving the model of what may still come.
+ * <p>DTD models are deterministic: the name of the next child determines its position in the model.
+ * Each child therefore reduces the model to that of the remaining children.
  */
 sealed interface ContentModel {
   /** No children. */
   ContentModel EMPTY = new Sequence(List.of());
 
-  /** Returns whether nothing more need come. */
+  /** Returns whether the remaining children are all optional. */
   boolean isComplete();
 
-  /** Returns the names that may come next. */
+  /** Returns the allowed names of the next child. */
   Set<String> next();
 
-  /** Returns the names that must still come. */
+  /** Returns the names of the required children that are still missing. */
   Set<String> required();
 
   /** Returns all names of the model. */
   Set<String> names();
 
   /**
-   * Returns what may come after a child.
+   * Returns the model of the children after a child.
    *
    * @param child one of {@link #next()}
    */
@@ -150,11 +150,11 @@ sealed interface ContentModel {
   }
 
   /**
-   * A part that may be left out or repeated.
+   * A part that is optional, repeatable or both.
    *
    * @param part what is repeated
-   * @param optional whether it may be left out
-   * @param unbounded whether it may come more than once
+   * @param optional whether it may be omitted
+   * @param unbounded whether it may occur more than once
    */
   record Repeated(ContentModel part, boolean optional, boolean unbounded) implements ContentModel {
     @Override

@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A model file as a tree: what it says, with its expressions, units and comments as written.
+ * A model file as a tree of elements, with expressions, units and comments as written.
  *
- * @param systemId what its DOCTYPE calls the grammar, such as {@code MechML.dtd}; empty without
+ * @param systemId name of the grammar in its DOCTYPE, such as {@code MechML.dtd}; empty without
  *     DOCTYPE
  * @param prolog comments before the outermost element
  * @param root the element MechML

@@ -16,7 +16,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.xml.sax.InputSource;
 import org.xml.sax.SAXException;
 
-/** Reads a model file as a tree of elements that keeps to the grammar. */
+/** Reads a model file into a tree of elements and checks it against the grammar. */
 public final class DocumentReader {
   private static final String VALIDATION = "http://xml.org/sax/features/validation";
   private static final String NAMESPACES = "http://xml.org/sax/features/namespaces";
@@ -42,8 +42,8 @@ public final class DocumentReader {
    * Reads a file.
    *
    * @param content the file's bytes; not modified
-   * @param diagnostics takes what is wrong
-   * @return the document; everything in it keeps to the grammar
+   * @param diagnostics receives errors and warnings
+   * @return the document, which is valid
    * @throws MechmlException if the file is too large, not well-formed or not valid
    */
   public static Document read(byte[] content, Diagnostics diagnostics) throws MechmlException {
@@ -51,11 +51,11 @@ public final class DocumentReader {
   }
 
   /**
-   * Reads an XML file of another language, whose grammar is not checked. It may have no DOCTYPE,
-   * hence no entities of its own; text between tags is left aside.
+   * Reads an XML file of another language without checking a grammar. The file may have no DOCTYPE
+   * and hence no entities; text between tags is ignored.
    *
    * @param content the file's bytes; not modified
-   * @param diagnostics takes what is wrong
+   * @param diagnostics receives errors and warnings
    * @return the outermost element
    * @throws MechmlException if the file is too large, not well-formed, or has a DOCTYPE
    */
@@ -80,7 +80,7 @@ public final class DocumentReader {
     } catch (RejectedFileException refusal) {
       diagnostics.error(refusal.code(), refusal.position(), refusal.text());
     } catch (SAXException | RuntimeException e) {
-      // The parser has, rarely, exceptions of its own for bytes it cannot make sense of.
+      // Xerces throws other runtime exceptions for a few invalid byte sequences.
       diagnostics.error(MessageCode.NOT_WELL_FORMED, here.position(), "this cannot be read as XML");
     } catch (IOException e) {
       diagnostics.error(
@@ -106,7 +106,7 @@ public final class DocumentReader {
     return builder.document(!dtd.isUnasked());
   }
 
-  /** The classes are named, so that no setting of the machine can put others in their place. */
+  /** The parser's classes are named here, so that no system property can replace them. */
   private SAXParser parser(boolean own) throws SAXException {
     DTDConfiguration configuration = new DTDConfiguration();
     configuration.setErrorHandler(errors);

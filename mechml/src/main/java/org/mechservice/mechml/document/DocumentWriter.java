@@ -5,10 +5,10 @@ import java.util.List;
 /**
  * Writes a document as canonical text: one element a line, two blanks of indentation a level, empty
  * elements as one tag, values in double quotes. Reading that text gives the same document, and a
- * file that is canonical is written as it was read.
+ * canonical file is written back unchanged.
  *
- * <p>Line breaks inside of values have become blanks when the file was read, and entities of its
- * own their text; what its layout was otherwise is not kept.
+ * <p>The reader has replaced line breaks inside values by blanks, and entities by their text; the
+ * rest of the layout is not kept.
  */
 public final class DocumentWriter {
   private static final String INDENT = "  ";
@@ -60,7 +60,7 @@ public final class DocumentWriter {
     }
   }
 
-  /** Characters that a parser would take for markup or turn into blanks become references. */
+  /** Replaces markup characters and line breaks by character references. */
   private void value(String value) {
     for (int i = 0; i < value.length(); i++) {
       char c = value.charAt(i);

@@ -12,7 +12,7 @@ import org.mechservice.mechml.diagnosis.SourcePosition;
  * @param name name of the element, such as {@code joint}
  * @param attributes in file order
  * @param content elements and comments between its tags, in file order
- * @param position where its tag begins
+ * @param position start of its tag
  * @param owner the nearest named element around it as {@link #label()} gives it, such as {@code
  *     body "bar1"}; empty if there is none
  */
@@ -39,7 +39,7 @@ public record Element(
     return children;
   }
 
-  /** Returns the text of an attribute if the file gives it. */
+  /** Returns the text of an attribute; empty if the element lacks it. */
   public Optional<String> attribute(String attributeName) {
     return attributes.stream()
         .filter(a -> a.name().equals(attributeName))
@@ -77,12 +77,15 @@ public record Element(
         .orElseThrow(() -> new IllegalStateException(name + " lacks " + childName));
   }
 
-  /** Returns how messages call it: {@code body "bar1": point "p2"}. */
+  /** Returns its name in messages: {@code body "bar1": point "p2"}. */
   public String label() {
     return role() + attribute("name").map(n -> " " + Quoted.of(n)).orElse("");
   }
 
-  /** Returns how messages call it when its name is another's: {@code joint "j2": body2}. */
+  /**
+   * Returns its name in messages if its attribute {@code name} names another element: {@code joint
+   * "j2": body2}.
+   */
   public String role() {
     return owner.isEmpty() ? name : owner + ": " + name;
   }

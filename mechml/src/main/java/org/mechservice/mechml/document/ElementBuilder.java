@@ -20,10 +20,10 @@ import org.xml.sax.ext.DefaultHandler2;
 /**
  * Builds the tree of elements from the parser's events.
  *
- * <p>The parser tells where an event ends; a tag begins where the event before it ended.
+ * <p>The parser reports the end of each event; a tag begins at the end of the previous event.
  */
 final class ElementBuilder extends DefaultHandler2 {
-  /** Elements whose name stands for the whole file, so messages do not repeat it. */
+  /** Elements whose name messages do not repeat, since they stand for the whole file. */
   private static final Set<String> NOT_OWNERS =
       Set.of("MechML", "MBSmodel", "robot", "body1", "body2");
 
@@ -31,7 +31,7 @@ final class ElementBuilder extends DefaultHandler2 {
    * An element whose end has not been read.
    *
    * @param head the element without its children
-   * @param content what has been read of it so far
+   * @param content the children read so far
    */
   private record Open(Element head, List<Content> content) {
     Element close() {
@@ -55,8 +55,8 @@ final class ElementBuilder extends DefaultHandler2 {
   /**
    * Begins without elements.
    *
-   * @param diagnostics takes text found between tags
-   * @param here always tells the parser's present position
+   * @param diagnostics receives errors about text between tags
+   * @param here the parser's current position
    */
   ElementBuilder(Diagnostics diagnostics, ParserPosition here) {
     this.diagnostics = diagnostics;
@@ -64,7 +64,7 @@ final class ElementBuilder extends DefaultHandler2 {
   }
 
   /**
-   * Returns what has been read once the end of the outermost element has.
+   * Returns the document; empty before the end of the outermost element.
    *
    * @param hasDoctype whether the file itself names the grammar
    */
@@ -72,7 +72,7 @@ final class ElementBuilder extends DefaultHandler2 {
     return root.map(r -> new Document(systemId.filter(id -> hasDoctype), prolog, r, epilog));
   }
 
-  /** Lets text stand between tags, and no DOCTYPE before them. */
+  /** Allows text between tags and refuses a DOCTYPE. */
   void takeForeign() {
     foreign = true;
   }
@@ -91,7 +91,7 @@ final class ElementBuilder extends DefaultHandler2 {
   public void startElement(String uri, String localName, String name, Attributes attributes)
       throws SAXException {
     if (open.isEmpty()) {
-      // White space before the outermost element is no event.
+      // The parser reports no event for white space before the outermost element.
       line = here.line();
       column = Math.max(1, here.column() - name.length() - 2);
     }
@@ -208,7 +208,7 @@ final class ElementBuilder extends DefaultHandler2 {
     inDtd = false;
   }
 
-  /** {@inheritDoc} Comments inside a DOCTYPE, of the grammar for one, are not the model's. */
+  /** {@inheritDoc} Comments inside a DOCTYPE or the DTD are skipped. */
   @Override
   public void comment(char[] text, int start, int length) {
     Comment comment = new Comment(new String(text, start, length));

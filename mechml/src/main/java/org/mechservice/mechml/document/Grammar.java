@@ -6,13 +6,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** What the DTD says about elements and attributes. */
+/** The elements and attributes of the DTD. */
 final class Grammar {
   /**
-   * What an attribute may hold.
+   * Rule for the value of an attribute.
    *
    * @param required whether it must be given
-   * @param choices the texts allowed; empty if any is
+   * @param choices the allowed values; empty if every text is allowed
    */
   record AttributeRule(boolean required, List<String> choices) {}
 
@@ -27,7 +27,7 @@ final class Grammar {
     attributes.computeIfAbsent(element, e -> new LinkedHashMap<>()).put(attribute, rule);
   }
 
-  /** Returns which children an element may have; empty if the DTD does not know the element. */
+  /** Returns the content model of an element; empty if the DTD does not declare it. */
   Optional<ContentModel> content(String element) {
     return Optional.ofNullable(content.get(element));
   }

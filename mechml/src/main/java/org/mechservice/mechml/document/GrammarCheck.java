@@ -14,7 +14,7 @@ import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** Says in words where a file departs from the grammar. */
+/** Compares a file with the grammar and reports each difference. */
 final class GrammarCheck {
   private final Grammar grammar;
   private final Diagnostics diagnostics;
@@ -25,7 +25,7 @@ final class GrammarCheck {
   }
 
   /**
-   * Reports what is wrong with an element the grammar knows, and with everything in it.
+   * Reports the errors of an element and of all elements in it.
    *
    * @param element an element of the grammar
    */
@@ -75,7 +75,9 @@ final class GrammarCheck {
     return lacking;
   }
 
-  /** A name like no other stands for the one required attribute that is lacking. */
+  /**
+   * Suggests the nearest known name; if there is none, the only required attribute that is missing.
+   */
   private static Optional<String> meant(
       String name, Collection<String> known, Collection<String> lacking) {
     Optional<String> nearest = NearestName.of(name, known);
@@ -108,7 +110,7 @@ final class GrammarCheck {
                 .orElse("")));
   }
 
-  /** Unknown and misplaced children are passed over, so that each fault is reported once. */
+  /** Skips unknown and misplaced children, so that each error is reported once. */
   private void checkContent(Element element, ContentModel content) {
     ContentModel rest = content;
     Set<String> given = new HashSet<>();

@@ -8,8 +8,8 @@ import org.xml.sax.SAXException;
 import org.xml.sax.ext.DefaultHandler2;
 
 /**
- * Takes the grammar from the declarations of the bundled DTD, and refuses what a model file may not
- * declare itself: anything but short entities.
+ * Reads the grammar from the declarations of the bundled DTD. A model file itself may declare short
+ * entities only; every other declaration is refused.
  */
 final class GrammarReader extends DefaultHandler2 {
   private final Grammar grammar = new Grammar();
@@ -19,7 +19,7 @@ final class GrammarReader extends DefaultHandler2 {
   /**
    * Begins with an empty grammar.
    *
-   * @param dtd says whether declarations are its own or the file's
+   * @param dtd knows whether a declaration comes from the bundled DTD or from the file
    * @param here position of the declaration being read
    */
   GrammarReader(BundledDtd dtd, ParserPosition here) {

@@ -9,14 +9,14 @@ import org.mechservice.mechml.diagnosis.SourcePosition;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * Takes the XML parser's complaints: the first about well-formedness ends the reading, the first
- * about validity is kept in case the grammar check cannot explain it.
+ * Receives the XML parser's errors. The first error of well-formedness ends the reading. The first
+ * error of validity is kept for the case that the grammar check finds nothing.
  */
 final class ParserErrors implements XMLErrorHandler {
   /**
-   * A complaint about validity.
+   * An error of validity.
    *
-   * @param position where the parser stood
+   * @param position the parser's position
    * @param text the parser's sentence
    */
   record Invalidity(SourcePosition position, String text) {}
@@ -26,20 +26,20 @@ final class ParserErrors implements XMLErrorHandler {
   private int invalidities;
 
   /**
-   * Begins without complaints.
+   * Begins without errors.
    *
-   * @param builder knows which element is open
+   * @param builder knows the innermost open element
    */
   ParserErrors(ElementBuilder builder) {
     this.builder = builder;
   }
 
-  /** Returns the first complaint about validity. */
+  /** Returns the first error of validity. */
   Optional<Invalidity> invalidity() {
     return invalidity;
   }
 
-  /** {@inheritDoc} The parser's warnings are about grammars, which are ours. */
+  /** {@inheritDoc} Ignores the parser's warnings: they concern only the bundled grammar. */
   @Override
   public void warning(String domain, String key, XMLParseException exception) {}
 

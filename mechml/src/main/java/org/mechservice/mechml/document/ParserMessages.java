@@ -6,8 +6,8 @@ import java.util.regex.Pattern;
 import org.mechservice.mechml.diagnosis.Quoted;
 
 /**
- * What the XML parser's complaints mean to somebody who writes models. The parser's own sentence
- * holds names in quotes, which the rewritten ones take over.
+ * Rewords the XML parser's errors for authors of models. The reworded messages take over the quoted
+ * names of the parser's messages.
  */
 final class ParserMessages {
   private static final Pattern QUOTED = Pattern.compile("\"([^\"]*+)\"");
@@ -59,10 +59,10 @@ final class ParserMessages {
   private ParserMessages() {}
 
   /**
-   * Returns a complaint in words of our own, or the parser's where they need no change.
+   * Returns the reworded message, or the parser's message if it needs no change.
    *
-   * @param key the parser's name for the complaint
-   * @param sentence the parser's sentence
+   * @param key the parser's key of the error
+   * @param sentence the parser's message
    */
   static String of(String key, String sentence) {
     String rewritten = REWRITTEN.get(key);

@@ -4,11 +4,11 @@ import org.mechservice.mechml.diagnosis.SourcePosition;
 import org.xml.sax.Locator;
 import org.xml.sax.helpers.LocatorImpl;
 
-/** Where the parser stands. */
+/** The parser's current position. */
 final class ParserPosition {
   private Locator locator = new LocatorImpl();
 
-  /** Takes the parser's locator, which moves with it. */
+  /** Uses the parser's locator, which the parser updates as it reads. */
   void follow(Locator parserLocator) {
     this.locator = parserLocator;
   }

@@ -4,7 +4,7 @@ import org.mechservice.mechml.diagnosis.SourcePosition;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.xml.sax.SAXException;
 
-/** A file is not read further. */
+/** Ends the reading of a file at an error that cannot be skipped. */
 final class RejectedFileException extends SAXException {
   private static final long serialVersionUID = 1L;
 

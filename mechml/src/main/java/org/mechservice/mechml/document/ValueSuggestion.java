@@ -7,12 +7,12 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.mechservice.mechml.diagnosis.NearestName;
 
-/** Guesses which of the values an attribute may have is meant by another. */
+/** Suggests the allowed value of an attribute that a user most likely meant. */
 final class ValueSuggestion {
-  /** A word this short is near to too many others. */
+  /** Words of this length or shorter are not compared: they are near to too many others. */
   private static final int SHORT = 3;
 
-  /** What people and other formats call the values of MechML, in small letters. */
+  /** Other names of MechML's values, in lower case. */
   private static final Map<String, String> WORDS =
       Map.ofEntries(
               entries("R", "revolute", "rotational", "hinge", "pin", "continuous"),
@@ -52,7 +52,7 @@ final class ValueSuggestion {
     return Map.entry(value, List.of(words));
   }
 
-  /** Returns the value that is probably meant. */
+  /** Returns the allowed value that is probably meant. */
   static Optional<String> meant(String found, List<String> choices) {
     String word = found.strip().toLowerCase(Locale.ROOT);
     return choices.stream()

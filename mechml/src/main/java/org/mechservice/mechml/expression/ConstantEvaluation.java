@@ -4,7 +4,9 @@ import java.util.List;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** The value of an expression in a scope; every intermediate value must be finite. */
+/**
+ * Computes the value of a constant expression in a scope; every intermediate value must be finite.
+ */
 public final class ConstantEvaluation {
   private final Scope scope;
 
@@ -16,7 +18,7 @@ public final class ConstantEvaluation {
    * Returns the value of an expression.
    *
    * @return a finite number
-   * @throws ExpressionException if a name stands for nothing or a part has no finite value
+   * @throws ExpressionException if a name is unknown or a part has no finite value
    */
   public static double of(ParsedExpression expression, Scope scope) throws ExpressionException {
     return new ConstantEvaluation(scope).value(expression);

@@ -2,7 +2,7 @@ package org.mechservice.mechml.expression;
 
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** An expression cannot be read or has no value. */
+/** Thrown when an expression cannot be read or has no value. */
 public final class ExpressionException extends Exception {
   private static final long serialVersionUID = 1L;
 
@@ -10,7 +10,7 @@ public final class ExpressionException extends Exception {
   private final int offset;
 
   /**
-   * Says what is wrong where.
+   * Creates an exception with the error and its position in the text.
    *
    * @param code entry of the catalogue
    * @param offset character in the text, from 0

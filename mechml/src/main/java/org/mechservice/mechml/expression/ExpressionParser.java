@@ -14,10 +14,10 @@ import org.mechservice.solver.catalogue.MessageCode;
 
 /** Reads an expression by recursive descent; one method per rule of the grammar. */
 public final class ExpressionParser {
-  /** Deeper nesting is refused, which bounds the stack here and wherever the tree is walked. */
+  /** Largest depth of nesting; it bounds the recursion here and in every traversal of the tree. */
   static final int DEEPEST = 100;
 
-  /** What functions are called in other notations. */
+  /** Names of functions in other notations. */
   private static final Map<String, String> ELSEWHERE =
       Map.of(
           "sgn", "signum", "sign", "signum", "arcsin", "asin", "arccos", "acos", "arctan", "atan",
@@ -86,7 +86,7 @@ public final class ExpressionParser {
     return negative ? new ParsedExpression.Negation(power, offset) : power;
   }
 
-  /** Every way down leads through here, so here the depth is counted. */
+  /** Counts the depth: every recursion passes through this method. */
   private ParsedExpression power() throws ExpressionException {
     enter();
     ParsedExpression base = primary();
@@ -225,7 +225,7 @@ public final class ExpressionParser {
         "expected " + expected + ", found " + found + hint());
   }
 
-  /** Returns what those write who know another notation. */
+  /** Returns a hint for notations of other languages. */
   private String hint() {
     if (token.is(",") && depth == 0) {
       return "; decimals have a point, lists are separated by \";\"";

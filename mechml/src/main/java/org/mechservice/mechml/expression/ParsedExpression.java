@@ -3,16 +3,16 @@ package org.mechservice.mechml.expression;
 import java.util.List;
 import java.util.OptionalInt;
 
-/** An expression, read but not evaluated; every part knows where in the text it stands. */
+/** A parsed expression; every part knows its position in the text. */
 public sealed interface ParsedExpression {
-  /** Returns the character this part begins at, or its operator's, from 0. */
+  /** Returns the position, from 0, of this part's first character or of its operator. */
   int offset();
 
   /** A number. */
   record Literal(double value, int offset) implements ParsedExpression {}
 
   /**
-   * A name, or several joined by dots, and perhaps the number of a component.
+   * A name or several names joined by dots, with an optional component index.
    *
    * @param names at least one
    * @param index the number in square brackets, from 0
@@ -34,18 +34,18 @@ public sealed interface ParsedExpression {
    *
    * @param inverse whether the part is subtracted or divided by
    * @param operand the part
-   * @param offset of the operator before it, or of the part if it is the first
+   * @param offset position of the operator before it; for the first part its own position
    */
   record Part(boolean inverse, ParsedExpression operand, int offset) {}
 
-  /** A sum, taken from left to right; the first part may not be inverse. */
+  /** A sum, evaluated from left to right; the first part is not inverse. */
   record Sum(List<Part> parts, int offset) implements ParsedExpression {
     public Sum {
       parts = List.copyOf(parts);
     }
   }
 
-  /** A product, taken from left to right; the first part may not be inverse. */
+  /** A product, evaluated from left to right; the first part is not inverse. */
   record Product(List<Part> parts, int offset) implements ParsedExpression {
     public Product {
       parts = List.copyOf(parts);
@@ -59,7 +59,7 @@ public sealed interface ParsedExpression {
   record Power(ParsedExpression base, ParsedExpression exponent, int offset)
       implements ParsedExpression {}
 
-  /** A function and its arguments, as many as it takes. */
+  /** A function with all its arguments. */
   record Call(Function function, List<ParsedExpression> arguments, int offset)
       implements ParsedExpression {
     public Call {

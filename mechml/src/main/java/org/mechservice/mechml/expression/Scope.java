@@ -7,7 +7,7 @@ import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** What the names in an expression stand for. */
+/** The values of the names in an expression. */
 @FunctionalInterface
 public interface Scope {
   /** The names every expression knows: {@code PI}, also written {@code Math.PI}. */
@@ -16,7 +16,7 @@ public interface Scope {
   /**
    * Returns the value of a name.
    *
-   * @throws ExpressionException if the name stands for nothing
+   * @throws ExpressionException if the name is unknown
    */
   double value(ParsedExpression.Reference name) throws ExpressionException;
 

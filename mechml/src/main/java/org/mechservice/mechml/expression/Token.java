@@ -1,9 +1,9 @@
 package org.mechservice.mechml.expression;
 
 /**
- * A word of an expression.
+ * A token of an expression.
  *
- * @param kind what sort of word
+ * @param kind kind of token
  * @param text as written; a quoted name without its quotes
  * @param offset of its first character, from 0
  */

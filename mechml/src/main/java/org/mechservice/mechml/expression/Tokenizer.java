@@ -5,9 +5,9 @@ import java.util.regex.Pattern;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** Cuts the text of an expression into words. */
+/** Splits the text of an expression into tokens. */
 final class Tokenizer {
-  /** Possessive quantifiers: a long row of digits is passed over once. */
+  /** Possessive quantifiers avoid backtracking in long rows of digits. */
   private static final Pattern NUMBER =
       Pattern.compile("(?:[0-9]++\\.?+[0-9]*+|\\.[0-9]++)(?:[eE][+-]?+[0-9]++)?+");
 
@@ -50,7 +50,7 @@ final class Tokenizer {
             + hint());
   }
 
-  /** Returns what those write who know another notation. */
+  /** Returns a hint for notations of other languages. */
   private String hint() {
     return switch (text.charAt(position)) {
       case '<', '>', '=', '?', '&', '|', '!' ->

@@ -44,8 +44,8 @@ import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Reads {@code MBSmodel} in two steps: first bodies, root and joints, which settles what every name
- * stands for; then what refers to them.
+ * Reads {@code MBSmodel} in two steps: first bodies, root and joints, so that every name is known;
+ * then the elements that refer to these names.
  */
 final class MechanismReader {
   private final Element model;
@@ -80,7 +80,7 @@ final class MechanismReader {
     placeJoints();
   }
 
-  /** Returns a reader that knows the names; empty if there is no root or too much of something. */
+  /** Returns a reader that knows the names; empty if there is no root or a limit is exceeded. */
   static Optional<MechanismReader> begin(
       Element model, ValueReader values, Diagnostics diagnostics) {
     NameRule.check(model, diagnostics);
@@ -116,7 +116,10 @@ final class MechanismReader {
     return bodies;
   }
 
-  /** A joint whose body is unknown would make others look unconnected. */
+  /**
+   * Checks connection only if all bodies of joints are known: a missing joint would make bodies
+   * look unconnected.
+   */
   private void checkTree() {
     tree.checkBodies(diagnostics);
     if (links.size() == joints().size()) {
@@ -144,12 +147,12 @@ final class MechanismReader {
     }
   }
 
-  /** Returns what names stand for. */
+  /** Returns the names of bodies, points and joints. */
   MechanismNames names() {
     return names;
   }
 
-  /** Returns what reads expressions of these names. */
+  /** Returns the reader of expressions with these names. */
   FormulaReader formulas() {
     return formulas;
   }
@@ -159,7 +162,7 @@ final class MechanismReader {
     return new OutputsReader(values, formulas, names, diagnostics).read(model);
   }
 
-  /** Returns the mechanism; empty if something was wrong and has been reported. */
+  /** Returns the mechanism; empty after a reported error. */
   Optional<Mechanism> mechanism() {
     Optional<Vector3> gravity = gravity();
     DriveReader drives = new DriveReader(values, formulas, diagnostics);
@@ -202,7 +205,7 @@ final class MechanismReader {
             parameters()));
   }
 
-  /** Reports driven joints that nothing could follow in a simulation. */
+  /** Reports prescribed motions that no mechanism can follow. */
   void checkMotions(Mechanism mechanism, SimulationSettings settings) {
     boolean moves =
         settings.task() instanceof SimulationTask.Dynamic

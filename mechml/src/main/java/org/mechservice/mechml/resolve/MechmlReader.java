@@ -12,7 +12,7 @@ public final class MechmlReader {
   private MechmlReader() {}
 
   /**
-   * Reads, validates and resolves a model file as it is.
+   * Reads, validates and resolves a model file with default options.
    *
    * @see #read(String, byte[], ReadOptions)
    */
@@ -21,15 +21,15 @@ public final class MechmlReader {
   }
 
   /**
-   * Reads, validates and resolves a model file. Nothing else is opened or fetched: the DTD is the
-   * bundled one.
+   * Reads, validates and resolves a model file. The reader opens no other file; it uses the bundled
+   * DTD.
    *
    * @param fileName name for messages
    * @param content the file's bytes; not modified
-   * @param options which simulation is wanted, which parameters are set
+   * @param options the chosen simulation and the parameters to set
    * @return the model
-   * @throws MechmlException if the file is not well-formed, not valid, or not a mechanism, or the
-   *     options name what it does not have
+   * @throws MechmlException if the file is not well-formed, not valid, or not a mechanism, or if
+   *     the options name a simulation or parameter that the file lacks
    */
   public static MechmlModel read(String fileName, byte[] content, ReadOptions options)
       throws MechmlException {
@@ -39,8 +39,8 @@ public final class MechmlReader {
   }
 
   /**
-   * Reads and validates a model file, and resolves nothing: {@link
-   * org.mechservice.mechml.document.DocumentWriter} writes it again.
+   * Reads and validates a model file without resolving it. {@link
+   * org.mechservice.mechml.document.DocumentWriter} writes the document back to text.
    *
    * @param fileName name for messages
    * @param content the file's bytes; not modified

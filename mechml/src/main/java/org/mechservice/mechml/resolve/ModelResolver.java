@@ -20,7 +20,7 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
-/** Makes a mechanism and its settings of a document that keeps to the grammar. */
+/** Resolves a valid document: builds the mechanism and the simulation settings. */
 public final class ModelResolver {
   private final ReadOptions options;
   private final Diagnostics diagnostics;
@@ -34,9 +34,9 @@ public final class ModelResolver {
    * Resolves a document.
    *
    * @param document the element MechML
-   * @param options which simulation is wanted, which parameters are set
-   * @param diagnostics takes what is wrong or worth knowing
-   * @throws MechmlException if there is an error, with all that were found
+   * @param options the chosen simulation and the parameters to set
+   * @param diagnostics receives errors and warnings
+   * @throws MechmlException with all diagnostics, if one of them is an error
    */
   public static MechmlModel resolve(Element document, ReadOptions options, Diagnostics diagnostics)
       throws MechmlException {

@@ -32,7 +32,7 @@ final class OutputsReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the outputs in file order; those in error are missing. */
+  /** Returns the outputs without errors, in file order. */
   List<Output> read(Element model) {
     NameTable<Element> taken = new NameTable<>("output", "does not exist", diagnostics);
     List<Output> outputs = new ArrayList<>();

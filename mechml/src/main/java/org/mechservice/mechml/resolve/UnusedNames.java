@@ -9,14 +9,14 @@ import org.mechservice.mechml.resolve.formula.MechanismNames;
 import org.mechservice.mechml.resolve.value.ParameterTable;
 import org.mechservice.mechml.resolve.value.ResolvedParameter;
 
-/** What a file defines and nothing in it refers to: often a slip, never an error. */
+/** Lists the names that a file defines and does not use. An unused name is never an error. */
 final class UnusedNames {
   private UnusedNames() {}
 
   /**
    * Lists them, such as {@code vector "u2" of body "bar"}.
    *
-   * @param byClasses whether classes of users may refer to points and tunable parameters
+   * @param byClasses whether user force classes may refer to points and tunable parameters
    */
   static List<String> of(MechanismNames names, ParameterTable parameters, boolean byClasses) {
     List<String> unused = new ArrayList<>();

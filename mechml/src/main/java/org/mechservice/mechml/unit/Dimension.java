@@ -5,7 +5,7 @@ import java.util.StringJoiner;
 
 /**
  * A dimension as powers of the base quantities. Angles have a dimension of their own, so that
- * degrees do not pass for metres.
+ * degrees cannot be used as metres.
  *
  * @param mass power of mass
  * @param length power of length

@@ -1,6 +1,9 @@
 package org.mechservice.mechml.unit;
 
-/** What an attribute holds, which says what its unit measures and how its bare numbers are read. */
+/**
+ * Physical quantity of an attribute: it determines the dimension of its unit and the unit of its
+ * bare numbers.
+ */
 public enum Quantity {
   NUMBER(Dimension.NONE, 0),
   MASS(Dimension.MASS, 0),
@@ -17,7 +20,7 @@ public enum Quantity {
   STIFFNESS(new Dimension(1, 0, -2, 0), 1),
   /** Force per speed. */
   DAMPING(new Dimension(1, 0, -1, 0), 1),
-  /** Torque per angle; a unit without rad is taken for one per rad. */
+  /** Torque per angle; a unit without rad means per rad. */
   TORSIONAL_STIFFNESS(new Dimension(1, 2, -2, -1), 1),
   /** Torque per angular speed; likewise. */
   TORSIONAL_DAMPING(new Dimension(1, 2, -1, -1), 1),
@@ -40,7 +43,7 @@ public enum Quantity {
     this.force = force;
   }
 
-  /** Returns what its unit measures. */
+  /** Returns the dimension of its unit. */
   public Dimension dimension() {
     return dimension;
   }
@@ -50,7 +53,7 @@ public enum Quantity {
     return force;
   }
 
-  /** Returns whether a unit measures it: what is per angle may leave the angle unsaid. */
+  /** Returns whether a unit measures it; units per angle may omit the angle. */
   public boolean isMeasuredBy(Unit unit) {
     Dimension given = unit.dimension();
     return given.equals(dimension)

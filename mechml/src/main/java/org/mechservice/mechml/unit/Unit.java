@@ -1,12 +1,12 @@
 package org.mechservice.mechml.unit;
 
 /**
- * A unit of measurement: 1 unit = numerator / denominator in SI. Two factors, since 1/1000 has no
- * exact binary form and 3 mm should be the double nearest to 0.003 m.
+ * A unit of measurement: 1 unit = numerator / denominator in SI. The two factors keep 3 mm at the
+ * double nearest to 0.003 m; 1/1000 alone has no exact binary form.
  *
  * @param numerator factor to SI
  * @param denominator divisor to SI
- * @param dimension what it measures
+ * @param dimension its dimension
  */
 public record Unit(double numerator, double denominator, Dimension dimension) {
   /** The unit of pure numbers. */

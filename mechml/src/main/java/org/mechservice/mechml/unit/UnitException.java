@@ -1,6 +1,6 @@
 package org.mechservice.mechml.unit;
 
-/** A text is not a unit; the message says why. */
+/** Thrown when a text is not a unit; the message gives the reason. */
 public final class UnitException extends Exception {
   private static final long serialVersionUID = 1L;
 

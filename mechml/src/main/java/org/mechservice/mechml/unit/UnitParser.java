@@ -13,7 +13,7 @@ public final class UnitParser {
   private static final Pattern FACTOR =
       Pattern.compile("\\s*+([*·/]?)\\s*+([A-Za-z]++|1)(?:\\^(-?[0-9])|([²³]))?\\s*+");
 
-  /** Longer texts are no units, and their powers could leave the range of doubles. */
+  /** Longest text accepted; the powers of longer ones could leave the range of doubles. */
   private static final int LONGEST = 40;
 
   private UnitParser() {}

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** The units that have a symbol of their own. */
+/** The units with a symbol. */
 public final class UnitSymbols {
   /** International avoirdupois pound, kg, exact by definition. */
   private static final double POUND = 0.45359237;

@@ -20,16 +20,16 @@ public record UnitSystem(Unit mass, Unit length, Unit angle, Unit force) {
   }
 
   /**
-   * Returns the unit of bare numbers of a quantity. What is per angle is per rad, whatever the unit
-   * of angles.
+   * Returns the unit of bare numbers of a quantity. Quantities per angle are per rad, also if the
+   * file's unit of angles is deg.
    */
   public Unit of(Quantity quantity) {
     return composed(quantity.dimension(), quantity.force(), angle);
   }
 
   /**
-   * Returns the unit in which an expression sees a value of a dimension: the file's, but angles are
-   * in rad.
+   * Returns the unit in which an expression sees a value of a dimension: the file's unit, except
+   * that angles are in rad.
    */
   public Unit inExpressions(Dimension dimension) {
     int forces =

@@ -9,7 +9,7 @@ import org.mechservice.mechml.document.Element;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.Severity;
 
-/** What of a robot's file is not carried over, all of it. */
+/** Collects the parts of a robot's file that MechML cannot express. */
 final class ImportLosses {
   private final String file;
   private final List<Diagnostic> found = new ArrayList<>();
@@ -21,7 +21,7 @@ final class ImportLosses {
   /**
    * Notes a loss.
    *
-   * @param element what is lost, or has lost something
+   * @param element the element that is lost or loses something
    * @param what a sentence about it, after its label
    */
   void add(Element element, String what) {

@@ -13,11 +13,14 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * A robot as a MechML document. Bodies have the frames of their links; a joint's point and vectors
- * have its name on both bodies.
+ * A robot as a MechML document. Each body has the frame of its link. A joint's point and vectors
+ * have the joint's name on both bodies.
  */
 final class MechmlRobot {
-  /** Acceleration of free fall, m/s², which URDF leaves to the simulator; z is up by convention. */
+  /**
+   * Acceleration of free fall, m/s²; URDF leaves it to the simulator, and z points up by
+   * convention.
+   */
   private static final String GRAVITY = "-9.81";
 
   private final UrdfRobot robot;

@@ -12,11 +12,11 @@ import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.text.ShortestDecimal;
 
 /**
- * The joints of a robot in MechML. The child's frame at zero is stated by two vectors: the axis and
- * one across it, each in the axes of both bodies.
+ * The joints of a robot in MechML. Two vectors define the child's frame at zero: the axis and a
+ * vector normal to it, each in the axes of both bodies.
  */
 final class RobotJoints {
-  /** What URDF does not say, so that it can be changed in one place. */
+  /** Assumed values of quantities that URDF does not define. */
   private enum Assumption {
     ANGLE_STOP_STIFFNESS("angleStopStiffness", "1e4", "N*m/rad"),
     ANGLE_STOP_DAMPING("angleStopDamping", "10", "N*m*s/rad"),
@@ -54,7 +54,7 @@ final class RobotJoints {
     return robot.joints().stream().anyMatch(joint -> joint.name().equals(name));
   }
 
-  /** Returns what the joints need that URDF does not say, as parameters. */
+  /** Returns the assumed values as parameters. */
   TagBuilder parameters() {
     TagBuilder parameters = new TagBuilder("Parameters");
     for (Assumption assumption : Assumption.values()) {
@@ -176,7 +176,7 @@ final class RobotJoints {
         : end;
   }
 
-  /** Returns where a joint is at the start, unless that is at zero in its own words. */
+  /** Returns the start position of a joint; empty if it is zero. */
   Optional<TagBuilder> start(Joint joint) {
     if (joint.type() == Freedom.FLOATING) {
       String turn =

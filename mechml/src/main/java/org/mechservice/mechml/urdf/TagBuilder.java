@@ -9,7 +9,7 @@ import org.mechservice.mechml.document.Content;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.solver.text.ShortestDecimal;
 
-/** An element of MechML that is being made, with the position of the one it is made from. */
+/** Builds an element of MechML; it has the position of the URDF element that it comes from. */
 final class TagBuilder {
   private final String name;
   private final SourcePosition position;
@@ -23,17 +23,17 @@ final class TagBuilder {
     this.owner = owner;
   }
 
-  /** An element that the robot's file has no counterpart of. */
+  /** Begins an element without a counterpart in the robot's file. */
   TagBuilder(String name) {
     this(name, SourcePosition.FILE, "");
   }
 
-  /** An element made from another one. */
+  /** Begins an element from another one. */
   static TagBuilder of(String name, Element from) {
     return new TagBuilder(name, from.position(), "");
   }
 
-  /** An element made from another one, which messages name with the named one around it. */
+  /** Begins an element from another one; messages name it with the named element around it. */
   static TagBuilder of(String name, Element from, TagBuilder owner) {
     return new TagBuilder(name, from.position(), owner.element().label());
   }
@@ -44,7 +44,7 @@ final class TagBuilder {
   }
 
   TagBuilder set(String attribute, double value) {
-    // No sign at zero: it means nothing and reads oddly.
+    // Zero is written without a sign.
     return set(attribute, ShortestDecimal.format(value + 0.0));
   }
 
@@ -65,7 +65,7 @@ final class TagBuilder {
     return new Element(name, attributes, content, position, owner);
   }
 
-  /** Returns the element if there is anything in it. */
+  /** Returns the element; empty if it has no content. */
   Optional<Element> unlessEmpty() {
     return content.isEmpty() ? Optional.empty() : Optional.of(element());
   }

@@ -15,10 +15,10 @@ import org.mechservice.mechml.resolve.ModelResolver;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * A robot in MechML.
+ * A robot translated to MechML.
  *
  * @param document the model file
- * @param losses what of the robot's file is not in it, in file order: warnings M-085
+ * @param losses the parts of the robot's file that are not in it, in file order: warnings M-085
  * @param model what the model file says; its places are those of the robot's file
  */
 public record UrdfImport(Document document, List<Diagnostic> losses, MechmlModel model) {
@@ -29,11 +29,11 @@ public record UrdfImport(Document document, List<Diagnostic> losses, MechmlModel
   }
 
   /**
-   * Translates a robot. Nothing but the bytes given is read; meshes are carried over by name.
+   * Translates a robot. Only the given bytes are read; meshes keep their file names.
    *
    * @param fileName name for messages
    * @param content bytes of a URDF file; not modified
-   * @throws MechmlException if it is no URDF, contradicts itself, or is no mechanism; places are
+   * @throws MechmlException if it is no URDF, contradicts itself, or is no mechanism; positions are
    *     those of the URDF file
    */
   public static UrdfImport of(String fileName, byte[] content) throws MechmlException {
@@ -46,7 +46,8 @@ public record UrdfImport(Document document, List<Diagnostic> losses, MechmlModel
     UrdfTree tree = UrdfTree.of(read, diagnostics);
     diagnostics.throwIfErrors();
     Document document = new MechmlRobot(fileName, read, tree).document();
-    // Its elements have the places of those they were made from: messages are about the robot's.
+    // The elements keep the positions of the URDF elements, so messages point into the robot's
+    // file.
     MechmlModel model = ModelResolver.resolve(document.root(), ReadOptions.NONE, diagnostics);
     return new UrdfImport(document, losses.inFileOrder(), model);
   }

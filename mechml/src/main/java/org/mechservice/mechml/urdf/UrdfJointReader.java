@@ -161,7 +161,7 @@ final class UrdfJointReader {
     return Optional.of(range);
   }
 
-  /** What a motor can do is no property of a joint in MechML. */
+  /** Reports the limits of the motor as lost: a joint in MechML has none. */
   private void loseDrives(Element limit) {
     List<String> lost = new ArrayList<>();
     for (String name : List.of("effort", "velocity")) {

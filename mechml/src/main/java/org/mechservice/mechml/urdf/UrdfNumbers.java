@@ -12,7 +12,10 @@ import org.mechservice.mechml.urdf.UrdfRobot.Frame;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.Vector3;
 
-/** Reads numbers in the attributes of a robot's file; what is wrong is reported and counts as 0. */
+/**
+ * Reads numbers in the attributes of a robot's file; reports an invalid number and returns 0 for
+ * it.
+ */
 final class UrdfNumbers {
   private static final Pattern DECIMAL =
       Pattern.compile("[+-]?(?:\\d{1,400}\\.?\\d{0,400}|\\.\\d{1,400})(?:[eE][+-]?\\d{1,9})?");
@@ -24,7 +27,7 @@ final class UrdfNumbers {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns a number that must be given. */
+  /** Returns a required number. */
   double required(Element element, String attribute) {
     if (element.attribute(attribute).isEmpty()) {
       missing(element, "attribute " + attribute);
@@ -40,12 +43,12 @@ final class UrdfNumbers {
         Phrase.of("%s lacks its %s", element.label(), what));
   }
 
-  /** Returns a number, or what it is where it is not given. */
+  /** Returns a number, or its default if it is missing. */
   double optional(Element element, String attribute, double otherwise) {
     return element.attribute(attribute).isEmpty() ? otherwise : list(element, attribute, 1).get(0);
   }
 
-  /** Returns three numbers, or what they are where they are not given. */
+  /** Returns three numbers, or their default if they are missing. */
   Vector3 vector(Element element, String attribute, Vector3 otherwise) {
     if (element.attribute(attribute).isEmpty()) {
       return otherwise;

@@ -27,8 +27,8 @@ final class UrdfReader {
   private final UrdfJointReader joints;
 
   /**
-   * @param diagnostics takes what is wrong
-   * @param losses takes what MechML has no word for
+   * @param diagnostics receives errors and warnings
+   * @param losses receives the parts that MechML cannot express
    */
   UrdfReader(Diagnostics diagnostics, ImportLosses losses) {
     this.diagnostics = diagnostics;
@@ -37,7 +37,7 @@ final class UrdfReader {
     joints = new UrdfJointReader(numbers, diagnostics, losses);
   }
 
-  /** Returns what the file says; what is in error is missing from it. */
+  /** Returns the robot without the elements in error. */
   UrdfRobot read(Element robot) {
     List<Link> links = new ArrayList<>();
     List<Joint> read = new ArrayList<>();
@@ -108,7 +108,7 @@ final class UrdfReader {
             element, numbers.origin(element), numbers.required(mass.get(), "value"), moments));
   }
 
-  /** Pictures know one file for a body, in the body's own frame and size. */
+  /** Returns the mesh of a link; a picture of a body is one file, in the body's frame and size. */
   private Optional<String> mesh(Element link) {
     List<Element> visuals = link.children("visual");
     if (visuals.isEmpty()) {

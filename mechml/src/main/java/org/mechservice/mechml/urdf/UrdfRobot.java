@@ -7,7 +7,7 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * What a robot's file says, in SI units as URDF always is.
+ * The content of a URDF file; URDF is always in SI units.
  *
  * @param name name of the robot
  * @param links in file order
@@ -55,9 +55,9 @@ record UrdfRobot(String name, List<Link> links, List<Joint> joints) {
   /**
    * A body.
    *
-   * @param element where it was given
+   * @param element its element in the file
    * @param inertial its inertia, if it has any
-   * @param mesh file of what is seen of it, if that is a mesh
+   * @param mesh file of its visual, if that is a mesh
    */
   record Link(Element element, Optional<Inertial> inertial, Optional<String> mesh) {
     String name() {
@@ -68,7 +68,7 @@ record UrdfRobot(String name, List<Link> links, List<Joint> joints) {
   /**
    * Mass and inertia of a link.
    *
-   * @param element where they were given
+   * @param element their element in the file
    * @param frame at the centre of mass, in the link's frame
    * @param mass kg
    * @param moments xx, yy, zz, xy, xz, yz of the tensor about the centre of mass in the axes of
@@ -76,7 +76,7 @@ record UrdfRobot(String name, List<Link> links, List<Joint> joints) {
    */
   record Inertial(Element element, Frame frame, double mass, List<Double> moments) {}
 
-  /** What a joint lets move. */
+  /** Type of a joint. */
   enum Freedom {
     REVOLUTE,
     CONTINUOUS,
@@ -89,7 +89,7 @@ record UrdfRobot(String name, List<Link> links, List<Joint> joints) {
       return this != FIXED && this != FLOATING;
     }
 
-    /** Returns whether there is one coordinate, which others may follow. */
+    /** Returns whether the joint has one coordinate, so that others may follow it. */
     boolean isSingle() {
       return this == REVOLUTE || this == CONTINUOUS || this == PRISMATIC;
     }
@@ -98,8 +98,8 @@ record UrdfRobot(String name, List<Link> links, List<Joint> joints) {
   /**
    * A joint.
    *
-   * @param element where it was given
-   * @param type what it lets move
+   * @param element its element in the file
+   * @param type its type
    * @param parent name of the link nearer the root
    * @param child name of the link beyond
    * @param frame the child's frame at zero, in the parent's
@@ -107,7 +107,7 @@ record UrdfRobot(String name, List<Link> links, List<Joint> joints) {
    * @param limits lowest and highest position
    * @param damping N·s/m or N·m·s/rad
    * @param friction N or N·m
-   * @param mimic which joint it follows
+   * @param mimic the joint that it follows
    */
   record Joint(
       Element element,
@@ -125,7 +125,7 @@ record UrdfRobot(String name, List<Link> links, List<Joint> joints) {
     }
   }
 
-  /** Where a coordinate may be. */
+  /** Range of a coordinate. */
   record Range(double lower, double upper) {
     double nearestToZero() {
       return Math.max(lower, Math.min(upper, 0));
@@ -135,7 +135,7 @@ record UrdfRobot(String name, List<Link> links, List<Joint> joints) {
   /**
    * A joint follows another: q = multiplier · other + offset.
    *
-   * @param element where it was given
+   * @param element its element in the file
    * @param joint name of the other
    */
   record Mimic(Element element, String joint, double multiplier, double offset) {}

@@ -19,18 +19,18 @@ import org.mechservice.mechml.urdf.UrdfRobot.Range;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * How the links of a robot hang together.
+ * The tree of a robot's links.
  *
- * @param root the link that is nobody's child
- * @param start positions at the start by the joints' names: zero, or as near to it as the limits
- *     allow; what follows another joint follows it
+ * @param root the link that is no joint's child
+ * @param start start positions by joint name: the value nearest to zero within the limits; a mimic
+ *     joint takes the value of the joint that it follows
  */
 record UrdfTree(String root, Map<String, Double> start) {
   UrdfTree {
     start = Map.copyOf(start);
   }
 
-  /** Returns the tree; what it returns is of no use if there is an error. */
+  /** Returns the tree; it is not usable if there is an error. */
   static UrdfTree of(UrdfRobot robot, Diagnostics diagnostics) {
     Reader reader = new Reader(robot, diagnostics);
     reader.requireLinks();
@@ -103,7 +103,7 @@ record UrdfTree(String root, Map<String, Double> start) {
       }
     }
 
-    /** Links that lead to each other have no root among them. */
+    /** Reports links that form a cycle: they have no root. */
     private void requireWayUp(String link) {
       Set<String> seen = new HashSet<>();
       Joint joint = above.get(link);

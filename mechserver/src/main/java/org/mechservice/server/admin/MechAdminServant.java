@@ -196,7 +196,7 @@ public final class MechAdminServant implements MechAdminOperations {
     if (killed.isEmpty()) {
       throw directory
           .runs()
-          .fateOf(simId)
+          .endOf(simId)
           .map(ContractErrors::notFound)
           .orElseGet(() -> noSimulation(simId));
     }

@@ -101,7 +101,7 @@ public final class HostCalls implements AutoCloseable {
           } catch (UserException | RuntimeException e) {
             answer = failed(e);
           } finally {
-            host.waitsNoMore(askedAt);
+            host.callEnded(askedAt);
           }
           then.accept(host, answer);
         });
@@ -114,7 +114,7 @@ public final class HostCalls implements AutoCloseable {
    *
    * @param failed receives the hosts that gave no answer
    */
-  <T> Optional<T> askUntilOneAnswers(
+  <T> Optional<T> firstAnswer(
       List<RegisteredHost> hosts,
       Question<T> question,
       BiConsumer<RegisteredHost, Answer<T>> failed) {

@@ -109,8 +109,8 @@ public final class HostDirectory implements AutoCloseable {
   public void refresh() {
     List<Future<?>> asked = new ArrayList<>();
     for (RegisteredHost host : all()) {
-      if (host.reachable() && !host.owesAnAnswer(tuning.hostWait())) {
-        asked.add(calls.begin(host, question(host, /* withRuns= */ true), this::told));
+      if (host.reachable() && !host.isOverdue(tuning.hostWait())) {
+        asked.add(calls.begin(host, question(host, /* withRuns= */ true), this::receive));
       }
     }
     long deadline = System.nanoTime() + tuning.hostWait().toNanos();
@@ -134,7 +134,7 @@ public final class HostDirectory implements AutoCloseable {
 
   private HostCalls.Question<News> question(RegisteredHost known, boolean withRuns) {
     return host -> {
-      tellOwed(host, known);
+      makePendingCalls(host, known);
       long askedAt = System.nanoTime();
       HostLoad load = host.getLoad();
       List<ServiceEvent> events = List.of(host.events(known.lastEvent(), EVENTS_AT_ONCE, 0));
@@ -147,13 +147,13 @@ public final class HostDirectory implements AutoCloseable {
     };
   }
 
-  private static void tellOwed(MechSimHostOperations host, RegisteredHost known)
+  private static void makePendingCalls(MechSimHostOperations host, RegisteredHost known)
       throws UserException {
-    for (HostCalls.Question<?> owed : known.hearsNow()) {
+    for (HostCalls.Question<?> owed : known.takePendingCalls()) {
       try {
         var unused = owed.ask(host);
       } catch (SystemException e) {
-        known.mustHear(owed);
+        known.callLater(owed);
         throw e;
       }
     }
@@ -165,7 +165,7 @@ public final class HostDirectory implements AutoCloseable {
     return news;
   }
 
-  private void told(RegisteredHost host, HostCalls.Answer<News> answer) {
+  private void receive(RegisteredHost host, HostCalls.Answer<News> answer) {
     if (answer.value().isPresent()) {
       News news = answer.value().get();
       host.answered(news.load(), news.askedAt());
@@ -204,7 +204,7 @@ public final class HostDirectory implements AutoCloseable {
 
   /** Asks all hosts that are not silent at once, until one has an answer. */
   public <T> Optional<T> search(HostCalls.Question<T> question) {
-    return calls.askUntilOneAnswers(
+    return calls.firstAnswer(
         all().stream().filter(RegisteredHost::reachable).toList(),
         question,
         (host, answer) -> failed(host, answer.failure(), answer.connectionLost()));
@@ -221,12 +221,12 @@ public final class HostDirectory implements AutoCloseable {
                 message,
                 (to, answer) -> {
                   if (!answer.failure().isEmpty()) {
-                    to.mustHear(message);
+                    to.callLater(message);
                     failed(to, answer.failure(), answer.connectionLost());
                   }
                 }));
       } else {
-        host.mustHear(message);
+        host.callLater(message);
       }
     }
     long deadline = System.nanoTime() + tuning.hostAnswer().toNanos();
@@ -243,7 +243,7 @@ public final class HostDirectory implements AutoCloseable {
 
   private void noteSilent() {
     for (RegisteredHost host : all()) {
-      if (host.reachable() && host.owesAnAnswer(tuning.hostAnswer())) {
+      if (host.reachable() && host.isOverdue(tuning.hostAnswer())) {
         host.silent(HostCalls.late(tuning.hostAnswer()));
       }
     }
@@ -273,7 +273,7 @@ public final class HostDirectory implements AutoCloseable {
           JournalEntry.warning(
                   "host-lost", MessageCode.HOST_DROPPED, "host " + host.name() + " dropped: " + why)
               .onHost(host.name()));
-      runs.goneWith(host.name(), "was lost");
+      runs.removeHost(host.name(), "was lost");
     }
   }
 
@@ -286,7 +286,7 @@ public final class HostDirectory implements AutoCloseable {
       journal.add(
           JournalEntry.info("host-left", "host " + host.name() + " signed off")
               .onHost(host.name()));
-      runs.goneWith(host.name(), "signed off");
+      runs.removeHost(host.name(), "signed off");
     }
   }
 
@@ -307,8 +307,8 @@ public final class HostDirectory implements AutoCloseable {
       for (RegisteredHost host : all()) {
         if (host.expired(tuning.hostLease())) {
           drop(host, "it has not renewed for " + tuning.hostLease().toMillis() * 1e-3 + " s");
-        } else if (!host.owesAnAnswer(tuning.hostCheck())) {
-          var unused = calls.begin(host, asked -> follow(host), this::told);
+        } else if (!host.isOverdue(tuning.hostCheck())) {
+          var unused = calls.begin(host, asked -> follow(host), this::receive);
         }
       }
     } catch (RuntimeException e) {

@@ -112,7 +112,7 @@ public final class MechServerServant implements MechServerOperations {
   private String whatBecameOf(String simId) {
     return directory
         .runs()
-        .fateOf(simId)
+        .endOf(simId)
         .map(fate -> simId + ": " + fate + "; if the host comes back with its folder, try again")
         .orElseGet(() -> "there is no simulation " + simId + directory.silentHosts());
   }

@@ -85,7 +85,7 @@ public final class RegisteredHost {
   }
 
   /** Notes that a question has ended, with an answer or without. */
-  synchronized void waitsNoMore(long askedAt) {
+  synchronized void callEnded(long askedAt) {
     unanswered.removeFirstOccurrence(askedAt);
   }
 
@@ -93,7 +93,7 @@ public final class RegisteredHost {
    * Returns whether a call has waited for so long, and no other call was answered meanwhile: one
    * hanging call does not make a host silent that answers others.
    */
-  synchronized boolean owesAnAnswer(Duration since) {
+  synchronized boolean isOverdue(Duration since) {
     Long oldest = unanswered.peekFirst();
     if (oldest == null) {
       return false;
@@ -103,12 +103,12 @@ public final class RegisteredHost {
   }
 
   /** Adds a call to be made as soon as the host answers again. */
-  synchronized void mustHear(HostCalls.Question<?> later) {
+  synchronized void callLater(HostCalls.Question<?> later) {
     owed.addLast(later);
   }
 
   /** Removes and returns the calls to be made. */
-  synchronized List<HostCalls.Question<?>> hearsNow() {
+  synchronized List<HostCalls.Question<?>> takePendingCalls() {
     List<HostCalls.Question<?>> all = List.copyOf(owed);
     owed.clear();
     return all;

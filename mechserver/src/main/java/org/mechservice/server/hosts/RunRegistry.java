@@ -214,7 +214,7 @@ public final class RunRegistry {
    *
    * @param how the end of the host as a verb, such as {@code was lost}
    */
-  synchronized void goneWith(String hostName, String how) {
+  synchronized void removeHost(String hostName, String how) {
     Page page = pages.remove(hostName);
     if (page == null) {
       return;
@@ -275,7 +275,7 @@ public final class RunRegistry {
   }
 
   /** Returns what became of a run, if its host is gone. */
-  public synchronized Optional<String> fateOf(String simId) {
+  public synchronized Optional<String> endOf(String simId) {
     return Optional.ofNullable(gone.get(simId))
         .map(
             run ->

@@ -62,8 +62,8 @@ class RegisteredHostTest {
     Duration late = Duration.ofSeconds(1);
     host.asked();
     Thread.sleep(late.plusMillis(100).toMillis());
-    assertThat(host.owesAnAnswer(late)).isTrue();
+    assertThat(host.isOverdue(late)).isTrue();
     host.answered(IDLE, System.nanoTime());
-    assertThat(host.owesAnAnswer(late)).isFalse();
+    assertThat(host.isOverdue(late)).isFalse();
   }
 }

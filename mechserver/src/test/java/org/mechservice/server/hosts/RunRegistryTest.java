@@ -63,7 +63,7 @@ class RunRegistryTest {
     SimSummary done = summary("a", SimState.SIM_DONE, 10);
     listed(done);
     book.read(detail(done));
-    book.goneWith("h", "was lost");
+    book.removeHost("h", "was lost");
     assertThat(book.ofGoneHosts()).containsExactly(done);
     SimDetail shown = book.lastKnown("a").orElseThrow();
     assertThat(shown.reportJson).contains("reached the end");
@@ -77,7 +77,7 @@ class RunRegistryTest {
     SimSummary running = summary("a", SimState.SIM_RUNNING, 4);
     listed(running);
     book.read(detail(running));
-    book.goneWith("h", "was lost");
+    book.removeHost("h", "was lost");
     SimSummary lost = book.ofGoneHosts().iterator().next();
     assertThat(lost.info.state).isEqualTo(SimState.SIM_FAILED);
     assertThat(lost.info.simTime).isEqualTo(4);
@@ -104,7 +104,7 @@ class RunRegistryTest {
     book.follow(event("sim-done", "a"));
     assertThat(book.of("h").get(0).info.state).isEqualTo(SimState.SIM_DONE);
     assertThat(book.of("h").get(0).endedAt).isEqualTo(5000);
-    book.goneWith("h", "was lost");
+    book.removeHost("h", "was lost");
     assertThat(book.ofGoneHosts().iterator().next().info.state).isEqualTo(SimState.SIM_DONE);
   }
 
@@ -129,11 +129,11 @@ class RunRegistryTest {
   @Test
   void runsOfAHostThatIsBackAreItsOwnAgain() {
     listed(summary("a", SimState.SIM_RUNNING, 4));
-    book.goneWith("h", "was lost");
-    assertThat(book.fateOf("a")).contains("the simulation ended with host h, which was lost");
+    book.removeHost("h", "was lost");
+    assertThat(book.endOf("a")).contains("the simulation ended with host h, which was lost");
     book.listed("h2", new SimSummary[] {summary("a", SimState.SIM_DONE, 10)}, System.nanoTime());
     assertThat(book.ofGoneHosts()).isEmpty();
-    assertThat(book.fateOf("a")).isEmpty();
+    assertThat(book.endOf("a")).isEmpty();
     assertThat(book.hostOf("a")).contains("h2");
   }
 
@@ -141,7 +141,7 @@ class RunRegistryTest {
   void oldestRunsOfGoneHostsAreForgottenFirst() {
     for (int i = 0; i < 2500; i++) {
       book.listed("h" + i, new SimSummary[] {summary("r" + i, SimState.SIM_DONE, 1)}, 1);
-      book.goneWith("h" + i, "was lost");
+      book.removeHost("h" + i, "was lost");
     }
     assertThat(book.ofGoneHosts()).hasSize(2000);
     assertThat(book.lastKnown("r0")).isEmpty();

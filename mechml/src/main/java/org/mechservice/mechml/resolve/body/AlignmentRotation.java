@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
-/** The rotation that brings directions of one body onto directions of another. */
+/** Computes the rotation that aligns directions of one body with directions of another. */
 public final class AlignmentRotation {
   /** Sine of the angle below which two directions count as parallel. */
   private static final double PARALLEL = 1e-6;
@@ -26,9 +26,9 @@ public final class AlignmentRotation {
   }
 
   /**
-   * Returns the rotation with R · from = to that brings also the second direction onto the second
-   * one, as far as they are normal to the first; empty if a second direction is parallel to the
-   * first. All are unit vectors.
+   * Returns the rotation with R · from = to that also aligns the parts of the second directions
+   * normal to the first ones; empty if a second direction is parallel to the first. All are unit
+   * vectors.
    */
   public static Optional<Rotation> aligned(Vector3 from, Vector3 from2, Vector3 to, Vector3 to2) {
     if (areParallel(from, from2) || areParallel(to, to2)) {
@@ -40,14 +40,17 @@ public final class AlignmentRotation {
     return Optional.of(frame(to, to2).times(frame(from, from2).transposed()));
   }
 
-  /** Returns the part of a vector normal to an axis, with length 1; they must not be parallel. */
+  /**
+   * Returns the unit vector along the part of a vector normal to an axis; the two must not be
+   * parallel.
+   */
   public static Vector3 normalTo(Vector3 axis, Vector3 vector) {
-    // Twice: what the first pass leaves along the axis by rounding, the second removes.
+    // The second pass removes the rounding error that the first leaves along the axis.
     Vector3 normal = axis.cross(vector.cross(axis)).normalized();
     return axis.cross(normal.cross(axis)).normalized();
   }
 
-  /** Returns whether two unit vectors stand at right angles. */
+  /** Returns whether two unit vectors are orthogonal. */
   public static boolean areOrthogonal(Vector3 a, Vector3 b) {
     return Math.abs(a.dot(b)) < PARALLEL;
   }

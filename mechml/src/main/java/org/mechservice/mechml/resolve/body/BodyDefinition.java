@@ -7,9 +7,9 @@ import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * A body with what joints hold on to.
+ * A body with its named points and directions.
  *
- * @param element where it was given
+ * @param element its element in the file
  * @param points from the body's origin, in body axes, m
  * @param directions unit vectors in body axes
  * @param body mass and inertia; empty if they could not be read

@@ -5,10 +5,11 @@ import org.mechservice.mechml.document.Element;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * One side of a joint.
+ * One end of a joint, constraint or force: a body with the point and directions that it names
+ * there.
  *
- * @param element where it was given
- * @param body the body named
+ * @param element its element in the file
+ * @param body the named body
  */
 public record BodyEnd(Element element, BodyDefinition body) {
 
@@ -17,7 +18,7 @@ public record BodyEnd(Element element, BodyDefinition body) {
     return body.points().find(element, element.required("point"));
   }
 
-  /** Returns whether the end names a direction. */
+  /** Returns whether the end has the given attribute, which names a direction. */
   public boolean has(String attribute) {
     return element.attribute(attribute).isPresent();
   }

@@ -10,11 +10,11 @@ import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.InertiaTensor;
 
-/** Reads {@code inertiaTensor} and checks that some body could have it. */
+/** Reads {@code inertiaTensor} and checks that it is physically possible. */
 final class InertiaReader {
   /**
-   * What rounding to some six digits may do to the moments of a thin rod, relative to the largest
-   * moment: its smallest moment may come out negative, its largest above the sum of the others.
+   * Tolerance for input rounded to six digits, relative to the largest moment: the smallest moment
+   * of a thin rod may become negative, the largest may exceed the sum of the others.
    */
   private static final double ROUNDING = 1e-6;
 

@@ -4,11 +4,11 @@ import java.util.Arrays;
 import org.mechservice.solver.spatial.InertiaTensor;
 
 /**
- * The eigenvalues of an inertia tensor by Jacobi's method: plane rotations that each make one
- * element off the diagonal zero.
+ * Computes the eigenvalues of an inertia tensor by Jacobi's method: each plane rotation makes one
+ * off-diagonal element zero.
  */
 final class PrincipalMoments {
-  /** Convergence is quadratic: 3 × 3 matrices are done after five or six sweeps. */
+  /** Number of sweeps; convergence is quadratic, and five or six suffice for 3 × 3 matrices. */
   private static final int SWEEPS = 20;
 
   private PrincipalMoments() {}

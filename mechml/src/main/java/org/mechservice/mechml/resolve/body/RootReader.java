@@ -15,11 +15,11 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Reads {@code root} and its {@code inipos}: the pose that puts the named point and vectors of the
- * root where they are said to be in the world (MECHML §3).
+ * Reads {@code root} and its {@code inipos}: computes the pose of the root from the world position
+ * of its named point and the world directions of its named vectors.
  */
 public final class RootReader {
-  /** Angle between vectors, rad, that counts as the same: what six written digits leave open. */
+  /** Largest accepted difference of angles between vectors, rad: the rounding of six digits. */
   private static final double SAME_ANGLE = 1e-5;
 
   private final ValueReader values;
@@ -35,7 +35,7 @@ public final class RootReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the root's pose; empty if something was wrong and has been reported. */
+  /** Returns the root's pose; empty after a reported error. */
   public Optional<Root> read(Element root, BodyDefinition body) {
     Optional<Element> inipos = root.child("inipos");
     if (inipos.isEmpty()) {

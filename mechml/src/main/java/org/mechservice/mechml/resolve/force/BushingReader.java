@@ -22,7 +22,7 @@ import org.mechservice.solver.mechanism.force.Bushing;
 
 /**
  * Reads {@code bushing}. Its matrices are in the file's units, displacements before rotations, per
- * rad: a list of 6 is a diagonal, one of 36 stands row by row.
+ * rad: a list of 6 is a diagonal, a list of 36 holds the rows one after the other.
  */
 final class BushingReader {
   private static final int ROWS = 6;
@@ -72,7 +72,7 @@ final class BushingReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the bushing; empty if something was wrong and has been reported. */
+  /** Returns the bushing; empty after a reported error. */
   Optional<Bushing> read(Element element) {
     Optional<BodyFrame> frame1 = frames.read(element.requiredChild("body1"));
     Optional<BodyFrame> frame2 = frames.read(element.requiredChild("body2"));

@@ -34,7 +34,7 @@ final class ContactReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the contact; empty if something was wrong and has been reported. */
+  /** Returns the contact; empty after a reported error. */
   Optional<Contact> read(Element element) {
     Element carrier = element.requiredChild("body1");
     boolean normal = frames.direction(carrier, "the normal of the surface").isPresent();

@@ -32,7 +32,7 @@ final class ForceTorqueReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the force; empty if something was wrong and has been reported. */
+  /** Returns the force; empty after a reported error. */
   Optional<ForceTorque> read(Element element) {
     Optional<BodyPoint> point = point(element);
     List<Expression> components = new ArrayList<>();
@@ -55,7 +55,9 @@ final class ForceTorqueReader {
             names.origin(element)));
   }
 
-  /** The unit stands in {@code forceUnit} or {@code torqueUnit}, for all three components. */
+  /**
+   * The attribute {@code forceUnit} or {@code torqueUnit} holds the unit of all three components.
+   */
   private Optional<Expression> component(
       Element element, String name, String kind, Quantity quantity) {
     Optional<Unit> unit = formulas.unit(element, kind, quantity);

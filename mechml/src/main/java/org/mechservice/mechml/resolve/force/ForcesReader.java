@@ -18,7 +18,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
-/** Reads {@code Forces}, gravity excepted; the element's name chooses who reads it. */
+/** Reads {@code Forces} except gravity; the name of each element selects its reader. */
 public final class ForcesReader {
   private static final Pattern CLASS_FILE =
       Pattern.compile("([A-Za-z0-9_$.]{1,300})\\.(class|java)");
@@ -43,7 +43,7 @@ public final class ForcesReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the forces in file order; those in error are missing. */
+  /** Returns the forces without errors, in file order. */
   public List<ForceElement> read(Element model) {
     List<Element> elements = model.child("Forces").map(Element::children).orElse(List.of());
     NameTable<Element> taken = new NameTable<>("force", "does not exist", diagnostics);

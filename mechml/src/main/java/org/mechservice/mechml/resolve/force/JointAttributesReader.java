@@ -20,9 +20,9 @@ import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.mechanism.force.Side;
 
 /**
- * Reads the forces that joints carry as attributes: spring, damper, friction, stops. The forces are
+ * Reads the forces given as attributes of joints: spring, damper, friction, stops. The forces are
  * named after the joint: {@code knee.spring}, {@code knee.friction}, {@code knee.lower}, {@code
- * knee.upper}, with the component behind if the joint has several.
+ * knee.upper}, followed by the component index if the joint has several coordinates.
  */
 public final class JointAttributesReader {
   private static final List<String> SPRING = List.of("stiffness", "damping", "freePosition");
@@ -41,7 +41,7 @@ public final class JointAttributesReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the forces of a joint; those in error are missing. */
+  /** Returns the forces of a joint that are without errors. */
   public List<ForceElement> read(ResolvedJoint joint) {
     Element element = joint.element();
     boolean spring = hasAny(element, SPRING);
@@ -202,10 +202,10 @@ public final class JointAttributesReader {
   }
 
   /**
-   * What a joint's attributes say of one of its coordinates: each is a list with one item per
+   * The attribute values of one coordinate of a joint; each attribute is a list with one item per
    * coordinate.
    *
-   * @param joint a joint whose coordinates all have velocities of their own
+   * @param joint a joint whose velocities are the rates of its positions
    * @param component the coordinate, from 0
    * @param formulas reads the items
    */
@@ -219,7 +219,7 @@ public final class JointAttributesReader {
       return joint.coordinate(component);
     }
 
-    /** Returns the name of the coordinate's force of a kind. */
+    /** Returns the name of the coordinate's force of the given kind. */
     String name(String kind) {
       String name = element().required("name") + "." + kind;
       return joint.type().velocityCount() == 1 ? name : name + "[" + component + "]";

@@ -30,7 +30,7 @@ final class JointForceReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Reads {@code torsionSpringDamper}; empty if something was wrong and has been reported. */
+  /** Reads {@code torsionSpringDamper}; empty after a reported error. */
   Optional<JointSpringDamper> torsionSpringDamper(Element element) {
     Optional<ResolvedCoordinate> place = coordinates.position(element);
     Optional<Expression> k = formulas.notNegative(element, "k", Quantity.TORSIONAL_STIFFNESS);
@@ -61,7 +61,7 @@ final class JointForceReader {
             names.origin(element)));
   }
 
-  /** Reads {@code jointForce}; empty if something was wrong and has been reported. */
+  /** Reads {@code jointForce}; empty after a reported error. */
   Optional<JointForce> jointForce(Element element) {
     Optional<ResolvedCoordinate> place = coordinates.velocity(element);
     if (place.isEmpty()) {
@@ -79,7 +79,7 @@ final class JointForceReader {
                     names.origin(element)));
   }
 
-  /** Reads {@code friction}; empty if something was wrong and has been reported. */
+  /** Reads {@code friction}; empty after a reported error. */
   Optional<JointFriction> friction(Element element) {
     Optional<ResolvedCoordinate> place = coordinates.velocity(element);
     if (place.isEmpty()) {

@@ -15,8 +15,9 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
 
 /**
- * Reads {@code profile}: heights at stations, with a smoothStep from each to the next, and constant
- * before the first and after the last. The slope is continuous, and zero at the stations.
+ * Reads {@code profile}: heights at stations, joined by a smoothStep from each to the next. The
+ * height is constant before the first and after the last station. The slope is continuous, and zero
+ * at the stations.
  */
 final class ProfileReader {
   private static final int MOST_STATIONS = 500;
@@ -29,7 +30,7 @@ final class ProfileReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the height, m, of the way along the surface, m. */
+  /** Returns the height, m, as a function of the arc length along the surface, m. */
   Optional<Expression> read(Element element) {
     int count = AttributeText.itemsOf(element, "stations").size();
     if (count < 2 || count > MOST_STATIONS) {

@@ -24,7 +24,7 @@ final class SpringReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the spring; empty if something was wrong and has been reported. */
+  /** Returns the spring; empty after a reported error. */
   Optional<SpringDamper> read(Element element) {
     Optional<BodyPoint> point1 = names.point(element.requiredChild("body1"));
     Optional<BodyPoint> point2 = names.point(element.requiredChild("body2"));

@@ -29,7 +29,7 @@ public final class CoordinateReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns a coordinate that is a position with a velocity of its own. */
+  /** Returns a position coordinate whose rate is a velocity coordinate. */
   public Optional<ResolvedCoordinate> position(Element element) {
     Optional<ResolvedCoordinate> place =
         names

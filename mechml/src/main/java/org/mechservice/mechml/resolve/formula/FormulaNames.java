@@ -20,8 +20,8 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * What the names in a formula stand for: {@code t}, {@code s}, parameters, {@code joint.q}, {@code
- * joint.v[2]}, {@code body.point.vx}. Formulas see lengths in the file's unit, angles in rad.
+ * Resolves the names in a formula: {@code t}, {@code s}, parameters, {@code joint.q}, {@code
+ * joint.v[2]}, {@code body.point.vx}. In formulas lengths are in the file's unit and angles in rad.
  */
 final class FormulaNames {
   private static final List<String> POINT_COMPONENTS = List.of("x", "y", "z", "vx", "vy", "vz");
@@ -37,9 +37,9 @@ final class FormulaNames {
   }
 
   /**
-   * Returns what a name stands for, in the units formulas see.
+   * Returns the expression of a name, in the units of formulas.
    *
-   * @throws ExpressionException if it stands for nothing, or for what its role does not allow
+   * @throws ExpressionException if the name is unknown or not allowed in this role
    */
   Expression leaf(ParsedExpression.Reference name, FormulaRole role) throws ExpressionException {
     Optional<ResolvedParameter> parameter = parameters.find(name);
@@ -94,7 +94,7 @@ final class FormulaNames {
         joint.turns(component) ? Unit.ONE : units.length());
   }
 
-  /** Returns a joint's position, in the units formulas see. */
+  /** Returns a joint's position in the units of formulas. */
   Expression position(ResolvedJoint joint, int component) {
     boolean length = joint.type().positionUnit(component).equals("m");
     return scaled(

@@ -18,8 +18,8 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 
 /**
- * Reads attributes whose value may change: to expressions in SI units. What cannot be read is
- * reported and comes back empty.
+ * Reads attributes whose value may change during a run into expressions in SI units. A method that
+ * finds an error reports it and returns an empty result.
  */
 public final class FormulaReader {
   private final ValueReader values;
@@ -32,7 +32,7 @@ public final class FormulaReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the formula that a text means, its value read in a unit. */
+  /** Returns the formula of a text whose value is in a given unit. */
   public Optional<Expression> read(AttributeText text, Unit unit, FormulaRole role) {
     try {
       ParsedExpression parsed = ExpressionParser.parse(text.text());
@@ -52,17 +52,17 @@ public final class FormulaReader {
     }
   }
 
-  /** Returns the unit beside an attribute if there is one, else the file's. */
+  /** Returns the unit given beside an attribute, else the file's unit. */
   public Optional<Unit> unit(Element element, String attribute, Quantity quantity) {
     return values.unit(element, attribute, quantity);
   }
 
-  /** Returns a joint's position as formulas see it. */
+  /** Returns a joint's position in the units of formulas. */
   public Expression inFileUnits(ResolvedCoordinate place) {
     return names.position(place.joint(), place.component());
   }
 
-  /** Returns an attribute's formula; a unit beside it counts. */
+  /** Returns an attribute's formula, in the unit given beside it if there is one. */
   public Optional<Expression> read(
       Element element, String attribute, Quantity quantity, FormulaRole role) {
     return values
@@ -95,7 +95,7 @@ public final class FormulaReader {
   /**
    * Returns a coefficient: a constant or a formula of tunable parameters.
    *
-   * @param otherwise what holds if the attribute is missing
+   * @param otherwise default if the attribute is missing
    */
   public Optional<Expression> coefficient(
       Element element, String attribute, Quantity quantity, double otherwise) {
@@ -108,7 +108,7 @@ public final class FormulaReader {
    * Returns an item of a list of coefficients, zero if the attribute is missing.
    *
    * @param count how many items the list must have
-   * @param index the item wanted
+   * @param index index of the item
    */
   public Optional<Expression> item(
       Element element, String attribute, int count, int index, Quantity quantity) {
@@ -123,7 +123,7 @@ public final class FormulaReader {
         .flatMap(unit -> read(items.get(index), unit, FormulaRole.COEFFICIENT));
   }
 
-  /** A unit beside a list of several quantities is that of the items it can measure. */
+  /** A unit beside a list of several quantities applies to the items of its dimension. */
   private Optional<Unit> unitOfItem(Element element, String attribute, Quantity quantity) {
     Optional<String> own = element.attribute(attribute + "Unit");
     if (own.isEmpty()) {
@@ -143,15 +143,15 @@ public final class FormulaReader {
         .filter(c -> satisfies(element, attribute, c, x -> x >= 0, "must not be negative"));
   }
 
-  /** Returns a coefficient that must be given and positive. */
+  /** Returns a required positive coefficient. */
   public Optional<Expression> positive(Element element, String attribute, Quantity quantity) {
     return coefficient(element, attribute, quantity, 0)
         .filter(c -> satisfies(element, attribute, c, x -> x > 0, "must be positive"));
   }
 
   /**
-   * Returns whether a coefficient satisfies a condition, and reports it if not; that of a tunable
-   * parameter is only known before a run.
+   * Returns whether a coefficient satisfies a condition, and reports an error if not. The value of
+   * a tunable parameter is checked before a run.
    */
   public boolean satisfies(
       Element element,

@@ -1,8 +1,8 @@
 package org.mechservice.mechml.resolve.formula;
 
-/** What an expression is for, which says what it may depend on. */
+/** Role of an expression: it determines the variables that the expression may use. */
 public enum FormulaRole {
-  /** A stiffness or the like: settled before the run. */
+  /** A coefficient such as a stiffness: constant during a run. */
   COEFFICIENT("this keeps its value during a run; numbers and parameters may stand here"),
   /** Prescribed motion. */
   MOTION("a prescribed motion depends on t and parameters only"),
@@ -19,7 +19,7 @@ public enum FormulaRole {
     this.rule = rule;
   }
 
-  /** Returns what may stand in it, for messages. */
+  /** Returns the rule in words, for messages. */
   String rule() {
     return rule;
   }

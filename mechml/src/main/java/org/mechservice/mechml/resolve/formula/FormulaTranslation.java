@@ -11,11 +11,11 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
 
 /**
- * A parsed expression as the solver's: names resolved, constant parts worked out. What is constant
- * must be finite here; the rest is watched while it runs.
+ * Translates a parsed expression to one of the solver: resolves names and evaluates constant parts.
+ * Constant parts must be finite; the run checks the others.
  */
 final class FormulaTranslation {
-  /** More operations could make a tree too deep to walk. */
+  /** Largest number of operations; a deeper tree could overflow the stack. */
   private static final int MOST_OPERATIONS = 2000;
 
   private final FormulaNames names;
@@ -28,10 +28,10 @@ final class FormulaTranslation {
   }
 
   /**
-   * Returns the formula, in the units formulas see.
+   * Returns the formula in the units of formulas.
    *
-   * @throws ExpressionException if a name stands for nothing or is not allowed, or a constant part
-   *     has no finite value
+   * @throws ExpressionException if a name is unknown or not allowed, or a constant part has no
+   *     finite value
    */
   static Expression of(ParsedExpression parsed, FormulaNames names, FormulaRole role)
       throws ExpressionException {
@@ -67,7 +67,7 @@ final class FormulaTranslation {
     return call((ParsedExpression.Call) parsed);
   }
 
-  /** Returns the values as parts of a parsed expression, if all are constant; else nothing. */
+  /** Returns the values as literals if all operands are constant; otherwise an empty list. */
   private static List<ParsedExpression> literals(List<Expression> operands, int offset) {
     List<ParsedExpression> literals = new ArrayList<>();
     for (Expression operand : operands) {
@@ -79,7 +79,7 @@ final class FormulaTranslation {
     return literals;
   }
 
-  /** Works an operation on literals out by the rules of constant expressions. */
+  /** Evaluates an operation on literals by the rules of constant expressions. */
   private static Expression worked(ParsedExpression operation) throws ExpressionException {
     return new Expression.Constant(ConstantEvaluation.of(operation, Scope.CONSTANTS) + 0.0);
   }

@@ -27,7 +27,7 @@ public final class FrameReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the frame an end gives; empty if something was wrong and has been reported. */
+  /** Returns the frame of an end; empty after a reported error. */
   public Optional<BodyFrame> read(Element element) {
     Optional<BodyPoint> point = names.point(element);
     Optional<Rotation> axes = names.end(element).flatMap(this::axes);

@@ -18,8 +18,8 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * The units that the values of a joint's coordinates stand in. The attribute {@code unit} beside
- * them is that of the positions it can measure; velocities are per second of it.
+ * The units of a joint's coordinate values. The attribute {@code unit} applies to the positions of
+ * its dimension; velocities are in that unit per second.
  */
 public final class JointCoordinateUnits {
   private static final Unit PER_SECOND = UnitSymbols.unit("s").orElseThrow().power(-1);
@@ -32,7 +32,7 @@ public final class JointCoordinateUnits {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the unit of each position; empty if {@code unit} fits none and has been reported. */
+  /** Returns the unit of each position; empty after a reported error, if {@code unit} fits none. */
   public Optional<List<Unit>> positions(Element element, JointType type) {
     List<String> si = new ArrayList<>();
     for (int i = 0; i < type.positionCount(); i++) {
@@ -41,7 +41,7 @@ public final class JointCoordinateUnits {
     return units(element, type, si);
   }
 
-  /** Returns the unit of each velocity; empty if {@code unit} fits none and has been reported. */
+  /** Returns the unit of each velocity; empty after a reported error, if {@code unit} fits none. */
   public Optional<List<Unit>> velocities(Element element, JointType type) {
     List<String> si = new ArrayList<>();
     for (int i = 0; i < type.velocityCount(); i++) {

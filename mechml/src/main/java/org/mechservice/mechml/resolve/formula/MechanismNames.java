@@ -21,7 +21,7 @@ import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.force.NamedPoint;
 import org.mechservice.solver.spatial.Vector3;
 
-/** Bodies, points and joints by name, once it is known which joints were cut. */
+/** Finds bodies, points and joints by name; needs the choice of the cut joints. */
 public final class MechanismNames {
   private final NameTable<BodyDefinition> bodies;
   private final BodyIndex index;
@@ -47,7 +47,7 @@ public final class MechanismNames {
     return joints.keySet();
   }
 
-  /** Returns the joint that an element's attribute {@code joint} names; reports an unknown one. */
+  /** Returns the joint that an attribute names; reports an unknown name. */
   Optional<ResolvedJoint> jointOf(Element user, String attribute) {
     String name = user.required(attribute);
     Optional<ResolvedJoint> joint = joint(name);
@@ -95,7 +95,7 @@ public final class MechanismNames {
     return bodies.names();
   }
 
-  /** Returns every point of the file, for those who ask for them by name. */
+  /** Returns every point of the file with its name, for user forces. */
   public List<NamedPoint> points() {
     List<NamedPoint> points = new ArrayList<>();
     for (String body : bodies.names()) {
@@ -109,7 +109,7 @@ public final class MechanismNames {
     return points;
   }
 
-  /** Returns where an element was written down. */
+  /** Returns the position of an element in the file. */
   public Origin origin(Element element) {
     return new Origin(diagnostics.file(), element.position().line());
   }

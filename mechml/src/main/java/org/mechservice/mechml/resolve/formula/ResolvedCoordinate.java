@@ -6,8 +6,8 @@ import org.mechservice.solver.expression.Coordinate;
  * A coordinate of a joint.
  *
  * @param joint the joint
- * @param component which of its positions, or of its velocities, from 0
- * @param turns whether its velocity is an angular one
+ * @param component index among the joint's positions or velocities, from 0
+ * @param turns whether its velocity is angular
  */
 public record ResolvedCoordinate(ResolvedJoint joint, int component, boolean turns) {
   public Coordinate coordinate() {

@@ -7,10 +7,10 @@ import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.JointCoordinate;
 
 /**
- * Where a joint of the file has gone.
+ * A joint of the file with its index in the mechanism.
  *
- * @param element where it was given
- * @param type its kind
+ * @param element its element in the file
+ * @param type its type
  * @param cut whether it closes a loop
  * @param driven whether its coordinates are prescribed
  * @param index among the joints of the tree, or among the closures if it was cut
@@ -23,7 +23,7 @@ public record ResolvedJoint(
     return cut ? new ClosureCoordinate(index, component) : new JointCoordinate(index, component);
   }
 
-  /** Returns whether a velocity of the joint is an angular one. */
+  /** Returns whether a velocity of the joint is angular. */
   public boolean turns(int component) {
     return type.velocityUnit(component).equals("rad/s");
   }

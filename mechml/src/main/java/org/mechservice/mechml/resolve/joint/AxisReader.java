@@ -11,8 +11,9 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Reads points and vectors of joints, and how the bodies stand at zero (MECHML §4): a1, a2 are the
- * vectors, b1, b2 the second vectors.
+ * Reads the points and vectors of joints and computes the relative orientation of the bodies at
+ * zero (docs/mechml.md, section Joints). In the formulas a1, a2 are the vectors and b1, b2 the
+ * second vectors.
  */
 final class AxisReader {
   private final Diagnostics diagnostics;
@@ -22,8 +23,8 @@ final class AxisReader {
   }
 
   /**
-   * Returns how a joint with one axis sits: A0 a2 = a1 with the least rotation, and with second
-   * vectors A0 b2 = b1; empty if something was wrong and has been reported.
+   * Returns the placement of a joint with one axis: A0 a2 = a1 with the least rotation, and with
+   * second vectors A0 b2 = b1; empty after a reported error.
    */
   Optional<Placement> read(JointInput input) {
     Optional<Vector3> axis1 = axis(input, input.end1());
@@ -36,8 +37,8 @@ final class AxisReader {
   }
 
   /**
-   * Returns how a planar joint sits: as {@link #read}, but the second vector of body1 is needed,
-   * and that of body2 may be left out.
+   * Returns the placement of a planar joint: as {@link #read}, but body1 needs its second vector,
+   * and body2 may omit it.
    */
   Optional<Placement> readPlane(JointInput input) {
     Optional<Vector3> axis1 = axis(input, input.end1());
@@ -59,7 +60,7 @@ final class AxisReader {
     return placement(input, axis1, axis2, zero);
   }
 
-  /** Returns b1, orthogonal to a1 and of length 1; empty if it has been reported. */
+  /** Returns b1, orthogonal to a1 and of length 1; empty after a reported error. */
   Optional<Vector3> secondDirection(JointInput input, Vector3 axis1) {
     Optional<Vector3> second = input.end1().direction("vector2");
     if (second.isPresent() && AlignmentRotation.areParallel(axis1, second.get())) {
@@ -70,8 +71,8 @@ final class AxisReader {
   }
 
   /**
-   * Returns how a universal joint sits: A0 is the least rotation that brings a2 into the plane
-   * normal to a1, or onto b1.
+   * Returns the placement of a universal joint: A0 is the least rotation that brings a2 into the
+   * plane normal to a1, or onto b1.
    */
   Optional<Placement> readCross(JointInput input) {
     Optional<Vector3> axis1 = axis(input, input.end1());
@@ -107,7 +108,9 @@ final class AxisReader {
         : AlignmentRotation.least(axis2, AlignmentRotation.normalTo(axis1, axis2));
   }
 
-  /** Returns how a weld sits: as {@link #read}, with parallel axes if there are no vectors. */
+  /**
+   * Returns the placement of a weld: as {@link #read}, with parallel axes if there are no vectors.
+   */
   Optional<Placement> readWeld(JointInput input) {
     if (input.end1().has("vector") || input.end2().has("vector")) {
       return read(input);
@@ -115,7 +118,7 @@ final class AxisReader {
     return readPoints(input);
   }
 
-  /** Returns how a joint without axes sits, with parallel axes at zero. */
+  /** Returns the placement of a joint without axes, with parallel body axes at zero. */
   Optional<Placement> readPoints(JointInput input) {
     refuseVectors(input, input.end1());
     refuseVectors(input, input.end2());
@@ -209,7 +212,7 @@ final class AxisReader {
   }
 
   /**
-   * How a joint sits in its bodies.
+   * Placement of a joint in its two bodies.
    *
    * @param attachment points, and the rotation at zero
    * @param axis1 unit vector in body1's axes; zero for a joint without axes

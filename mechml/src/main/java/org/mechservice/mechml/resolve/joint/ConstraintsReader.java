@@ -48,7 +48,7 @@ public final class ConstraintsReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the constraints in file order; those in error are missing. */
+  /** Returns the constraints without errors, in file order. */
   public List<LoopClosure> read(Element model) {
     List<Element> elements = model.child("Constraints").map(Element::children).orElse(List.of());
     NameTable<Element> taken = new NameTable<>("constraint", "does not exist", diagnostics);

@@ -15,8 +15,8 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 
 /**
- * Reads {@code CoordConstraint}: an expression that stays zero, or terms whose sum stays constant,
- * Σ factor · q = constant. Both see lengths in the file's unit and angles in rad.
+ * Reads {@code CoordConstraint}: an expression that must stay zero, or terms whose sum must stay
+ * constant, Σ factor · q = constant. In both, lengths are in the file's unit and angles in rad.
  */
 final class CouplingReader {
   private final FormulaReader formulas;
@@ -31,7 +31,7 @@ final class CouplingReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the coupling; empty if something was wrong and has been reported. */
+  /** Returns the coupling; empty after a reported error. */
   Optional<CoordinateClosure> read(Element element) {
     List<Element> terms = element.children("term");
     boolean expression = element.attribute("expression").isPresent();

@@ -14,7 +14,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.StartRole;
 
-/** Reads what {@code jointVal} says beside values: {@code driven} and {@code fixed}. */
+/** Reads the attributes {@code driven} and {@code fixed} of {@code jointVal}. */
 public final class DriveReader {
   private final FormulaReader formulas;
   private final JointCoordinateUnits units;
@@ -26,7 +26,7 @@ public final class DriveReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns how far assembly may move a joint from its start. */
+  /** Returns the role of a joint's start in assembly: fixed, preferred or free. */
   public static StartRole role(JointLink link) {
     Optional<Element> start = link.start();
     if (start.flatMap(s -> s.attribute("fixed")).map("true"::equals).orElse(false)) {

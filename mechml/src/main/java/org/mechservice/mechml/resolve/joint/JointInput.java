@@ -8,7 +8,7 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
- * What the reader of a joint type is given.
+ * Input of the readers of joints.
  *
  * @param element the joint, or the constraint that has a joint's equations
  * @param end1 body1
@@ -16,7 +16,7 @@ import org.mechservice.solver.mechanism.Origin;
  * @param body1 index of body1's body; {@link Mechanism#ROOT} for the root
  * @param body2 index of body2's body; {@link Mechanism#ROOT} for the root
  * @param start the joint's {@code jointVal}, if there is one
- * @param origin where it was written down
+ * @param origin its position in the file
  */
 record JointInput(
     Element element,

@@ -6,7 +6,7 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.mechanism.Joint;
 
 /**
- * A joint as the file gives it, and which bodies it joins.
+ * A joint as given in the file, with the two bodies that it connects.
  *
  * @param element the joint
  * @param start its {@code jointVal}, if there is one
@@ -21,12 +21,12 @@ public record JointLink(
     return JointType.valueOf(element.required("type"));
   }
 
-  /** Returns whether the file wants it cut. */
+  /** Returns whether the file marks it {@code cut="true"}. */
   boolean isCutAsked() {
     return element.attribute("cut").map("true"::equals).orElse(false);
   }
 
-  /** Returns what drives it, if anything does. */
+  /** Returns whether its motion is prescribed. */
   public boolean isDriven() {
     return start.flatMap(s -> s.attribute("driven")).isPresent();
   }

@@ -37,10 +37,7 @@ final class JointReader {
     this.diagnostics = diagnostics;
   }
 
-  /**
-   * Returns the joint with body1 as parent and body2 as child, as the file gives it; empty if
-   * something was wrong and has been reported.
-   */
+  /** Returns the joint with body1 as parent and body2 as child; empty after a reported error. */
   Optional<Joint> read(JointInput input) {
     refusePitch(input);
     Optional<AxisReader.Placement> placement = placement(input);
@@ -109,7 +106,7 @@ final class JointReader {
     }
   }
 
-  /** Returns the way per angle, m/rad. */
+  /** Returns the displacement per angle, m/rad. */
   private OptionalDouble pitch(Element element) {
     boolean pitch = element.attribute("pitch").isPresent();
     if (pitch == element.attribute("lead").isPresent()) {

@@ -20,11 +20,11 @@ import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
- * Which joints form the tree, which close loops and are cut, and which end of each is nearer the
- * root.
+ * Chooses the spanning tree: the joints of the tree, the joints that close loops and are cut, and
+ * the direction of each joint from the root outwards.
  *
- * <p>Welds are taken first, then the others, each in file order; one whose bodies are connected
- * already is cut. A joint marked {@code cut="true"} never enters the tree (MECHML §4).
+ * <p>Welds come first, then the other joints, each group in file order. A joint whose bodies are
+ * already connected is cut. A joint marked {@code cut="true"} never enters the tree.
  */
 public final class JointTree {
   private final List<JointLink> links;
@@ -166,11 +166,11 @@ public final class JointTree {
     return Quoted.of(index.name(body));
   }
 
-  /** Which bodies hang together: disjoint sets of body indices, the root's included. */
+  /** Connected groups of bodies: disjoint sets of body indices, including the root's. */
   private static final class BodyGroups {
     private final int[] parent;
 
-    /** Begins with every body on its own. */
+    /** Begins with each body in a group of its own. */
     BodyGroups(int bodies) {
       parent = new int[bodies + 1];
       for (int i = 0; i < parent.length; i++) {
@@ -178,12 +178,12 @@ public final class JointTree {
       }
     }
 
-    /** Returns whether two bodies hang together. */
+    /** Returns whether two bodies are connected. */
     boolean areJoined(int body1, int body2) {
       return group(body1) == group(body2);
     }
 
-    /** Returns a number that the bodies of one group share and no other body has. */
+    /** Returns the number of a body's group. */
     int group(int body) {
       int i = body - Mechanism.ROOT;
       while (parent[i] != i) {
@@ -193,7 +193,7 @@ public final class JointTree {
       return i;
     }
 
-    /** Makes one group of those of two bodies. */
+    /** Merges the groups of two bodies. */
     void join(int body1, int body2) {
       parent[group(body1)] = group(body2);
     }

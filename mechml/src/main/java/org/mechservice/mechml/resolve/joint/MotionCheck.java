@@ -20,25 +20,24 @@ import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 
 /**
- * Refuses prescribed motions that no mechanism can follow, whatever the force: whose position
- * jumps, or whose position, velocity or acceleration is not finite where the run starts.
+ * Refuses prescribed motions that no mechanism can follow: those whose position jumps, and those
+ * whose position, velocity or acceleration is not finite at the start of the run.
  */
 public final class MotionCheck {
   private static final MathContext DIGITS = new MathContext(6);
 
-  /** Size of a jump, in SI units, that only a pole makes; that next to it is no number to tell. */
+  /** Jumps of this size, in SI units, or larger come from poles; the message omits their size. */
   private static final double POLE = 1e12;
 
   private MotionCheck() {}
 
   /**
-   * Reports the first jump of each driven joint, or what is not finite at its start.
+   * Reports the first jump of each driven joint, or the quantity that is not finite at its start.
    *
    * @param links the joints of the file
-   * @param mechanism what was read
+   * @param mechanism the mechanism
    * @param run start and end
-   * @param moves whether accelerations count: that of a mechanism at rest or of geometry alone does
-   *     not
+   * @param moves whether accelerations are needed; statics and kinematics need none
    */
   public static void of(
       List<JointLink> links,
@@ -133,7 +132,7 @@ public final class MotionCheck {
         number(jump.time()), number(jump.size()));
   }
 
-  /** Returns six digits of a number, without zeros behind them. */
+  /** Returns a number rounded to six digits, without trailing zeros. */
   private static String number(double x) {
     BigDecimal rounded = new BigDecimal(x).round(DIGITS).stripTrailingZeros();
     return rounded.scale() < 0 && rounded.scale() > -6

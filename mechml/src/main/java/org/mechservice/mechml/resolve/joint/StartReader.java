@@ -13,12 +13,15 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.JointStart;
 
-/** Reads {@code jointVal}. What is not given starts at zero, Euler parameters at 1, 0, 0, 0. */
+/**
+ * Reads {@code jointVal}. Coordinates without a given value start at zero, Euler parameters at 1,
+ * 0, 0, 0.
+ */
 final class StartReader {
-  /** How far the norm of Euler parameters may be off 1 before anything is said: nine digits. */
+  /** Deviation of the norm of Euler parameters from 1 that causes a warning: nine digits. */
   private static final double ROUNDED = 1e-9;
 
-  /** How far it may be off before it is taken for a slip. */
+  /** Deviation of the norm that causes an error. */
   private static final double ROUNDED_BY_HAND = 1e-3;
 
   private static final List<JointType> WITH_EULER_PARAMETERS = List.of(JointType.S, JointType.F);
@@ -33,7 +36,7 @@ final class StartReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns a joint's start; empty if something was wrong and has been reported. */
+  /** Returns a joint's start; empty after a reported error. */
   Optional<JointStart> read(Optional<Element> jointVal, JointType type) {
     JointStart atZero = JointStart.atZero(type);
     if (jointVal.isEmpty()) {

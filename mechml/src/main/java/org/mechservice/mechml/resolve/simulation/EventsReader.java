@@ -39,7 +39,7 @@ public final class EventsReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the events in file order; those in error are missing. */
+  /** Returns the events without errors, in file order. */
   List<Event> read(List<Element> elements) {
     NameTable<Element> taken = new NameTable<>("event", "does not exist", diagnostics);
     List<Event> events = new ArrayList<>();

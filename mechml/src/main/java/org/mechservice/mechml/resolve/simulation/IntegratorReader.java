@@ -24,10 +24,10 @@ final class IntegratorReader {
   private static final List<String> KNOWN =
       Stream.concat(Stream.of("auto"), IntegrationMethod.labels().stream().sorted()).toList();
 
-  /** Order of the Adams formulas with local extrapolation at its highest. */
+  /** Highest order of the Adams formulas with local extrapolation. */
   private static final int HIGHEST_ADAMS_ORDER = 13;
 
-  /** Order of the backward differentiation formulas at its highest; the next one is unstable. */
+  /** Highest order of the backward differentiation formulas; the next one is unstable. */
   private static final int HIGHEST_BACKWARD_ORDER = 5;
 
   private final ValueReader values;
@@ -40,7 +40,7 @@ final class IntegratorReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the integrator; empty if something was wrong and has been reported. */
+  /** Returns the integrator; empty after a reported error. */
   Optional<Choice> read(Element element) {
     String name = element.required("name");
     boolean known = isKnown(element, name);
@@ -142,9 +142,9 @@ final class IntegratorReader {
    * @param name as the file gives it
    * @param relativeTolerance between 0 and 1
    * @param absoluteTolerances positive, SI
-   * @param maxStep s; infinite if the file leaves it open
-   * @param initialStep s; 0 if the file leaves it open
-   * @param maxOrder 0 if the file leaves it open
+   * @param maxStep s; infinite if not given
+   * @param initialStep s; 0 if not given
+   * @param maxOrder 0 if not given
    */
   record Choice(
       String name,

@@ -19,12 +19,12 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.mechanism.Event;
 
-/** Reads {@code MBSsimulation}: what to compute, when, how accurately and by which method. */
+/** Reads {@code MBSsimulation}: task, time set, tolerances and method. */
 final class SimulationReader {
   private static final String AUTO = "auto";
   private static final String ALL = "all";
 
-  /** What stands in the settings of a task that is not integrated; nothing reads it. */
+  /** Placeholder in the settings of a task that is not integrated. */
   private static final IntegratorReader.Choice NO_INTEGRATOR =
       new IntegratorReader.Choice(
           AUTO, 1e-5, AbsoluteTolerances.uniform(1e-5), Double.POSITIVE_INFINITY, 0, 0);
@@ -46,7 +46,7 @@ final class SimulationReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the settings; empty if something was wrong and has been reported. */
+  /** Returns the settings; empty after a reported error. */
   Optional<SimulationSettings> read(Element simulation) {
     Element asked = simulation.children().get(0);
     Optional<TimeSetReader.TimeSet> time =
@@ -73,7 +73,10 @@ final class SimulationReader {
             events));
   }
 
-  /** Returns the closure, the numbers of penalty behind its name; empty if one was wrong. */
+  /**
+   * Returns the closure, with the numbers of penalty after its name; empty if one of them is
+   * invalid.
+   */
   private Optional<String> closure(Element formulation) {
     String closure = formulation.attribute("closure").orElse(AUTO);
     List<String> numbers = new ArrayList<>();

@@ -18,7 +18,7 @@ import org.mechservice.mechml.resolve.value.NameRule;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** Reads all {@code MBSsimulation} blocks and chooses the one wanted. */
+/** Reads all {@code MBSsimulation} blocks and chooses one of them. */
 public final class SimulationsReader {
   private static final Pattern NUMBER = Pattern.compile("[1-9][0-9]{0,5}");
 
@@ -28,7 +28,7 @@ public final class SimulationsReader {
   /**
    * Prepares reading.
    *
-   * @param events reads events; empty if the model could not be read, then events are passed over
+   * @param events reads events; empty if the model could not be read, so that events are skipped
    */
   public SimulationsReader(
       ValueReader values, Optional<EventsReader> events, Diagnostics diagnostics) {
@@ -36,7 +36,7 @@ public final class SimulationsReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the settings of every block, in file order; those in error are missing. */
+  /** Returns the settings of the blocks without errors, in file order. */
   public List<SimulationSettings> read(List<Element> blocks) {
     checkNames(blocks);
     List<SimulationSettings> settings = new ArrayList<>();
@@ -63,7 +63,10 @@ public final class SimulationsReader {
     }
   }
 
-  /** Returns the block wanted, from 0: by name, else by number from 1; the first if none is. */
+  /**
+   * Returns the index, from 0, of the block chosen by name or by number from 1; 0 if none is
+   * chosen.
+   */
   public int choose(List<Element> blocks, Optional<String> wanted) {
     if (wanted.isEmpty()) {
       return 0;

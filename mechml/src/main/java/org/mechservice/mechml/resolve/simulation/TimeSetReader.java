@@ -11,10 +11,10 @@ import org.mechservice.solver.catalogue.MessageCode;
 
 /** Reads {@code timeSet}. */
 final class TimeSetReader {
-  /** More output rows are taken for a slip of tstep: at 8 bytes a number, they fill a disk. */
+  /** Largest number of output rows; more would fill a disk at 8 bytes a number. */
   private static final double MOST_ROWS = 1e9;
 
-  /** Spacing of times over the output step beyond which rows and steps miss their places. */
+  /** Largest ratio of the spacing of doubles near these times to the output step. */
   private static final double FINEST = 1e-2;
 
   private final ValueReader values;
@@ -25,7 +25,7 @@ final class TimeSetReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the time set; empty if something was wrong and has been reported. */
+  /** Returns the time set; empty after a reported error. */
   Optional<TimeSet> read(Element element) {
     OptionalDouble start = values.quantity(element, "tini", Quantity.TIME);
     OptionalDouble end = values.quantity(element, "tend", Quantity.TIME);
@@ -65,11 +65,11 @@ final class TimeSetReader {
   }
 
   /**
-   * When a run starts, ends and puts out rows.
+   * Start, end and output step of a run.
    *
    * @param start s
    * @param end s; not before the start
-   * @param step distance of the rows, s; positive
+   * @param step time between two rows, s; positive
    */
   record TimeSet(double start, double end, double step) {}
 }

@@ -5,7 +5,7 @@ import java.util.List;
 import org.mechservice.mechml.document.Element;
 
 /**
- * A value in an attribute, or one of the several that a list holds.
+ * A value in an attribute, or one item of a list.
  *
  * @param element the element
  * @param attribute name of the attribute

@@ -18,7 +18,7 @@ public final class DirectionReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the unit vector; reports one of length zero. */
+  /** Returns the unit vector; reports a vector of length zero. */
   public Optional<Vector3> read(Element element) {
     Optional<Vector3> vector = values.vector(element, "vx", "vy", "vz", Quantity.NUMBER);
     if (vector.isPresent() && !hasDirection(vector.get())) {

@@ -7,9 +7,9 @@ import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** Which names may be given. */
+/** Checks whether a name may be used. */
 public final class NameRule {
-  /** Longer names are taken for an accident; they would not fit into tables and plots. */
+  /** Longest name allowed, so that names fit into tables and plots. */
   private static final int LONGEST = 200;
 
   private NameRule() {}

@@ -14,17 +14,17 @@ import org.mechservice.mechml.document.Element;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * The things of one kind by name. A thing that could not be read keeps its name, so that references
- * to it raise no second complaint.
+ * The elements of one kind by name. An element that could not be read keeps its name, so that
+ * references to it cause no second error.
  *
- * @param <T> what the names stand for
+ * @param <T> type of the values
  */
 public final class NameTable<T> {
   /**
-   * What a name stands for.
+   * An element and its value.
    *
-   * @param element where it was given
-   * @param value the thing; empty if it could not be read
+   * @param element its element in the file
+   * @param value its value; empty if it could not be read
    */
   private record Entry<T>(Element element, Optional<T> value) {}
 
@@ -37,9 +37,9 @@ public final class NameTable<T> {
   /**
    * Begins empty.
    *
-   * @param kind what the things are called, such as {@code body}
-   * @param absence how messages end that miss one, such as {@code does not exist}
-   * @param diagnostics takes what is wrong
+   * @param kind the kind in messages, such as {@code body}
+   * @param absence end of the message about an unknown name, such as {@code does not exist}
+   * @param diagnostics receives errors and warnings
    */
   public NameTable(String kind, String absence, Diagnostics diagnostics) {
     this.kind = kind;
@@ -47,7 +47,7 @@ public final class NameTable<T> {
     this.diagnostics = diagnostics;
   }
 
-  /** Adds what an element's name stands for; reports a name that is unusable or taken. */
+  /** Adds an element with its value; reports a name that is unusable or already taken. */
   public void add(Element element, Optional<T> value) {
     String name = element.required("name");
     NameRule.check(element, diagnostics);
@@ -66,7 +66,7 @@ public final class NameTable<T> {
   }
 
   /**
-   * Returns what a name stands for; reports a name that nothing has.
+   * Returns the value of a name; reports an unknown name.
    *
    * @param user the element that names it, for the message
    */
@@ -87,17 +87,17 @@ public final class NameTable<T> {
     return Optional.empty();
   }
 
-  /** Returns what a name stands for, without a complaint if nothing has it. */
+  /** Returns the value of a name; empty without an error if the name is unknown. */
   public Optional<T> value(String name) {
     return Optional.ofNullable(entries.get(name)).flatMap(Entry::value);
   }
 
-  /** Takes note that something refers to a name. */
+  /** Marks a name as used. */
   public void use(String name) {
     used.add(name);
   }
 
-  /** Returns the names that nothing has referred to, in file order. */
+  /** Returns the unused names in file order. */
   public List<String> unused() {
     return entries.keySet().stream().filter(name -> !used.contains(name)).toList();
   }

@@ -14,8 +14,7 @@ import org.mechservice.mechml.expression.Scope;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * The parameters of a model, and what the names of a constant expression stand for: parameters and
- * PI.
+ * The parameters of a model; the scope of constant expressions, which may use parameters and PI.
  */
 public final class ParameterTable implements Scope {
   private final Map<String, ResolvedParameter> parameters = new LinkedHashMap<>();
@@ -26,7 +25,7 @@ public final class ParameterTable implements Scope {
   /**
    * Begins without parameters.
    *
-   * @param unreadable names of those that will never come, since they could not be read
+   * @param unreadable names of the parameters that could not be read
    */
   ParameterTable(Set<String> unreadable) {
     this.unreadable = unreadable;
@@ -38,7 +37,7 @@ public final class ParameterTable implements Scope {
     }
   }
 
-  /** Returns the parameter a name in an expression stands for. */
+  /** Returns the parameter that a name in an expression refers to. */
   public Optional<ResolvedParameter> find(ParsedExpression.Reference name) {
     used.add(name.text());
     return name.names().size() == 1 && name.index().isEmpty()
@@ -53,7 +52,7 @@ public final class ParameterTable implements Scope {
         .toList();
   }
 
-  /** Returns the parameters that stay inputs of the model, in the order of their indices. */
+  /** Returns the tunable parameters in the order of their indices. */
   public List<ResolvedParameter> tunable() {
     return parameters.values().stream().filter(ResolvedParameter::tunable).toList();
   }
@@ -63,7 +62,7 @@ public final class ParameterTable implements Scope {
     return tunable.getOrDefault(parameter.name(), -1);
   }
 
-  /** Returns the parameters no expression refers to, in file order. */
+  /** Returns the unused parameters in file order. */
   public List<ResolvedParameter> unused() {
     return parameters.values().stream().filter(p -> !used.contains(p.name())).toList();
   }

@@ -27,7 +27,7 @@ import org.mechservice.mechml.unit.UnitParser;
 import org.mechservice.mechml.unit.UnitSystem;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** Reads {@code Parameters}, in whatever order they use each other. */
+/** Reads {@code Parameters}; they may refer to each other in any order. */
 public final class ParametersReader {
   private static final Set<String> RESERVED = Set.of("t", "PI", "Math");
 
@@ -47,7 +47,7 @@ public final class ParametersReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the parameters that make sense; the others have been reported. */
+  /** Returns the parameters without errors; reports the others. */
   public ParameterTable read(Element model) {
     List<Element> elements =
         model.child("Parameters").map(p -> p.children("parameter")).orElse(List.of());
@@ -111,7 +111,10 @@ public final class ParametersReader {
             e.reason()));
   }
 
-  /** Depth first, without recursion: a chain may be as long as the file. */
+  /**
+   * Evaluates a parameter after those that it uses. Depth first without recursion, since a chain
+   * may be as long as the file.
+   */
   private void evaluateWithWhatItUses(String first) {
     Deque<String> open = new ArrayDeque<>(List.of(first));
     Set<String> begun = new HashSet<>();
@@ -180,7 +183,7 @@ public final class ParametersReader {
     }
   }
 
-  /** What uses a parameter that has been reported needs no report of its own. */
+  /** A parameter that uses an unreadable one is not reported again. */
   private boolean isLost(String used) {
     return unreadable.contains(used);
   }

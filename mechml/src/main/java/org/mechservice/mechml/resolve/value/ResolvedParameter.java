@@ -7,11 +7,11 @@ import org.mechservice.mechml.unit.Unit;
 /**
  * A parameter of the model.
  *
- * @param element where it was given
+ * @param element its element in the file
  * @param value in its own unit
  * @param unit its own; {@link Unit#ONE} if it has none
  * @param valueInExpressions in the file's units, angles in rad
- * @param tunable whether it stays an input of the model
+ * @param tunable whether it remains an input of the model
  */
 public record ResolvedParameter(
     Element element, double value, Unit unit, double valueInExpressions, boolean tunable) {

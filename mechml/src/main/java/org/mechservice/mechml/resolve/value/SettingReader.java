@@ -20,7 +20,7 @@ public final class SettingReader {
   /**
    * Returns the number of an attribute.
    *
-   * @param open what holds if the attribute is missing
+   * @param open default if the attribute is missing
    * @param condition what the number must satisfy
    * @param rule the condition in words, such as {@code must be positive}
    */

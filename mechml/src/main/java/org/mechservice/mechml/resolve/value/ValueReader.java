@@ -22,8 +22,8 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Reads numeric attributes: expressions to numbers, numbers to SI. What cannot be read is reported
- * and comes back empty.
+ * Reads numeric attributes: evaluates expressions and converts to SI. A method that finds an error
+ * reports it and returns an empty result.
  */
 public final class ValueReader {
   private final UnitSystem units;
@@ -34,8 +34,8 @@ public final class ValueReader {
    * Reads in given units.
    *
    * @param units units of bare numbers
-   * @param parameters what names in expressions stand for
-   * @param diagnostics takes what is wrong
+   * @param parameters values of the names in expressions
+   * @param diagnostics receives errors and warnings
    */
   public ValueReader(UnitSystem units, ParameterTable parameters, Diagnostics diagnostics) {
     this.units = units;
@@ -58,7 +58,7 @@ public final class ValueReader {
     return evaluate(AttributeText.of(element, attribute), Unit.ONE);
   }
 
-  /** Returns a required quantity in SI; a unit beside it counts. */
+  /** Returns a required quantity in SI, read in the unit given beside it if there is one. */
   public OptionalDouble quantity(Element element, String attribute, Quantity quantity) {
     return unit(element, attribute, quantity)
         .map(unit -> evaluate(AttributeText.of(element, attribute), unit))
@@ -106,7 +106,7 @@ public final class ValueReader {
     return values.size() == items.size() ? Optional.of(values) : Optional.empty();
   }
 
-  /** Returns whether a list has as many items as are needed; reports it if not. */
+  /** Returns whether a list has the needed number of items; reports an error if not. */
   public boolean hasCount(List<AttributeText> items, int needed) {
     if (items.size() == needed) {
       return true;
@@ -128,7 +128,7 @@ public final class ValueReader {
     return false;
   }
 
-  /** Returns the unit of an attribute's values: that beside it if there is one, else the file's. */
+  /** Returns the unit of an attribute's values: the unit given beside it, else the file's unit. */
   public Optional<Unit> unit(Element element, String attribute, Quantity quantity) {
     Optional<String> text = unitText(element, attribute);
     if (text.isEmpty()) {
@@ -152,7 +152,7 @@ public final class ValueReader {
     return element.attribute(attribute + "Unit").or(() -> element.attribute("unit"));
   }
 
-  /** Returns the unit a text means; reports one that means none. */
+  /** Parses a unit; reports an unknown one. */
   public Optional<Unit> parse(Element element, String text) {
     try {
       return Optional.of(UnitParser.parse(text.strip()));
@@ -163,7 +163,7 @@ public final class ValueReader {
     }
   }
 
-  /** Returns the constant a text means, in SI. */
+  /** Returns the value of a constant expression in SI. */
   public OptionalDouble evaluate(AttributeText text, Unit unit) {
     try {
       ParsedExpression expression = ExpressionParser.parse(text.text());
@@ -182,7 +182,7 @@ public final class ValueReader {
     }
   }
 
-  /** Returns whether an expression needs a parameter that has been reported already. */
+  /** Returns whether an expression uses a parameter with a reported error. */
   public boolean usesWhatIsUnreadable(ParsedExpression expression) {
     return References.in(expression).stream()
         .anyMatch(reference -> parameters.isUnreadable(reference.text()));
@@ -202,7 +202,10 @@ public final class ValueReader {
             e.reason()));
   }
 
-  /** Expressions see angles in rad, so a named angle read in degrees is a slip. */
+  /**
+   * Warns of a parameter that is an angle, hence in rad in expressions, in an attribute that is
+   * read in degrees.
+   */
   public void warnOfDegrees(AttributeText text, ParsedExpression expression, Unit unit) {
     boolean inRadians = unit.numerator() == unit.denominator();
     if (unit.dimension().angle() != 1 || inRadians) {

@@ -28,7 +28,7 @@ import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.dynamics.TreeStepModel;
-import org.mechservice.solver.force.WrittenFormulas;
+import org.mechservice.solver.force.formula.WrittenFormulas;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.force.ForceElement;
 

@@ -6,7 +6,7 @@ import org.mechservice.sim.symbolic.Program;
 
 /**
  * What the class of the terms of a model with loops contains ({@link
- * org.mechservice.solver.closure.LoopTerms}).
+ * org.mechservice.solver.closure.equations.LoopTerms}).
  *
  * @param modelName the model's name in its file
  * @param hasUserForces whether the class is given loads of forces that users have written

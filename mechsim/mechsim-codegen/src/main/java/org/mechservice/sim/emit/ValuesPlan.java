@@ -5,7 +5,7 @@ import org.mechservice.sim.emit.method.MethodSignature;
 import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.sim.emit.source.JavaText;
 import org.mechservice.sim.symbolic.Program;
-import org.mechservice.solver.dynamics.WrittenValues;
+import org.mechservice.solver.dynamics.event.WrittenValues;
 
 /** Plans the class of what the events of a model watch and assign, and of its outputs. */
 public final class ValuesPlan {

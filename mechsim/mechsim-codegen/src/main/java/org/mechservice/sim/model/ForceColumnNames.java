@@ -14,7 +14,7 @@ final class ForceColumnNames {
   static List<Variable> of(Mechanism mechanism) {
     List<Variable> columns = new ArrayList<>();
     for (ForceElement force : mechanism.forces()) {
-      for (Variable value : force.values(mechanism)) {
+      for (Variable value : force.values(mechanism::jointOf)) {
         columns.add(new Variable(force.name() + "." + value.name(), value.unit()));
       }
     }

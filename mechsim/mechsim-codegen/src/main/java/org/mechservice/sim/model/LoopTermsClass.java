@@ -16,8 +16,8 @@ import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.catalogue.Formulation;
-import org.mechservice.solver.closure.CountedAngles;
-import org.mechservice.solver.closure.LoopEquations;
+import org.mechservice.solver.closure.equations.LoopEquations;
+import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -46,7 +46,7 @@ final class LoopTermsClass {
     return new TermsClass(
         mechanism.name(),
         ModelClass.hasUserForces(mechanism),
-        links.positionCount() + links.velocityCount() + CountedAngles.of(mechanism).size(),
+        links.positionCount() + links.velocityCount() + UnwrappedAngles.of(mechanism).size(),
         links.velocityCount(),
         loops,
         equations,

@@ -18,7 +18,7 @@ import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.catalogue.Formulation;
-import org.mechservice.solver.force.ForceFormulas;
+import org.mechservice.solver.force.formula.ForceFormulas;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** The class of an open chain, derived. */

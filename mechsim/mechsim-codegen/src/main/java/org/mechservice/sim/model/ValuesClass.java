@@ -9,8 +9,8 @@ import org.mechservice.sim.equations.PowerEquations;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.closure.CountedAngles;
-import org.mechservice.solver.dynamics.StateEvents;
+import org.mechservice.solver.closure.equations.UnwrappedAngles;
+import org.mechservice.solver.dynamics.event.StateEvents;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Tape;
@@ -110,6 +110,6 @@ final class ValuesClass {
   private boolean countsTurns(Expression leaf) {
     return leaf instanceof Expression.CoordinatePosition position
         && position.coordinate() instanceof ClosureCoordinate cut
-        && CountedAngles.isAngle(mechanism, cut);
+        && UnwrappedAngles.isAngle(mechanism, cut);
   }
 }

@@ -18,7 +18,7 @@ import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapeEvaluation;
-import org.mechservice.solver.force.FormulaText;
+import org.mechservice.solver.force.formula.FormulaText;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.PrescribedMotion;

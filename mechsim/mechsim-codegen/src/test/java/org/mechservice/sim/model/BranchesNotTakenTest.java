@@ -14,7 +14,7 @@ import org.mechservice.solver.api.LinearisedModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.dynamics.LinearisedResidualModel;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 
 /**
  * What a formula, a stop or a contact does not do at a state leaves nothing there, neither in its

@@ -30,7 +30,7 @@ import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.dynamics.RecursiveResidualModel;
 import org.mechservice.solver.dynamics.SemiRecursiveModel;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** The formulations DSR and RR of open chains in generated code, against those driven by data. */

@@ -34,7 +34,7 @@ import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.dynamics.LinearisedResidualModel;
 import org.mechservice.solver.dynamics.RecursiveResidualModel;
 import org.mechservice.solver.expression.BodyPoint;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.force.ForceElement;

@@ -28,7 +28,7 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelEvents;
 import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.WatchedModel;
-import org.mechservice.solver.dynamics.WrittenValues;
+import org.mechservice.solver.dynamics.event.WrittenValues;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Mechanism;

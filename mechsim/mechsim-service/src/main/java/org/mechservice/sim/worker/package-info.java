@@ -1,10 +1,16 @@
 /**
- * Runs of models with classes of users, each in a process of its own: what such a class does wrong
- * ends its process and nothing else.
+ * Runs of models with classes of users, each in a process of its own, so that a fault of such a
+ * class ends its process and nothing else.
  *
- * <p>The host's side is {@link org.mechservice.sim.worker.WorkerProcess}, the worker's {@link
- * org.mechservice.sim.worker.WorkerMain}. They speak over the worker's standard input and output;
- * the host believes nothing it reads without checking it.
+ * <p>{@link org.mechservice.sim.worker.WorkerProcess} is the host's side: it starts the process
+ * with bounded memory, sends it a {@link org.mechservice.sim.worker.WorkerOrder} and reads rows,
+ * progress and the {@link org.mechservice.sim.worker.WorkerResult}. {@link
+ * org.mechservice.sim.worker.WorkerMain} is the main class of the process. Both use the standard
+ * input and output of the process; the host checks every value that it reads. {@link
+ * org.mechservice.sim.worker.WorkerLostException} reports a process that has ended without a
+ * result.
+ *
+ * <p>Depends on mechsim-codegen and the solver, on no package of the service.
  */
 @NullMarked
 package org.mechservice.sim.worker;

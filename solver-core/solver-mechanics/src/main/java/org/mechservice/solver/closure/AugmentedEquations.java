@@ -12,7 +12,7 @@ import org.mechservice.solver.linear.DenseLu;
  * <p>Rows of J are over the sizes of what they measure. Every repetition starts from the residuals
  * of both equations, so what the penalty costs in digits is regained. Workspace of one thread.
  */
-final class AugmentedEquations {
+public final class AugmentedEquations {
   private static final int REPETITIONS = 10;
 
   /** Residual over its size that is as good as none. */
@@ -22,7 +22,7 @@ final class AugmentedEquations {
   private static final double GAIN = 0.1;
 
   /** How the matrix A + α JᵀJ is factored and solved with. */
-  interface Factors {
+  public interface Factors {
     /** Returns a negative number, or the row without a pivot. */
     int factor(double[] matrix);
 
@@ -78,12 +78,12 @@ final class AugmentedEquations {
   private final double[] gap;
 
   /** λ of the last solution, one per row over its size. */
-  final double[] multipliers;
+  public final double[] multipliers;
 
   /**
    * @param units of the unknowns, in which elements of J are compared with one
    */
-  AugmentedEquations(int equations, double[] units, Factors factors) {
+  public AugmentedEquations(int equations, double[] units, Factors factors) {
     this.factors = factors;
     this.units = units;
     n = units.length;
@@ -106,7 +106,7 @@ final class AugmentedEquations {
    *     bodies, which are as long as the ring is wide: α JᵀJ would else leave nothing of A
    * @return a negative number, or the unknown without a pivot
    */
-  int factor(double[] a, double[] scaledRows, double penalty) {
+  public int factor(double[] a, double[] scaledRows, double penalty) {
     System.arraycopy(a, 0, matrix, 0, n * n);
     System.arraycopy(a, 0, augmented, 0, n * n);
     System.arraycopy(scaledRows, 0, rows, 0, m * n);
@@ -142,7 +142,7 @@ final class AugmentedEquations {
    * @param offset c, rows over their sizes; not modified
    * @param x from {@code at}; overwritten
    */
-  void solve(double[] right, double[] offset, double[] x, int at) {
+  public void solve(double[] right, double[] offset, double[] x, int at) {
     Arrays.fill(x, at, at + n, 0);
     Arrays.fill(multipliers, 0);
     System.arraycopy(right, 0, force, 0, n);

@@ -7,9 +7,13 @@ import java.util.Optional;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.closure.assembly.Assembly;
+import org.mechservice.solver.closure.assembly.LoopFinding;
+import org.mechservice.solver.closure.assembly.RankAnalysis;
+import org.mechservice.solver.closure.equations.LoopTerms;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Tape;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -123,9 +127,9 @@ public final class ClosedMechanism {
   }
 
   /** Returns a workspace of its equations: of its code if it has some. */
-  ClosedTree newEquations(UserForceSource userForces) {
+  public ClosedTree newEquations(UserForceSource userForces) {
     return terms
-        .<ClosedTree>map(code -> new CodedTree(this, userForces, code))
+        .<ClosedTree>map(code -> new GeneratedTreeTerms(this, userForces, code))
         .orElseGet(() -> new ClosedTree(tree, userForces));
   }
 
@@ -143,7 +147,7 @@ public final class ClosedMechanism {
    * Returns whether motions or relations between coordinates are prescribed as functions of time,
    * so that they do work.
    */
-  boolean isMovedByTime() {
+  public boolean isMovedByTime() {
     List<Expression> prescribed = new ArrayList<>();
     tree.mechanism().motions().forEach(motion -> prescribed.addAll(motion.coordinates()));
     for (LoopClosure closure : tree.mechanism().closures()) {
@@ -167,7 +171,7 @@ public final class ClosedMechanism {
   }
 
   /** Returns the index in {@code description().joints()} of the joint a velocity belongs to. */
-  int jointOfVelocity(int velocity) {
+  public int jointOfVelocity(int velocity) {
     return jointOfVelocity[velocity];
   }
 }

@@ -3,13 +3,15 @@ package org.mechservice.solver.closure;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.mechservice.solver.dynamics.MassiveRods;
+import org.mechservice.solver.closure.equations.CoordinateUnits;
+import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.dynamics.OpenTree;
-import org.mechservice.solver.dynamics.ResidualJacobian;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.dynamics.WorldMotion;
+import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
+import org.mechservice.solver.dynamics.recursion.MassiveRods;
 import org.mechservice.solver.force.ForceSet;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
@@ -18,21 +20,21 @@ import org.mechservice.solver.kinematics.TreeMotion;
  * The equations of a mechanism with loops, M v' + b + Jᵀ λ = τ and Φ(q, t) = 0, at one state at a
  * time. Workspace of one thread; nothing allocates after construction.
  */
-class ClosedTree {
-  final TreeGeometry tree;
-  final TreeMotion motion;
-  final LoopEquations loops;
-  final StateCoordinates coordinates;
-  final CoordinateUnits units;
+public class ClosedTree {
+  public final TreeGeometry tree;
+  public final TreeMotion motion;
+  public final LoopEquations loops;
+  public final StateCoordinates coordinates;
+  public final CoordinateUnits units;
   final MassiveRods rods;
   final OpenTree open;
-  final ForceSet forces;
+  public final ForceSet forces;
   final WorldMotion world;
-  final int nq;
-  final int nv;
+  public final int nq;
+  public final int nv;
 
   /** M with the rods, n × n row by row. */
-  final double[] mass;
+  public final double[] mass;
 
   /** Applied wrenches, 6 per link, and joint forces, one per extended velocity. */
   final double[] wrench;
@@ -64,31 +66,31 @@ class ClosedTree {
   }
 
   /** Returns a workspace of the same equations that has swept motions and forces in links. */
-  ClosedTree ofData() {
+  public ClosedTree ofData() {
     return this;
   }
 
   /** Places a state and evaluates Φ and J. */
-  void placeLoops(double t, double[] y) {
+  public void placeLoops(double t, double[] y) {
     motion.sweep(t, y);
     loops.place(motion, t);
     loops.differentiate(motion);
   }
 
   /** Places a state and evaluates Φ and Φ'. */
-  void placeRates(double t, double[] y) {
+  public void placeRates(double t, double[] y) {
     motion.sweep(t, y);
     loops.place(motion, t);
     loops.move(motion, t);
   }
 
   /** Places a state and evaluates Φ, J and Φ'. */
-  void place(double t, double[] y) {
+  public void place(double t, double[] y) {
     placeData(t, y);
   }
 
   /** The same from the data, wherever the equations come from. */
-  final void placeData(double t, double[] y) {
+  public final void placeData(double t, double[] y) {
     motion.sweep(t, y);
     loops.place(motion, t);
     loops.differentiate(motion);
@@ -96,12 +98,12 @@ class ClosedTree {
   }
 
   /** Places a state whose equations of motion are to be formed, and evaluates Φ, J and Φ'. */
-  void placeEquations(double t, double[] y) {
+  public void placeEquations(double t, double[] y) {
     place(t, y);
   }
 
   /** Forms M at the state last placed. */
-  void formMass() {
+  public void formMass() {
     open.formMassMatrix();
     open.massMatrix().toDense(mass);
   }
@@ -114,7 +116,7 @@ class ClosedTree {
   }
 
   /** Takes note of an accepted step at the last sweep: angles of cut joints count on from here. */
-  void accepted(double t) {
+  public void accepted(double t) {
     loops.accepted();
     if (applyForces(t)) {
       forces.accepted();
@@ -124,7 +126,7 @@ class ClosedTree {
   /**
    * Returns the links that forces, loops and rods couple, two by two, for the pattern of matrices.
    */
-  int[] coupledLinks() {
+  public int[] coupledLinks() {
     List<Integer> links = new ArrayList<>();
     forces.couplings(
         (on, by) -> {
@@ -143,24 +145,24 @@ class ClosedTree {
   }
 
   /** Returns the length of what {@link #save} writes. */
-  int stateLength() {
+  public int stateLength() {
     return motion.counted.count() + loops.counted.count();
   }
 
   /** Writes where angles of cut joints count on from. */
-  void save(double[] state, int at) {
+  public void save(double[] state, int at) {
     motion.counted.save(state, at);
     loops.counted.save(state, at + motion.counted.count());
   }
 
   /** Takes up what {@link #save} wrote. */
-  void restore(double[] state, int at) {
+  public void restore(double[] state, int at) {
     motion.counted.restore(state, at);
     loops.counted.restore(state, at + motion.counted.count());
   }
 
   /** Forms b − τ and γ after {@link #placeEquations}; returns whether all forces have values. */
-  boolean formBias(double t) {
+  public boolean formBias(double t) {
     if (!applyForces(t)) {
       return false;
     }
@@ -170,12 +172,12 @@ class ClosedTree {
   }
 
   /** Returns b − τ as formed last. */
-  double[] bias() {
+  public double[] bias() {
     return open.bias();
   }
 
   /** Evaluates γ alone after {@link #place}. */
-  void formGamma(double t) {
+  public void formGamma(double t) {
     formDataGamma(t);
   }
 
@@ -192,7 +194,7 @@ class ClosedTree {
    *     come out
    * @return whether all forces have values
    */
-  boolean formResidual(double t, double[] a, int aAt, double[] residual) {
+  public boolean formResidual(double t, double[] a, int aAt, double[] residual) {
     if (!applyForces(t)) {
       return false;
     }
@@ -202,7 +204,7 @@ class ClosedTree {
   }
 
   /** Writes kinetic and potential energy at a state, J. */
-  void energy(double t, double[] y, double[] energy) {
+  public void energy(double t, double[] y, double[] energy) {
     motion.sweep(t, y);
     applyForces(t);
     energy[0] = world.kineticEnergy() + rods.kineticEnergy(motion);
@@ -210,13 +212,13 @@ class ClosedTree {
   }
 
   /** Writes where the bodies are in a state, and how they move ({@code BodyPoses}). */
-  void poses(double t, double[] y, double[] poses) {
+  public void poses(double t, double[] y, double[] poses) {
     motion.sweep(t, y);
     world.poses(poses);
   }
 
   /** Writes at a state the power of what has no potential energy, and the sum of its sizes, W. */
-  void power(double t, double[] y, double[] power) {
+  public void power(double t, double[] y, double[] power) {
     motion.sweep(t, y);
     applyForces(t);
     power[0] = forces.power();
@@ -232,7 +234,8 @@ class ClosedTree {
    * @param jacobian of this tree; overwritten
    * @return whether all forces have values
    */
-  boolean linearise(double t, double[] a, int aAt, double[] lambda, ResidualJacobian jacobian) {
+  public boolean linearise(
+      double t, double[] a, int aAt, double[] lambda, ResidualJacobian jacobian) {
     System.arraycopy(wrench, 0, loaded, 0, loaded.length);
     loops.addForces(lambda, -1, loaded, tau);
     jacobian.evaluate(loaded);

@@ -1,6 +1,7 @@
 package org.mechservice.solver.closure;
 
 import java.util.Arrays;
+import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;

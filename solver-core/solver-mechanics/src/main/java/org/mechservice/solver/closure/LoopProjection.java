@@ -1,6 +1,7 @@
 package org.mechservice.solver.closure;
 
 import java.util.Arrays;
+import org.mechservice.solver.closure.equations.LoopRounding;
 import org.mechservice.solver.linear.Cholesky;
 
 /**
@@ -8,7 +9,7 @@ import org.mechservice.solver.linear.Cholesky;
  * matrix (NUMERICS §3): what an impulse along the constraints does to velocities. Coordinates may
  * be held meanwhile, each by an equation of its own. Workspace of one thread.
  */
-final class LoopProjection {
+public final class LoopProjection {
   /** Residual over its size, or rate over the speed, below which a state is left alone. */
   private static final double CLOSED = 1e-13;
 
@@ -33,7 +34,7 @@ final class LoopProjection {
   private final PenaltySettings settings;
 
   /** What residuals are by rounding at the positions projected. */
-  final LoopRounding rounding;
+  public final LoopRounding rounding;
 
   private final AugmentedEquations equations;
   private final double[] rows;
@@ -45,12 +46,12 @@ final class LoopProjection {
   private final double[] offset;
   private final double[] change;
 
-  LoopProjection(ClosedTree work, PenaltySettings settings) {
+  public LoopProjection(ClosedTree work, PenaltySettings settings) {
     this(work, settings, false);
   }
 
   /** Returns one that can hold coordinates. */
-  static LoopProjection holding(ClosedTree work) {
+  public static LoopProjection holding(ClosedTree work) {
     return new LoopProjection(work, PenaltySettings.DEFAULT, true);
   }
 
@@ -70,12 +71,12 @@ final class LoopProjection {
   }
 
   /** Returns the equations of the places last factored, for accelerations too. */
-  AugmentedEquations equations() {
+  public AugmentedEquations equations() {
     return equations;
   }
 
   /** Forms M and factors where the work is placed; returns a negative number or the velocity. */
-  int factor() {
+  public int factor() {
     work.formMass();
     work.loops.scaledRows(rows, work.nv);
     for (int k = 0; k < held.length; k++) {
@@ -95,7 +96,7 @@ final class LoopProjection {
   }
 
   /** Moves positions, then velocities; returns whether both obey the loops. */
-  boolean project(double t, double[] y) {
+  public boolean project(double t, double[] y) {
     return projectPositions(t, y) && projectVelocities(t, y, OTHER_BRANCH);
   }
 
@@ -107,7 +108,7 @@ final class LoopProjection {
    * @param velocitySet velocities that are held
    * @return whether the state obeys the loops
    */
-  boolean jump(double t, double[] y, boolean[] positionSet, boolean[] velocitySet) {
+  public boolean jump(double t, double[] y, boolean[] positionSet, boolean[] velocitySet) {
     System.arraycopy(positionSet, 0, held, 0, held.length);
     closePositions(t, y);
     System.arraycopy(velocitySet, 0, held, 0, held.length);

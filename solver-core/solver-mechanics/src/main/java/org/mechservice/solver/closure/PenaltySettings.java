@@ -99,7 +99,7 @@ public record PenaltySettings(double stiffness, double frequency, double damping
   }
 
   /** Returns the numbers as a sentence for the report. */
-  String text() {
+  public String text() {
     return String.format(
         Locale.ROOT,
         "The loops are closed by penalty: alpha is %.4g times the largest inertia, Omega %.4g 1/s,"

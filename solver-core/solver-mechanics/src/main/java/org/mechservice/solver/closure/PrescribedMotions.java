@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.mechservice.solver.api.Defects.Defect;
 import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.closure.equations.PrescribedPairMotion;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.mechanism.PrescribedMotion;
@@ -20,7 +21,7 @@ import org.mechservice.solver.mechanism.closure.JointClosure;
  * however short it is, and the state that an error test names is one that had to follow. Allocates
  * freely.
  */
-final class PrescribedMotions {
+public final class PrescribedMotions {
   /** Accelerations below this, in SI units, are not those of a motion that comes to its end. */
   private static final double LARGE = 1e6;
 
@@ -49,7 +50,7 @@ final class PrescribedMotions {
    * @param y state [q; v] there; not modified
    * @param tried the last steps
    */
-  static Optional<Defect> breakOff(
+  public static Optional<Defect> breakOff(
       ClosedTree work, double t, double[] y, List<Failure.Step> tried) {
     return new PrescribedMotions(work, y).search(t, tried);
   }
@@ -83,7 +84,7 @@ final class PrescribedMotions {
   }
 
   private boolean breaksOff(List<Expression> coordinates, double t) {
-    MotionOfTime motion = new MotionOfTime(coordinates, work.loops.parameters());
+    PrescribedPairMotion motion = new PrescribedPairMotion(coordinates, work.loops.parameters());
     double[] here = new double[motion.count()];
     motion.evaluate(t);
     for (int i = 0; i < here.length; i++) {

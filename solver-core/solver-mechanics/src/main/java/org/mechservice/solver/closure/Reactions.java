@@ -3,7 +3,9 @@ package org.mechservice.solver.closure;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.Defects.Defect;
-import org.mechservice.solver.dynamics.JointReactions;
+import org.mechservice.solver.closure.assembly.ScaledJacobian;
+import org.mechservice.solver.closure.equations.LoopEquations;
+import org.mechservice.solver.dynamics.recursion.JointReactions;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 
 /**
@@ -50,7 +52,7 @@ public final class Reactions {
    * @param work the equations; its motion, forces and loops are evaluated at the states asked for
    * @param rank number of independent equations among those of the loops
    */
-  Reactions(ClosedTree work, int rank) {
+  public Reactions(ClosedTree work, int rank) {
     this.work = work;
     this.rank = rank;
     joints = new JointReactions(work.motion);
@@ -119,7 +121,7 @@ public final class Reactions {
   }
 
   /** Returns why the last {@link #evaluate} had no value. */
-  Defect defect() {
+  public Defect defect() {
     return work.forces.defect();
   }
 

@@ -3,9 +3,10 @@ package org.mechservice.solver.closure;
 import java.util.Arrays;
 import java.util.Optional;
 import org.mechservice.solver.api.Defects;
+import org.mechservice.solver.closure.equations.LoopTerms;
 import org.mechservice.solver.dynamics.UserForceSlopes;
 import org.mechservice.solver.dynamics.UserLoads;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**

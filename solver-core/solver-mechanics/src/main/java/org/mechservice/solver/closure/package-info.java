@@ -1,6 +1,23 @@
 /**
- * Closed loops: the equations Φ(q, t) = 0 of all closures with their derivatives, their rank, the
- * assembly of a start that obeys them, and motion under them by projection (the second velocity
- * transformation) or by penalty (NUMERICS §3).
+ * Closed loops: motion of a tree under the constraints Φ(q, t) = 0 that its loop closures impose.
+ *
+ * <p>{@link org.mechservice.solver.closure.ClosedMechanism} is the way in: it joins the description
+ * of a mechanism, the closed start and the rank of the constraints, and is shared by all runs.
+ * {@link org.mechservice.solver.closure.ClosedTree} is the workspace of one run: tree, loop
+ * equations and their solution in one place. The rooms below it:
+ *
+ * <ul>
+ *   <li>{@code closure.equations}: the constraints with their derivatives;
+ *   <li>{@code closure.assembly}: rank, redundancy and the closed start;
+ *   <li>{@code closure.model}: the models that an integrator sees, by projection or penalty.
+ * </ul>
+ *
+ * <p>Here stand also what the models share: the augmented Lagrangian iteration ({@link
+ * org.mechservice.solver.closure.AugmentedEquations}), projection onto the constraints ({@link
+ * org.mechservice.solver.closure.LoopProjection}) and reactions of cut joints. {@link
+ * org.mechservice.solver.closure.GeneratedTreeTerms} puts generated code in the place of the
+ * data-driven recursions.
+ *
+ * <p>Sources: Rodríguez et al. 2003, section 3; García de Jalón and Bayo 1994, chapters 5 and 6.
  */
 package org.mechservice.solver.closure;

@@ -2,7 +2,9 @@ package org.mechservice.solver.dynamics;
 
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.dynamics.recursion.ArticulatedBody;
+import org.mechservice.solver.dynamics.tree.PivotCheck;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**

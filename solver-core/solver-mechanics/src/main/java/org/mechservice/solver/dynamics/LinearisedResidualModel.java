@@ -5,8 +5,11 @@ import java.util.List;
 import org.mechservice.solver.api.LinearisedModel;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
+import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
+import org.mechservice.solver.dynamics.derivative.TreeIteration;
+import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.force.ForceSet;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**

@@ -17,10 +17,11 @@ import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.dynamics.tree.PivotCheck;
 import org.mechservice.solver.force.ForceSet;
-import org.mechservice.solver.force.FormulaCheck;
-import org.mechservice.solver.force.TriedStates;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.formula.FormulaCheck;
+import org.mechservice.solver.force.formula.SampleStates;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
@@ -180,7 +181,7 @@ public abstract class OpenTreeModel
     return FormulaCheck.of(motion)
         .flatMap(
             check ->
-                TriedStates.search(
+                SampleStates.search(
                     check.lines(),
                     (time, state) -> {
                       motion.sweep(time, state);

@@ -3,7 +3,7 @@ package org.mechservice.solver.dynamics;
 import org.mechservice.solver.api.ResidualModel;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**

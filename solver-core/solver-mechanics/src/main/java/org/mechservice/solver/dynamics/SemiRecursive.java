@@ -4,6 +4,13 @@ import static org.mechservice.solver.spatial.Blocks.dot;
 
 import java.util.Arrays;
 import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.dynamics.recursion.CompositeInertias;
+import org.mechservice.solver.dynamics.recursion.LinkInertias;
+import org.mechservice.solver.dynamics.recursion.MassiveRods;
+import org.mechservice.solver.dynamics.recursion.NewtonEuler;
+import org.mechservice.solver.dynamics.tree.PivotCheck;
+import org.mechservice.solver.dynamics.tree.TreeMatrix;
+import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 

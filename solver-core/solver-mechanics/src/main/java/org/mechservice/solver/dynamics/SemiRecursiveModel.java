@@ -2,7 +2,8 @@ package org.mechservice.solver.dynamics;
 
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.dynamics.tree.PivotCheck;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** DSR without generated code: an open tree by composite inertias. */

@@ -2,7 +2,7 @@ package org.mechservice.solver.dynamics;
 
 import java.util.Arrays;
 import org.mechservice.solver.force.ForceSet;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /** What acts on a tree besides gravity, as wrenches and joint forces. Workspace of one thread. */

@@ -5,6 +5,10 @@ import java.util.List;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.LinearisedModel;
 import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.dynamics.derivative.TreeIteration;
+import org.mechservice.solver.dynamics.tree.TreeMatrix;
+import org.mechservice.solver.dynamics.tree.TreePattern;
+import org.mechservice.solver.dynamics.tree.TreeSquare;
 import org.mechservice.solver.kinematics.StateCoordinates;
 
 /**

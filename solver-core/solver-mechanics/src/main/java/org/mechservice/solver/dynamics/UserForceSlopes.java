@@ -1,5 +1,8 @@
 package org.mechservice.solver.dynamics;
 
+import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
+import org.mechservice.solver.dynamics.tree.TreePattern;
+
 /**
  * How the forces of users change, by their own derivatives or by differences, beside derivatives
  * that code has evaluated with the forces' wrenches held fixed in the axes of their links.

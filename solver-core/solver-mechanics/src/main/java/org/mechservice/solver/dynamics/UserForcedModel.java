@@ -11,7 +11,7 @@ import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.PowerInput;
 import org.mechservice.solver.api.ResidualModel;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
 

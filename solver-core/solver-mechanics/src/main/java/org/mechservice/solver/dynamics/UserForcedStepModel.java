@@ -4,6 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.LinearisedModel;
 import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
+import org.mechservice.solver.dynamics.derivative.TreeIteration;
+import org.mechservice.solver.dynamics.tree.TreePattern;
+import org.mechservice.solver.dynamics.tree.TreeSquare;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**

@@ -5,6 +5,7 @@ import java.util.List;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.RunNotes.Note;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.dynamics.tree.PivotCheck;
 
 /** Remarks on joints whose inertia was nearly singular: one per joint, at its worst. */
 final class WeakPivots {

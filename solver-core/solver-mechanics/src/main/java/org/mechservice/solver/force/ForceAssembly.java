@@ -5,6 +5,24 @@ import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.force.applied.AppliedForce;
+import org.mechservice.solver.force.applied.CoordinateForce;
+import org.mechservice.solver.force.applied.CutCoordinates;
+import org.mechservice.solver.force.applied.FrameForce;
+import org.mechservice.solver.force.applied.FrameMotion;
+import org.mechservice.solver.force.applied.ScalarLaw;
+import org.mechservice.solver.force.applied.TreeCoordinate;
+import org.mechservice.solver.force.formula.CutJointForce;
+import org.mechservice.solver.force.formula.ExpressionJointForce;
+import org.mechservice.solver.force.formula.ExpressionWrench;
+import org.mechservice.solver.force.law.BushingLaw;
+import org.mechservice.solver.force.law.ContactLaw;
+import org.mechservice.solver.force.law.CutCoordinateLaw;
+import org.mechservice.solver.force.law.JointFrictionLaw;
+import org.mechservice.solver.force.law.JointSpringLaw;
+import org.mechservice.solver.force.law.SpringDamperLaw;
+import org.mechservice.solver.force.user.AppliedUserForce;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.kinematics.pair.CutJoint;
@@ -47,7 +65,7 @@ final class ForceAssembly {
       checkBody(wrench.name(), wrench.point().body());
       return new ExpressionWrench(wrench, motion);
     } else if (element instanceof UserForceElement user) {
-      return new UserForceAtWork(user, motion, source);
+      return new AppliedUserForce(user, motion, source);
     }
     return inJoint(element);
   }

@@ -1,10 +1,18 @@
 /**
- * Applied forces at work: wrenches and joint forces from a swept motion, their derivatives, energy,
- * power and values.
+ * Applied forces of a mechanism: wrenches and joint forces at a state, with their derivatives,
+ * energy, power and output values.
  *
- * <p>{@link org.mechservice.solver.force.ForceSet} is the way in. A force between two bodies is a
- * law of their relative motion ({@code FrameLaw}), a force in a joint a law of its coordinate
- * ({@code ScalarLaw}); carrying them to links and joints, and differentiating that, is done once.
- * What a law means is said at its description in {@code mechanism.force}.
+ * <p>{@link org.mechservice.solver.force.ForceSet} is the way in: it holds all forces of one run
+ * and adds them up. {@link org.mechservice.solver.force.ForceAssembly} makes it from the
+ * description in {@code mechanism.force}, which says what each law means. The rooms below it:
+ *
+ * <ul>
+ *   <li>{@code force.applied}: how a force enters the equations of motion, and its derivatives;
+ *   <li>{@code force.law}: springs, bushings, contacts, friction;
+ *   <li>{@code force.formula}: forces given as formulas of the state;
+ *   <li>{@code force.user}: forces given as classes.
+ * </ul>
+ *
+ * <p>Nothing here allocates during a run.
  */
 package org.mechservice.solver.force;

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.dynamics.recursion.ArticulatedBody;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Sum;

@@ -2,24 +2,29 @@ package org.mechservice.solver.dynamics;
 
 import java.util.Arrays;
 import java.util.Random;
+import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
+import org.mechservice.solver.dynamics.derivative.TreeIteration;
+import org.mechservice.solver.dynamics.recursion.ArticulatedBody;
+import org.mechservice.solver.dynamics.recursion.MassiveRods;
+import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** A mechanism in a state, with joint forces and wrenches, and the questions laws ask of it. */
-final class Evaluation {
+public final class Evaluation {
   final Mechanism mechanism;
-  final TreeGeometry tree;
-  final TreeMotion motion;
-  final StateCoordinates coordinates;
-  final int nq;
-  final int nv;
-  final double[] y;
+  public final TreeGeometry tree;
+  public final TreeMotion motion;
+  public final StateCoordinates coordinates;
+  public final int nq;
+  public final int nv;
+  public final double[] y;
   final double[] tau;
-  final double[] wrench;
+  public final double[] wrench;
 
-  Evaluation(Mechanism mechanism) {
+  public Evaluation(Mechanism mechanism) {
     this.mechanism = mechanism;
     tree = new TreeGeometry(mechanism);
     motion = new TreeMotion(tree);
@@ -34,7 +39,7 @@ final class Evaluation {
   }
 
   /** Adds joint forces and wrenches on all bodies of size 1 to 5. */
-  Evaluation loaded(long seed) {
+  public Evaluation loaded(long seed) {
     Random random = new Random(seed);
     for (int i = 0; i < tau.length; i++) {
       tau[i] = 10 * random.nextDouble() - 5;
@@ -53,7 +58,7 @@ final class Evaluation {
     return v;
   }
 
-  SemiRecursive.Workspace semiRecursive() {
+  public SemiRecursive.Workspace semiRecursive() {
     SemiRecursive.Workspace w = new SemiRecursive(tree).newWorkspace(motion);
     w.formMassMatrix();
     w.formBias(wrench, tau);
@@ -107,7 +112,7 @@ final class Evaluation {
   }
 
   /** Returns M a + b − τ of the state's velocities by one Newton-Euler sweep. */
-  double[] residual(double[] a) {
+  public double[] residual(double[] a) {
     return Arrays.copyOf(extendedResidual(a), nv);
   }
 
@@ -137,7 +142,7 @@ final class Evaluation {
     return moved;
   }
 
-  static double norm(double[] x) {
+  public static double norm(double[] x) {
     double sum = 0;
     for (double xi : x) {
       sum += xi * xi;

@@ -16,7 +16,7 @@ import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.dynamics.LinearisedResidualModel.Mode;
 import org.mechservice.solver.force.RandomForces;
 import org.mechservice.solver.force.RandomUserForces;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.RandomTrees;
 

@@ -27,10 +27,10 @@ import org.mechservice.solver.spatial.Vector3;
  * @param tau joint forces, N·m, N
  * @param accelerations joint accelerations, rad/s², m/s²
  */
-record PublishedChain(
+public record PublishedChain(
     Mechanism mechanism, List<Double> state, List<Double> tau, List<Double> accelerations) {
 
-  static PublishedChain read(String name) {
+  public static PublishedChain read(String name) {
     List<Body> bodies = new ArrayList<>();
     List<Joint> joints = new ArrayList<>();
     List<Double> q = new ArrayList<>();
@@ -88,15 +88,15 @@ record PublishedChain(
     }
   }
 
-  double[] y() {
+  public double[] y() {
     return state.stream().mapToDouble(Double::doubleValue).toArray();
   }
 
-  double[] jointForces() {
+  public double[] jointForces() {
     return tau.stream().mapToDouble(Double::doubleValue).toArray();
   }
 
-  double[] expected() {
+  public double[] expected() {
     return accelerations.stream().mapToDouble(Double::doubleValue).toArray();
   }
 }

@@ -1,5 +1,6 @@
 package org.mechservice.solver.force;
 
+import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.kinematics.TreeGeometry;
 
 /** Gathers all derivatives and applies them to a change of the state. */

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.solver.force.RandomForces.Kind;
+import org.mechservice.solver.force.applied.NoJacobian;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.RandomTrees;
 import org.mechservice.solver.mechanism.force.Bushing;

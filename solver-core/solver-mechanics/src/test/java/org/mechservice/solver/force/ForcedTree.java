@@ -8,18 +8,18 @@ import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** A mechanism with forces in a seeded state, and differences of what it does. */
-final class ForcedTree {
+public final class ForcedTree {
   private static final double STEP = 2e-3;
 
   final Mechanism mechanism;
-  final TreeGeometry geometry;
+  public final TreeGeometry geometry;
   final TreeMotion motion;
-  final ForceSet forces;
-  final double[] q;
+  public final ForceSet forces;
+  public final double[] q;
   final double[] v;
   private final StateCoordinates coordinates;
 
-  ForcedTree(Mechanism mechanism, long seed) {
+  public ForcedTree(Mechanism mechanism, long seed) {
     this.mechanism = mechanism;
     geometry = new TreeGeometry(mechanism);
     motion = new TreeMotion(geometry);
@@ -37,7 +37,7 @@ final class ForcedTree {
   }
 
   /** Returns all wrenches, 6 per link, then all joint forces. */
-  double[] evaluate(double t) {
+  public double[] evaluate(double t) {
     motion.sweep(t, q, v);
     double[] wrench = new double[6 * geometry.linkCount];
     double[] tau = new double[geometry.velocityCount];
@@ -72,7 +72,7 @@ final class ForcedTree {
   }
 
   /** Returns the change of all forces with a coordinate or its rate, by the Jacobian. */
-  double[] forceChange(double t, int k, boolean ofVelocity) {
+  public double[] forceChange(double t, int k, boolean ofVelocity) {
     double[] unit = new double[v.length];
     unit[k] = 1;
     double[] kept = v.clone();
@@ -89,7 +89,7 @@ final class ForcedTree {
     return jacobian(t).change(alongUnit, velocities);
   }
 
-  double[] forceDifference(double t, int k, boolean ofVelocity) {
+  public double[] forceDifference(double t, int k, boolean ofVelocity) {
     return difference(() -> evaluate(t), k, ofVelocity);
   }
 
@@ -133,7 +133,7 @@ final class ForcedTree {
   }
 
   /** Returns the power of wrenches and joint forces. */
-  double workRate(double[] all) {
+  public double workRate(double[] all) {
     double[] twists = twists(0.3);
     double sum = 0;
     for (int i = 0; i < all.length; i++) {
@@ -143,7 +143,7 @@ final class ForcedTree {
   }
 
   /** Returns the rate of the potential energy along the motion, by differences. */
-  double potentialEnergyRate(double t) {
+  public double potentialEnergyRate(double t) {
     double[] rates = new double[3];
     for (int i = 0; i < 3; i++) {
       double h = 4e-3 / (1 << i);

@@ -86,7 +86,7 @@ public final class RandomForces {
   }
 
   /** Returns the mechanism with some forces of a kind. */
-  Mechanism with(Kind kind) {
+  public Mechanism with(Kind kind) {
     List<ForceElement> forces = IntStream.range(0, 3).mapToObj(i -> force(kind, "f" + i)).toList();
     return with(forces);
   }
@@ -100,7 +100,7 @@ public final class RandomForces {
     return with(forces);
   }
 
-  Mechanism with(List<ForceElement> forces) {
+  public Mechanism with(List<ForceElement> forces) {
     return new Mechanism(
         mechanism.name(),
         mechanism.root(),
@@ -136,7 +136,7 @@ public final class RandomForces {
     };
   }
 
-  JointSpringDamper jointSpring(String name, Coordinate coordinate, Side side) {
+  public JointSpringDamper jointSpring(String name, Coordinate coordinate, Side side) {
     return new JointSpringDamper(
         name,
         coordinate,
@@ -149,12 +149,12 @@ public final class RandomForces {
         Origin.NONE);
   }
 
-  JointFriction friction(String name, Coordinate coordinate) {
+  public JointFriction friction(String name, Coordinate coordinate) {
     return new JointFriction(
         name, coordinate, positive(), positive(), Expression.of(0.5), Origin.NONE);
   }
 
-  JointForce jointForce(String name, ClosureCoordinate coordinate) {
+  public JointForce jointForce(String name, ClosureCoordinate coordinate) {
     return new JointForce(
         name,
         coordinate,

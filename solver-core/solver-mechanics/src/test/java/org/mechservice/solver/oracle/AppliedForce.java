@@ -11,7 +11,7 @@ public interface AppliedForce {
    *
    * @param pose pose and motion of each body, and of the root at −1, in the world
    */
-  void apply(double t, IntFunction<TaylorPose> pose, Loads loads);
+  public void apply(double t, IntFunction<TaylorPose> pose, Loads loads);
 
   /** Takes forces and moments, in world axes. */
   interface Loads {

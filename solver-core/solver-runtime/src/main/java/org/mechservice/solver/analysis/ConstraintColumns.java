@@ -3,7 +3,7 @@ package org.mechservice.solver.analysis;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.Variable;
-import org.mechservice.solver.closure.LoopEquations;
+import org.mechservice.solver.closure.equations.LoopEquations;
 
 /**
  * How far loops are from being closed, and the forces that close them. A tilt counts with the

@@ -2,13 +2,13 @@ package org.mechservice.solver.analysis;
 
 import java.util.Arrays;
 import org.mechservice.solver.api.Defects.Defect;
-import org.mechservice.solver.closure.CoordinateUnits;
-import org.mechservice.solver.closure.LoopEquations;
-import org.mechservice.solver.closure.ScaledJacobian;
+import org.mechservice.solver.closure.assembly.ScaledJacobian;
+import org.mechservice.solver.closure.equations.CoordinateUnits;
+import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.dynamics.OpenTree;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.force.ForceSet;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;

@@ -2,7 +2,7 @@ package org.mechservice.solver.analysis;
 
 import java.util.List;
 import org.mechservice.solver.compact.CompactModel;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 
 /** A mechanism at rest: one state, in which all forces balance. */
 final class EquilibriumModel extends FoundModel {

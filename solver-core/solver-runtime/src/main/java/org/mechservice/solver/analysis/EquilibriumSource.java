@@ -1,7 +1,7 @@
 package org.mechservice.solver.analysis;
 
 import org.mechservice.solver.compact.CompactModel;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 
 /** What the class of a model at rest is, but for its data. */
 public abstract class EquilibriumSource extends ExtendedSource {

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.Variable;
-import org.mechservice.solver.closure.LoopEquations;
+import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.JointClosure;

@@ -10,9 +10,9 @@ import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.RunNotes;
 import org.mechservice.solver.compact.CompactModel;
-import org.mechservice.solver.dynamics.MassiveRods;
 import org.mechservice.solver.dynamics.WorldMotion;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.dynamics.recursion.MassiveRods;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
 

@@ -1,7 +1,7 @@
 package org.mechservice.solver.analysis;
 
 import java.util.Arrays;
-import org.mechservice.solver.closure.LoopEquations;
+import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.linear.PivotedElimination;

@@ -13,8 +13,8 @@ import org.mechservice.solver.api.MomentumBalance;
 import org.mechservice.solver.api.ResultColumns;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.compact.CompactModel;
-import org.mechservice.solver.dynamics.WrittenValues;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.dynamics.event.WrittenValues;
+import org.mechservice.solver.force.user.UserForceSource;
 
 /**
  * Result columns that a model does not have of itself: residuals and multipliers of constraints,

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import org.mechservice.solver.api.Defects.Defect;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.linear.SingularValues;
 import org.mechservice.solver.mechanism.Mechanism;
 

@@ -17,7 +17,7 @@ import org.mechservice.solver.catalogue.ClosureMethod;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.compact.CompactModel;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 
 /**
  * Small motions of a mechanism about its start or an equilibrium, as a table: one row per mode with

@@ -1,7 +1,7 @@
 package org.mechservice.solver.analysis;
 
 import java.util.Arrays;
-import org.mechservice.solver.closure.LoopEquations;
+import org.mechservice.solver.closure.equations.LoopEquations;
 
 /**
  * How dependent velocities and accelerations of a moving loop change with the independent ones: v =

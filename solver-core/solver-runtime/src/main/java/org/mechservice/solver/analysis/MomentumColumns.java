@@ -9,7 +9,7 @@ import org.mechservice.solver.api.MomentumBalance;
 import org.mechservice.solver.api.RunNotes.Note;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.dynamics.WholeMomentum;
+import org.mechservice.solver.dynamics.recursion.TotalMomentum;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
@@ -30,7 +30,7 @@ final class MomentumColumns implements ColumnValues, MomentumBalance {
 
   private final ExplicitModel model;
   private final TreeMotion motion;
-  private final WholeMomentum whole;
+  private final TotalMomentum whole;
   private final List<Variable> columns = new ArrayList<>();
   private final double[] yDot;
   private final int nq;
@@ -58,7 +58,7 @@ final class MomentumColumns implements ColumnValues, MomentumBalance {
   MomentumColumns(ExplicitModel model, TreeMotion motion) {
     this.model = model;
     this.motion = motion;
-    whole = new WholeMomentum(motion);
+    whole = new TotalMomentum(motion);
     yDot = new double[model.description().stateCount()];
     nq = model.description().positionCount();
     for (String what : List.of("momentum.", "impulse.")) {

@@ -2,7 +2,7 @@ package org.mechservice.solver.analysis;
 
 import java.util.List;
 import org.mechservice.solver.api.Variable;
-import org.mechservice.solver.force.ExpressionInputs;
+import org.mechservice.solver.force.formula.ExpressionInputs;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Output;
 

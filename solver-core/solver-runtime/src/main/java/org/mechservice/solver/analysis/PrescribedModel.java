@@ -7,11 +7,11 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.closure.Assembly;
-import org.mechservice.solver.closure.LoopFinding;
-import org.mechservice.solver.closure.RankAnalysis;
+import org.mechservice.solver.closure.assembly.Assembly;
+import org.mechservice.solver.closure.assembly.LoopFinding;
+import org.mechservice.solver.closure.assembly.RankAnalysis;
 import org.mechservice.solver.compact.CompactModel;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 
 /**
  * A mechanism all of whose coordinates follow from prescribed motions: driven joints, and loops

@@ -1,6 +1,6 @@
 package org.mechservice.solver.analysis;
 
-import org.mechservice.solver.dynamics.WrittenValues;
+import org.mechservice.solver.dynamics.event.WrittenValues;
 
 /** What a model's author asked for by expression, evaluated by code written for it. */
 final class WrittenOutputs {

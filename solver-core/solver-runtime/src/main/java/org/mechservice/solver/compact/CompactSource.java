@@ -5,8 +5,8 @@ import java.util.Optional;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.TunableParameter;
-import org.mechservice.solver.dynamics.WrittenValues;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.dynamics.event.WrittenValues;
+import org.mechservice.solver.force.user.UserForceSource;
 
 /** What the class of a model in compact form is, but for its data. */
 public abstract class CompactSource implements ModelSource {

@@ -5,19 +5,19 @@ import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.ClosedMechanism;
-import org.mechservice.solver.closure.LinearisedProjectionModel;
-import org.mechservice.solver.closure.LoopTerms;
-import org.mechservice.solver.closure.PenaltyModel;
 import org.mechservice.solver.closure.PenaltySettings;
-import org.mechservice.solver.closure.ProjectionModel;
-import org.mechservice.solver.closure.ResidualPenaltyModel;
-import org.mechservice.solver.closure.ResidualPenaltyModel.Derivatives;
-import org.mechservice.solver.closure.ResidualProjectionModel;
+import org.mechservice.solver.closure.equations.LoopTerms;
+import org.mechservice.solver.closure.model.LinearisedProjectionModel;
+import org.mechservice.solver.closure.model.PenaltyModel;
+import org.mechservice.solver.closure.model.ProjectionModel;
+import org.mechservice.solver.closure.model.ResidualPenaltyModel;
+import org.mechservice.solver.closure.model.ResidualPenaltyModel.Derivatives;
+import org.mechservice.solver.closure.model.ResidualProjectionModel;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.dynamics.LinearisedResidualModel;
 import org.mechservice.solver.dynamics.RecursiveResidualModel;
 import org.mechservice.solver.dynamics.SemiRecursiveModel;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** Takes the data-driven formulation that a compact model names. */

@@ -2,7 +2,7 @@ package org.mechservice.solver.compact;
 
 import org.mechservice.solver.api.UserForce;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /** User forces from a class loader, that of the model's JAR. */

@@ -13,7 +13,7 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.compact.CompactModel;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
 

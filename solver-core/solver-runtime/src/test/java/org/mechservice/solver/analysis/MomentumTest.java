@@ -41,7 +41,7 @@ import org.mechservice.solver.expression.Expression.CoordinatePosition;
 import org.mechservice.solver.expression.Expression.CoordinateVelocity;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.JointCoordinate;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Event;

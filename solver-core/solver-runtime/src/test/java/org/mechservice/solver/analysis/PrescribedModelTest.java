@@ -25,7 +25,7 @@ import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.StartRole;

@@ -19,7 +19,7 @@ import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;

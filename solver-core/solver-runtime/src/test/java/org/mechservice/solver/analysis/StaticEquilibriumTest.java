@@ -21,7 +21,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.FiveBarPendulum;

@@ -4,6 +4,7 @@ import java.util.List;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.closure.JumpingLoops.Law;
 import org.mechservice.solver.closure.JumpingLoops.Side;
+import org.mechservice.solver.closure.model.ProjectionModel;
 import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.StepResult;

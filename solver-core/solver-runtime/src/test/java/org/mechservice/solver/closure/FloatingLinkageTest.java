@@ -12,6 +12,7 @@ import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.closure.Linkages.Hinge;
+import org.mechservice.solver.closure.model.LoopModel;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;

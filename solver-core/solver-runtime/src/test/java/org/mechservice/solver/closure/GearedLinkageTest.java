@@ -17,6 +17,7 @@ import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.closure.Linkages.Hinge;
+import org.mechservice.solver.closure.model.LoopModel;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;

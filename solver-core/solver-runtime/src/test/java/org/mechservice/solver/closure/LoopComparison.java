@@ -10,6 +10,9 @@ import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.closure.assembly.LoopFinding;
+import org.mechservice.solver.closure.model.LinearisedProjectionModel;
+import org.mechservice.solver.closure.model.LoopModel;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.oracle.GlobalFormulation;
 

@@ -11,8 +11,10 @@ import org.apache.commons.math3.linear.RealMatrix;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.dynamics.TreeSquare;
+import org.mechservice.solver.closure.model.LinearisedProjectionModel;
+import org.mechservice.solver.closure.model.Partition;
 import org.mechservice.solver.dynamics.WholeStep;
+import org.mechservice.solver.dynamics.tree.TreeSquare;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** The equations of an implicit step on closed loops against the whole they are reduced from. */

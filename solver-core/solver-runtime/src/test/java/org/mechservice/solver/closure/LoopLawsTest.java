@@ -15,6 +15,7 @@ import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.closure.model.LoopModel;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Mechanism;

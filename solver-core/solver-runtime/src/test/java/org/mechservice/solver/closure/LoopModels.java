@@ -1,8 +1,14 @@
 package org.mechservice.solver.closure;
 
 import org.mechservice.solver.api.RunSettings;
-import org.mechservice.solver.closure.ResidualPenaltyModel.Derivatives;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.closure.model.LinearisedProjectionModel;
+import org.mechservice.solver.closure.model.LoopModel;
+import org.mechservice.solver.closure.model.PenaltyModel;
+import org.mechservice.solver.closure.model.ProjectionModel;
+import org.mechservice.solver.closure.model.ResidualPenaltyModel;
+import org.mechservice.solver.closure.model.ResidualPenaltyModel.Derivatives;
+import org.mechservice.solver.closure.model.ResidualProjectionModel;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** Makes models of loops by the names of formulation and closure. */

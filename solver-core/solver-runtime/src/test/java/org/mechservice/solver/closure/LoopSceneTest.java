@@ -8,6 +8,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.closure.model.LoopModel;
+import org.mechservice.solver.closure.model.PenaltyModel;
+import org.mechservice.solver.closure.model.ProjectionModel;
 import org.mechservice.solver.scenes.SharedScene;
 import org.mechservice.solver.scenes.SharedScene.ReferenceState;
 

@@ -11,7 +11,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.closure.model.PenaltyModel;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
 class PenaltySettingsTest {

@@ -10,6 +10,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.closure.model.ResidualPenaltyModel;
 import org.mechservice.solver.scenes.SharedScene;
 
 class ResidualPenaltyTest {

@@ -6,7 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.closure.model.ProjectionModel;
+import org.mechservice.solver.force.user.UserForceSource;
 
 class SlidingPendulumTest {
   /** State at 10 s of the pendulum of 1 m released level, g = 9.81, by elliptic functions. */

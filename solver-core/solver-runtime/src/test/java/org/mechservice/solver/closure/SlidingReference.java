@@ -5,6 +5,7 @@ import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.closure.JumpingLoops.Law;
 import org.mechservice.solver.closure.JumpingLoops.Side;
+import org.mechservice.solver.closure.model.ProjectionModel;
 
 /**
  * The motion of a loop with one jump in the sense of Filippov 1988, §4: on either side as the

@@ -6,6 +6,7 @@ import org.junit.jupiter.api.Test;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.RunNotes.Note;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.closure.model.LoopModel;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.scenes.SharedScene;
 

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import org.junit.jupiter.api.Test;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.closure.model.LoopModel;
 import org.mechservice.solver.scenes.SharedScene;
 
 /** The energy balance of mechanisms with loops, watched while they run. */

@@ -27,7 +27,7 @@ import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.expression.Function;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Joint;

@@ -7,7 +7,7 @@ import org.mechservice.sim.equations.kinematics.LinkKinematics;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.solver.closure.CountedAngles;
+import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.ClosureCoordinate;
@@ -18,8 +18,8 @@ import org.mechservice.solver.spatial.Rotation;
 
 /**
  * The coordinates of cut joints in one program. Where an angle was at the last accepted step is an
- * input behind the state, in the order of {@link CountedAngles}: of the angles that differ by whole
- * turns the nearest is meant.
+ * input behind the state, in the order of {@link UnwrappedAngles}: of the angles that differ by
+ * whole turns the nearest is meant.
  */
 public final class CutCoordinateTerms {
   private final Expressions expressions;
@@ -38,7 +38,7 @@ public final class CutCoordinateTerms {
 
   /** Returns the coordinate with a position. */
   public CutCoordinate ofPosition(ClosureCoordinate position) {
-    ClosureCoordinate velocity = CountedAngles.velocityOf(mechanism.mechanism(), position);
+    ClosureCoordinate velocity = UnwrappedAngles.velocityOf(mechanism.mechanism(), position);
     CutCoordinate coordinate = ofVelocity(velocity);
     PairTerm term = coordinate.term();
     if (!term.countsTurns()) {
@@ -46,7 +46,7 @@ public final class CutCoordinateTerms {
     }
     Mechanism described = mechanism.mechanism();
     int states = mechanism.positionCount() + mechanism.velocityCount();
-    int counted = CountedAngles.of(described).indexOf(position);
+    int counted = UnwrappedAngles.of(described).indexOf(position);
     Scalar before = expressions.input(states + counted);
     Scalar way = PairTerms.nearest(term.value().minus(before), 2 * Math.PI);
     return new CutCoordinate(coordinate.frames(), term, before.plus(way));
@@ -60,7 +60,7 @@ public final class CutCoordinateTerms {
   private CutCoordinate derived(ClosureCoordinate velocity) {
     Mechanism described = mechanism.mechanism();
     CutJoint joint =
-        new CutJoint(new TreeGeometry(described), CountedAngles.joint(described, velocity));
+        new CutJoint(new TreeGeometry(described), UnwrappedAngles.joint(described, velocity));
     RelativeFrameMotion frames =
         new RelativeFrameMotion(kinematics, points, frame(joint.point1()), frame(joint.point2()));
     PairTerm term = joint.coordinate(velocity.component()).as(new PairTerms(expressions, frames));

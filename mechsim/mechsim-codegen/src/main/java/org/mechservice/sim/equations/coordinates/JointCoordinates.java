@@ -2,7 +2,7 @@ package org.mechservice.sim.equations.coordinates;
 
 import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.solver.closure.CountedAngles;
+import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.JointCoordinate;
@@ -37,7 +37,7 @@ public final class JointCoordinates {
   /** Returns the velocity that belongs to a position that has one of its own. */
   public Coordinate velocityOf(Coordinate position) {
     return position instanceof ClosureCoordinate cut
-        ? CountedAngles.velocityOf(mechanism, cut)
+        ? UnwrappedAngles.velocityOf(mechanism, cut)
         : joints.velocityOf((JointCoordinate) position);
   }
 

@@ -1,6 +1,6 @@
 package org.mechservice.sim.equations.derivatives;
 
-import org.mechservice.solver.dynamics.TreePattern;
+import org.mechservice.solver.dynamics.tree.TreePattern;
 
 /** Where elements of M, ∂F/∂v and ∂F/∂q are put out. Rows and columns are {@link TreeOrder}. */
 sealed interface ElementLayout {
@@ -42,7 +42,8 @@ sealed interface ElementLayout {
   }
 
   /**
-   * Whole matrices, as {@link org.mechservice.solver.closure.LoopTerms.OfDerivatives} has them.
+   * Whole matrices, as {@link org.mechservice.solver.closure.equations.LoopTerms.OfDerivatives} has
+   * them.
    *
    * @param places of the velocities
    */

@@ -24,7 +24,7 @@ import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
-import org.mechservice.solver.closure.CountedAngles;
+import org.mechservice.solver.closure.equations.UnwrappedAngles;
 
 /**
  * The derivatives of the residual M v' + b − τ of an open chain by v', v and q (RR-JF, NUMERICS
@@ -98,7 +98,7 @@ public final class ResidualDerivatives {
   /**
    * Derives the program of a mechanism with loops: from [q; v], followed by counted angles, v' and
    * λ, to the derivatives of M v' + b − τ + Jᵀ λ in the order of {@link
-   * org.mechservice.solver.closure.LoopTerms.OfDerivatives}.
+   * org.mechservice.solver.closure.equations.LoopTerms.OfDerivatives}.
    */
   public static Program ofLoops(Links mechanism) {
     // accelerations count like velocities, which come after the positions
@@ -110,7 +110,7 @@ public final class ResidualDerivatives {
   }
 
   private static int counted(Links mechanism) {
-    return CountedAngles.of(mechanism.mechanism()).size();
+    return UnwrappedAngles.of(mechanism.mechanism()).size();
   }
 
   /** Adds loads that depend on more than the forces of the model. */

@@ -7,7 +7,7 @@ import java.util.stream.IntStream;
 import org.mechservice.sim.equations.links.DegreeOfFreedom;
 import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Links;
-import org.mechservice.solver.dynamics.TreePattern;
+import org.mechservice.solver.dynamics.tree.TreePattern;
 
 /** The velocities of the state from the root outwards: the places of a {@link TreePattern}. */
 final class TreeOrder {

@@ -17,8 +17,8 @@ import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
-import org.mechservice.solver.closure.CountedAngles;
-import org.mechservice.solver.closure.LoopTerms;
+import org.mechservice.solver.closure.equations.LoopTerms;
+import org.mechservice.solver.closure.equations.UnwrappedAngles;
 
 /**
  * The terms of the equations of a mechanism with loops as programs, laid out as {@link LoopTerms}
@@ -81,7 +81,7 @@ public final class LoopCode {
    */
   public static Program residual(Links mechanism) {
     // accelerations count like velocities, which come after the positions
-    int derivative = mechanism.velocityCount() + CountedAngles.of(mechanism.mechanism()).size();
+    int derivative = mechanism.velocityCount() + UnwrappedAngles.of(mechanism.mechanism()).size();
     LoopCode code = new LoopCode(mechanism, 0, derivative);
     code.putOutBias(0);
     return code.program;

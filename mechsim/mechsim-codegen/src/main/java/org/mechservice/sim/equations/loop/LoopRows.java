@@ -24,7 +24,7 @@ import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
-import org.mechservice.solver.closure.LoopEquations;
+import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;

@@ -28,7 +28,7 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelState;
 import org.mechservice.solver.api.ProjectedStates;
 import org.mechservice.solver.closure.ClosedMechanism;
-import org.mechservice.solver.closure.PenaltyModel;
+import org.mechservice.solver.closure.model.PenaltyModel;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;

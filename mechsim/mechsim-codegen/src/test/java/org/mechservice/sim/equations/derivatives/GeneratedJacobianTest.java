@@ -36,7 +36,7 @@ import org.mechservice.solver.dynamics.TreeStepModel;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.force.UserForceSource;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.force.Bushing;

@@ -1,10 +1,12 @@
 package org.mechservice.solver.mechanism.force;
 
 import java.util.List;
+import java.util.function.Function;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.expression.BodyFrame;
+import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
@@ -68,7 +70,7 @@ public record Bushing(
 
   /** {@inheritDoc} Displacement, rotation vector, force and moment on body 2, axes of frame 1. */
   @Override
-  public List<Variable> values(Mechanism mechanism) {
+  public List<Variable> values(Function<Coordinate, Joint> jointOf) {
     return List.of(
         new Variable("x", "m"),
         new Variable("y", "m"),

@@ -1,11 +1,13 @@
 package org.mechservice.solver.mechanism.force;
 
 import java.util.List;
+import java.util.function.Function;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
@@ -59,7 +61,7 @@ public record Contact(
 
   /** {@inheritDoc} Penetration, push, friction along the frame's x and y. */
   @Override
-  public List<Variable> values(Mechanism mechanism) {
+  public List<Variable> values(Function<Coordinate, Joint> jointOf) {
     return List.of(
         new Variable("penetration", "m"),
         new Variable("normal", "N"),

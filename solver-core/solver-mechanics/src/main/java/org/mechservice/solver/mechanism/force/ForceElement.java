@@ -1,8 +1,10 @@
 package org.mechservice.solver.mechanism.force;
 
 import java.util.List;
+import java.util.function.Function;
 import org.mechservice.solver.api.Variable;
-import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.expression.Coordinate;
+import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Origin;
 
 /** Something that acts on the bodies or joints of a mechanism. Gravity is not among them. */
@@ -23,10 +25,10 @@ public sealed interface ForceElement
 
   /**
    * Returns the values it can put out, with their names after the force's ({@code length} for the
-   * column {@code f1.length}) and their SI units. A user force tells its own when it is declared,
-   * so its list is empty here.
+   * column {@code f1.length}) and their SI units. A user force declares its own, so its list is
+   * empty here.
    *
-   * @param mechanism the one it acts in
+   * @param jointOf joint of a coordinate, tree or cut, as {@code Mechanism.jointOf} gives it
    */
-  List<Variable> values(Mechanism mechanism);
+  List<Variable> values(Function<Coordinate, Joint> jointOf);
 }

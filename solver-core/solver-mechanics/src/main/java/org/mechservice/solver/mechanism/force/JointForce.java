@@ -1,10 +1,11 @@
 package org.mechservice.solver.mechanism.force;
 
 import java.util.List;
+import java.util.function.Function;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
@@ -20,8 +21,8 @@ public record JointForce(String name, Coordinate coordinate, Expression force, O
     implements ForceElement {
 
   @Override
-  public List<Variable> values(Mechanism mechanism) {
-    String unit = mechanism.jointOf(coordinate).forceUnit(coordinate.component());
+  public List<Variable> values(Function<Coordinate, Joint> jointOf) {
+    String unit = jointOf.apply(coordinate).forceUnit(coordinate.component());
     return List.of(new Variable("force", unit));
   }
 }

@@ -1,11 +1,12 @@
 package org.mechservice.solver.mechanism.force;
 
 import java.util.List;
+import java.util.function.Function;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
@@ -47,8 +48,8 @@ public record JointSpringDamper(
     implements ForceElement {
 
   @Override
-  public List<Variable> values(Mechanism mechanism) {
-    JointType type = mechanism.jointOf(coordinate).type();
+  public List<Variable> values(Function<Coordinate, Joint> jointOf) {
+    JointType type = jointOf.apply(coordinate).type();
     boolean slides = type.positionUnit(coordinate.component()).equals("m");
     return List.of(new Variable("force", slides ? "N" : "N·m"));
   }

@@ -1,10 +1,12 @@
 package org.mechservice.solver.mechanism.force;
 
 import java.util.List;
+import java.util.function.Function;
 import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
@@ -48,7 +50,7 @@ public record SpringDamper(
     implements ForceElement {
 
   @Override
-  public List<Variable> values(Mechanism mechanism) {
+  public List<Variable> values(Function<Coordinate, Joint> jointOf) {
     return List.of(
         new Variable("length", "m"), new Variable("rate", "m/s"), new Variable("tension", "N"));
   }

@@ -1,8 +1,10 @@
 package org.mechservice.solver.mechanism.force;
 
 import java.util.List;
+import java.util.function.Function;
 import org.mechservice.solver.api.Variable;
-import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.expression.Coordinate;
+import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
@@ -25,7 +27,7 @@ public record UserForceElement(
 
   /** {@inheritDoc} Empty: the class declares its values. */
   @Override
-  public List<Variable> values(Mechanism mechanism) {
+  public List<Variable> values(Function<Coordinate, Joint> jointOf) {
     return List.of();
   }
 }

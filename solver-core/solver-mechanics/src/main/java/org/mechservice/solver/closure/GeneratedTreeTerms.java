@@ -1,0 +1,274 @@
+package org.mechservice.solver.closure;
+
+import java.util.Arrays;
+import java.util.Optional;
+import org.mechservice.solver.api.BodyPoses;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.closure.equations.LoopTerms;
+import org.mechservice.solver.closure.equations.UnwrappedAngles;
+import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
+import org.mechservice.solver.force.user.UserForceSource;
+
+/**
+ * The equations of a mechanism with loops, evaluated by code that was written for it. The data
+ * serve what is asked for seldom: reactions, poses unless the model was built to put them out, and
+ * the reason where a force has no direction.
+ *
+ * <p>Code is given the angles of cut joints, from which it counts whole turns, behind the state.
+ */
+final class GeneratedTreeTerms extends ClosedTree {
+  /** Where Euler parameters stand among the numbers of a body. */
+  private static final int FIRST_EULER_PARAMETER = 3;
+
+  private static final int EULER_PARAMETERS = 4;
+
+  private final LoopTerms terms;
+  private final Optional<LoopTerms.OfPoses> ofPoses;
+  private final UserForceSource userForces;
+  private final int m;
+  private final double[] values;
+  private final double[] bias;
+
+  /** Accelerations and residual of the state's velocities alone. */
+  private final double[] acceleration;
+
+  private final double[] residual;
+
+  /** M, ∂/∂v and ∂/∂q of the residual; elements that are never written are zero. */
+  private final double[] derivatives;
+
+  /** A residual of the data. */
+  private final double[] extended;
+
+  private final UnwrappedAngles angles;
+
+  /** Where coordinates of cut joints were at the last accepted step, as the data count them. */
+  private final double[] counted;
+
+  private Optional<ClosedTree> following = Optional.empty();
+
+  /** Time and state of the last placement, and behind it the counted angles. */
+  private double time;
+
+  private final double[] state;
+
+  /** A state of which only energy and power are asked, followed by the same. */
+  private final double[] beside;
+
+  /** What the equations returned there, and whether they were evaluated there. */
+  private int result;
+
+  private boolean formed;
+
+  GeneratedTreeTerms(ClosedMechanism closed, UserForceSource userForces, LoopTerms terms) {
+    super(closed.tree(), userForces);
+    this.terms = terms;
+    ofPoses = terms.poses();
+    this.userForces = userForces;
+    m = loops.count();
+    values = new double[LoopTerms.count(m, nv)];
+    bias = new double[nv];
+    acceleration = new double[nv];
+    residual = new double[nv];
+    derivatives = new double[terms instanceof LoopTerms.OfDerivatives ? 3 * nv * nv : 0];
+    extended = new double[tree.velocityCount];
+    counted = new double[super.stateLength()];
+    angles = new UnwrappedAngles(tree);
+    state = angles.behind(closed.start());
+    beside = state.clone();
+    // rows have learned here what they measure
+    placeData(closed.startTime(), state);
+  }
+
+  @Override
+  public ClosedTree ofData() {
+    ClosedTree other = new ClosedTree(tree, userForces);
+    following = Optional.of(other);
+    lead();
+    return other;
+  }
+
+  /** Lets the data that others work with count on from where these do. */
+  private void lead() {
+    if (following.isPresent()) {
+      super.save(counted, 0);
+      following.get().restore(counted, 0);
+    }
+  }
+
+  private void remember(double t, double[] y) {
+    time = t;
+    System.arraycopy(y, 0, state, 0, nq + nv);
+  }
+
+  private double[] beside(double[] y) {
+    System.arraycopy(state, nq + nv, beside, nq + nv, angles.count());
+    System.arraycopy(y, 0, beside, 0, nq + nv);
+    return beside;
+  }
+
+  @Override
+  public void placeLoops(double t, double[] y) {
+    place(t, y);
+  }
+
+  @Override
+  public void placeRates(double t, double[] y) {
+    place(t, y);
+  }
+
+  @Override
+  public void place(double t, double[] y) {
+    remember(t, y);
+    formed = false;
+    terms.loops(t, state, values);
+    loops.take(values, nv);
+  }
+
+  @Override
+  public void placeEquations(double t, double[] y) {
+    remember(t, y);
+    form();
+    loops.take(values, nv);
+  }
+
+  private void form() {
+    result = terms.equations(time, state, values);
+    formed = true;
+    System.arraycopy(values, LoopTerms.offsetAt(m, nv), loops.acceleration, 0, m);
+    System.arraycopy(values, LoopTerms.biasAt(m, nv), bias, 0, nv);
+    takeMass(LoopTerms.massAt(m, nv));
+  }
+
+  private void takeMass(int at) {
+    for (int i = 0; i < nv; i++) {
+      for (int j = 0; j <= i; j++) {
+        double element = values[at + i * nv + j];
+        mass[i * nv + j] = element;
+        mass[j * nv + i] = element;
+      }
+    }
+  }
+
+  /** {@inheritDoc} They do not depend on the forces, which may have no direction. */
+  @Override
+  public void formMass() {
+    if (!formed) {
+      form();
+    }
+    if (result != ExplicitModel.REGULAR) {
+      motion.sweep(time, state);
+      super.formMass();
+    }
+  }
+
+  @Override
+  public boolean formBias(double t) {
+    if (result == ExplicitModel.REGULAR) {
+      return true;
+    }
+    // the data know the reason, or, at the very limit, the value
+    placeData(time, state);
+    boolean regular = super.formBias(t);
+    System.arraycopy(super.bias(), 0, bias, 0, nv);
+    return regular;
+  }
+
+  @Override
+  public double[] bias() {
+    return bias;
+  }
+
+  @Override
+  public void formGamma(double t) {
+    ofResidual().offset(t, state, values);
+    System.arraycopy(values, LoopTerms.offsetAt(m, nv), loops.acceleration, 0, m);
+  }
+
+  private LoopTerms.OfResidual ofResidual() {
+    return (LoopTerms.OfResidual) terms;
+  }
+
+  @Override
+  public boolean formResidual(double t, double[] a, int aAt, double[] target) {
+    System.arraycopy(a, aAt, acceleration, 0, nv);
+    if (ofResidual().residual(t, state, acceleration, residual) != ExplicitModel.REGULAR) {
+      placeData(t, state);
+      return super.formResidual(t, a, aAt, target);
+    }
+    Arrays.fill(target, 0);
+    System.arraycopy(residual, 0, target, 0, nv);
+    return true;
+  }
+
+  @Override
+  public void energy(double t, double[] y, double[] energy) {
+    terms.energy(t, beside(y), energy);
+  }
+
+  @Override
+  public void power(double t, double[] y, double[] power) {
+    Arrays.fill(power, 0);
+    terms.power(t, beside(y), power);
+  }
+
+  @Override
+  public void poses(double t, double[] y, double[] poses) {
+    if (ofPoses.isEmpty()) {
+      super.poses(t, y, poses);
+      return;
+    }
+    ofPoses.get().poses(t, y, poses);
+    for (int e = FIRST_EULER_PARAMETER; e < poses.length; e += BodyPoses.NUMBERS_PER_BODY) {
+      if (poses[e] < 0) {
+        for (int i = e; i < e + EULER_PARAMETERS; i++) {
+          poses[i] = 0 - poses[i];
+        }
+      }
+    }
+  }
+
+  /** {@inheritDoc} The data do it where the code has no derivatives, or a force no value. */
+  @Override
+  public boolean linearise(
+      double t, double[] a, int aAt, double[] lambda, ResidualJacobian jacobian) {
+    if (terms instanceof LoopTerms.OfDerivatives coded) {
+      System.arraycopy(a, aAt, acceleration, 0, nv);
+      if (coded.derivatives(t, state, acceleration, lambda, derivatives) == ExplicitModel.REGULAR) {
+        jacobian.take(derivatives);
+        return true;
+      }
+    }
+    placeData(t, state);
+    return super.formResidual(t, a, aAt, extended) && super.linearise(t, a, aAt, lambda, jacobian);
+  }
+
+  /** {@inheritDoc} Where there are none, nothing is evaluated. */
+  @Override
+  public void accepted(double t) {
+    if (angles.count() > 0) {
+      placeData(time, state);
+      super.accepted(t);
+      angles.follow(motion, state, nq + nv);
+      lead();
+    }
+  }
+
+  @Override
+  public int stateLength() {
+    return super.stateLength() + angles.count();
+  }
+
+  @Override
+  public void save(double[] saved, int at) {
+    super.save(saved, at);
+    System.arraycopy(state, nq + nv, saved, at + super.stateLength(), angles.count());
+  }
+
+  @Override
+  public void restore(double[] saved, int at) {
+    super.restore(saved, at);
+    System.arraycopy(saved, at + super.stateLength(), state, nq + nv, angles.count());
+    lead();
+  }
+}

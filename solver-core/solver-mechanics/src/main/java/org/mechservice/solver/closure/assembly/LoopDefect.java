@@ -1,0 +1,66 @@
+package org.mechservice.solver.closure.assembly;
+
+import java.util.Locale;
+import org.mechservice.solver.api.Defects.Defect;
+import org.mechservice.solver.catalogue.MessageCode;
+
+/** Says why loops cannot go on. */
+public final class LoopDefect {
+  private LoopDefect() {}
+
+  /** The loops lock or branch at the last accepted state. */
+  public static Defect singular(String equation, double closeness) {
+    return new Defect(
+        MessageCode.SINGULAR_POSITION,
+        equation,
+        "The loops are in a singular position, in which the mechanism locks or branches: the"
+            + " smallest pivot of their equations has sunk to "
+            + number(closeness)
+            + " of what it was.",
+        "Start or drive the mechanism so that it keeps away from this position, or end the run"
+            + " before; RR-JF with ode15sR, or a looser tolerance, may step across.");
+  }
+
+  /** The start hides equations, so that no independent coordinates can be chosen. */
+  public static Defect singularStart(String equation) {
+    return new Defect(
+        MessageCode.SINGULAR_POSITION,
+        equation,
+        "The loops start in a singular position: fewer of their equations are independent than"
+            + " close by, and no independent coordinates can be chosen.",
+        "Start a little beside this position, or choose penalty closure, which needs none.");
+  }
+
+  /** No positions or velocities fit the independent ones. */
+  public static Defect open(String equation, double residual, String unit) {
+    return new Defect(
+        MessageCode.LOOPS_NOT_CLOSED,
+        equation,
+        "The loops cannot be closed: no positions and velocities were found that fit the"
+            + " independent coordinates; the residual of this constraint is "
+            + number(residual)
+            + " "
+            + unit
+            + ".",
+        "The mechanism locks or branches there; check its dimensions, or end the run before.");
+  }
+
+  /** An equation that seemed to follow from the others does not. */
+  public static Defect leftOut(String equation, double residual, String unit) {
+    return new Defect(
+        MessageCode.CONSTRAINT_NO_LONGER_REDUNDANT,
+        equation,
+        "An equation of the loops that followed from the others at the start no longer does: its"
+            + " residual has grown to "
+            + number(residual)
+            + " "
+            + unit
+            + ".",
+        "The mechanism has fewer degrees of freedom than at the start; check its dimensions, or"
+            + " choose penalty closure, which keeps all equations.");
+  }
+
+  private static String number(double x) {
+    return String.format(Locale.ROOT, "%.1e", x);
+  }
+}

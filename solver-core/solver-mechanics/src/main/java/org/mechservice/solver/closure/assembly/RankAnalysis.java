@@ -1,0 +1,215 @@
+package org.mechservice.solver.closure.assembly;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Random;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.closure.equations.CoordinateUnits;
+import org.mechservice.solver.closure.equations.LoopEquations;
+import org.mechservice.solver.dynamics.OpenTree;
+import org.mechservice.solver.dynamics.SemiRecursive;
+import org.mechservice.solver.kinematics.StateCoordinates;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.linear.PivotedElimination;
+import org.mechservice.solver.linear.SingularValues;
+
+/**
+ * How many equations of the loops are independent (NUMERICS §3): the rank of J M^(−1/2) with rows
+ * of unit length at the assembled state, and at three states near by that are assembled again,
+ * since a singular position hides equations. The largest counts and is kept for the run: off the
+ * loops' own positions, where predicted states lie, the rank looks larger than it is.
+ *
+ * <p>For setting up: allocates freely.
+ */
+public final class RankAnalysis {
+  /** Ratio of neighbouring singular values that separates equations from repetitions. */
+  private static final double GAP = 1e4;
+
+  /** What lies beyond the gap is smaller than this part of the largest. */
+  private static final double NEGLIGIBLE = 1e-8;
+
+  /**
+   * A row smaller than this part of what it could be is zero: than what its products would add up
+   * to, or than a change by the mechanism's size with every coordinate changed by its unit.
+   */
+  private static final double NOTHING = 1e-11;
+
+  /** Moves from the assembled state, rad or lengths of the mechanism, and their number. */
+  private static final double NEARBY = 1e-3;
+
+  private static final int NEIGHBOURS = 3;
+
+  /** Smallest pivot over the largest below which independent coordinates serve badly. */
+  private static final double BAD_PIVOT = 1e-6;
+
+  private final TreeMotion motion;
+  private final LoopEquations loops;
+  private final StateCoordinates coordinates;
+  private final CoordinateUnits units;
+  private final Assembly assembly;
+  private final OpenTree open;
+  private final int m;
+  private final int n;
+  private final int rankAtStart;
+  private int rank;
+  private double smallestPivot = 1;
+  private List<Integer> redundant = List.of();
+
+  /**
+   * Judges the rank.
+   *
+   * @param t time of the start, s
+   * @param y state that closes the loops; not modified
+   */
+  public RankAnalysis(TreeGeometry tree, double t, double[] y) {
+    motion = new TreeMotion(tree);
+    loops = new LoopEquations(tree);
+    coordinates = new StateCoordinates(tree.mechanism());
+    units = new CoordinateUnits(tree.mechanism(), loops.length());
+    assembly = new Assembly(tree);
+    open = new SemiRecursive(tree).newWorkspace(motion);
+    m = loops.count();
+    n = tree.stateVelocityCount;
+    rankAtStart = judge(t, y);
+    Random random = new Random(314159);
+    for (int i = 0; i < NEIGHBOURS && m > 0; i++) {
+      double[] near = near(t, y, random);
+      judge(t, near);
+    }
+  }
+
+  private double[] near(double t, double[] y, Random random) {
+    double[] near = y.clone();
+    double[] move = new double[n];
+    for (int j = 0; j < n; j++) {
+      move[j] = (2 * random.nextDouble() - 1) * units.velocities[j];
+    }
+    coordinates.move(near, 0, move, 0, NEARBY);
+    assembly.assemble(t, near);
+    return near;
+  }
+
+  /** Returns the rank at a state, and takes over a rank larger than the one known. */
+  private int judge(double t, double[] y) {
+    double[] scaled = scaledJacobian(t, y);
+    SingularValues singular = new SingularValues(m, n);
+    singular.decompose(scaled);
+    int found = singular.rank(GAP, NEGLIGIBLE);
+    if (found >= rank) {
+      rank = found;
+      redundant = redundant(scaled, found);
+    }
+    return found;
+  }
+
+  private List<Integer> redundant(double[] scaled, int found) {
+    PivotedElimination elimination = new PivotedElimination(m, n);
+    int kept = elimination.eliminate(scaled, found);
+    smallestPivot = elimination.lastOverFirst();
+    return IntStream.range(kept, m).map(elimination::row).sorted().boxed().toList();
+  }
+
+  /**
+   * J M^(−1/2), its rows of unit length, or zero where nothing but rounding is left of them. With
+   * bodies that only loops give inertia M has no inverse, and columns count in units.
+   */
+  private double[] scaledJacobian(double t, double[] y) {
+    motion.sweep(t, y);
+    loops.place(motion, t);
+    loops.differentiate(motion);
+    double[] bounds = new double[loops.jacobian.length];
+    loops.addBounds(motion, bounds);
+    open.formMassMatrix();
+    double[] dense = new double[n * n];
+    open.massMatrix().toDense(dense);
+    boolean regular = open.factorMassMatrix() == ExplicitModel.REGULAR;
+    double[] scaled = new double[m * n];
+    for (int row = 0; row < m; row++) {
+      double size = 0;
+      double bound = 0;
+      double largest = 0;
+      for (int j = 0; j < n; j++) {
+        double perMass = regular ? 1 / Math.sqrt(dense[j * n + j]) : units.velocities[j];
+        double element = loops.jacobian[row * loops.width() + j];
+        scaled[row * n + j] = regular ? element : element * perMass;
+        size = Math.hypot(size, element * perMass);
+        largest = Math.max(largest, Math.abs(element) * units.velocities[j]);
+        bound = Math.hypot(bound, bounds[row * loops.width() + j] * perMass);
+      }
+      if (regular) {
+        open.massMatrix().halfSolve(scaled, row * n);
+      }
+      boolean moves = largest > NOTHING * loops.size(row);
+      scaleToUnit(scaled, row, moves && size > NOTHING * bound);
+    }
+    return scaled;
+  }
+
+  private void scaleToUnit(double[] scaled, int row, boolean counts) {
+    double length = 0;
+    for (int j = 0; j < n; j++) {
+      length = Math.hypot(length, scaled[row * n + j]);
+    }
+    for (int j = 0; j < n; j++) {
+      scaled[row * n + j] = counts ? scaled[row * n + j] / length : 0;
+    }
+  }
+
+  /** Returns the number of independent equations. */
+  public int rank() {
+    return rank;
+  }
+
+  /** Returns the number of degrees of freedom that the loops leave. */
+  public int freedom() {
+    return n - rank;
+  }
+
+  /** Returns the equations that follow from the others, by their rows. */
+  public List<Integer> redundant() {
+    return redundant;
+  }
+
+  /** Returns whether the start hides equations that count close by. */
+  public boolean startsSingular() {
+    return rankAtStart < rank;
+  }
+
+  /**
+   * Returns why independent coordinates would be chosen badly: the rank changes at the start, or
+   * the best choice of dependent ones has a pivot far below the largest.
+   */
+  public Optional<String> againstProjection() {
+    if (startsSingular()) {
+      return Optional.of("the loops start in a singular position");
+    }
+    String part = String.format(Locale.ROOT, "%.1e", smallestPivot);
+    return smallestPivot < BAD_PIVOT
+        ? Optional.of("the smallest pivot of the loops is " + part + " of the largest")
+        : Optional.empty();
+  }
+
+  /** Returns what a user should know: redundant equations, a singular start. */
+  public List<LoopFinding> findings(double t) {
+    List<LoopFinding> findings = new ArrayList<>();
+    if (!redundant.isEmpty()) {
+      findings.add(
+          new LoopFinding(LoopFinding.Kind.REDUNDANT, names(redundant), redundant.size(), "1", t));
+    }
+    if (startsSingular()) {
+      List<Integer> all = IntStream.range(0, m).boxed().toList();
+      findings.add(
+          new LoopFinding(LoopFinding.Kind.SINGULAR_START, names(all), rank - rankAtStart, "1", t));
+    }
+    return findings;
+  }
+
+  private String names(List<Integer> rows) {
+    return rows.stream().map(loops::name).collect(Collectors.joining(", "));
+  }
+}

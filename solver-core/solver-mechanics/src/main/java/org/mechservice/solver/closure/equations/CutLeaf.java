@@ -1,0 +1,139 @@
+package org.mechservice.solver.closure.equations;
+
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import org.mechservice.solver.force.applied.ForceJacobian;
+import org.mechservice.solver.kinematics.CountedPositions;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.kinematics.pair.CutJoint;
+import org.mechservice.solver.kinematics.pair.PairFunction;
+import org.mechservice.solver.kinematics.pair.PairLinearisation;
+
+/** A position of a cut joint; an angle goes on counting when it has made half a turn. */
+final class CutLeaf extends CouplingLeaf {
+  final CutJoint cut;
+  private final PairFunction function;
+  private final double size;
+  final double[] wrenchA = new double[6];
+  final double[] wrenchB = new double[6];
+  private final double[] gradient = new double[6];
+  private final double[] curvature = new double[36];
+  private final PairLinearisation linearisation = new PairLinearisation();
+
+  /** The value at the last accepted step is among these: the nearest whole turn to it is meant. */
+  private final CountedPositions counted;
+
+  private final int reference;
+
+  private double value;
+
+  CutLeaf(CutJoint cut, int component, double length, CountedPositions counted) {
+    this.cut = cut;
+    this.counted = counted;
+    function = cut.coordinate(component);
+    double[] start = new double[cut.joint().type().positionCount()];
+    cut.joint().initialPositions(start, 0);
+    reference = counted.add(start[component]);
+    size = cut.joint().type().positionUnit(component).equals("m") ? length : 1;
+  }
+
+  @Override
+  double value(TreeMotion motion, double t) {
+    cut.relative().place(motion);
+    double found = function.evaluate(cut.relative());
+    double before = counted.get(reference);
+    value = before + function.difference(found, before);
+    return value;
+  }
+
+  @Override
+  double rate(TreeMotion motion) {
+    cut.relative().move(motion);
+    return function.rate(cut.relative());
+  }
+
+  @Override
+  double acceleration(TreeMotion motion) {
+    cut.relative().accelerate(motion);
+    return function.acceleration(cut.relative());
+  }
+
+  @Override
+  double size() {
+    return size;
+  }
+
+  @Override
+  int[] links() {
+    return IntStream.of(cut.relative().linkA(), cut.relative().linkB())
+        .filter(link -> link != TreeGeometry.ROOT)
+        .toArray();
+  }
+
+  @Override
+  void addRow(TreeMotion motion, double factor, double[] rows, int at) {
+    cut.relative().addRow(motion, function.gradient, factor, rows, at);
+  }
+
+  @Override
+  void addForce(double force, double[] wrench, double[] tau) {
+    cut.relative().addWrenches(function.gradient, force, wrench);
+  }
+
+  /** The wrenches of a unit force, which are also how links move the coordinate. */
+  void formWrenches() {
+    cut.relative().wrenches(function.gradient, wrenchA, wrenchB);
+  }
+
+  @Override
+  void linearise(double force, ForceJacobian sink) {
+    Arrays.fill(curvature, 0);
+    function.addCurvature(cut.relative(), force, curvature);
+    for (int i = 0; i < 6; i++) {
+      gradient[i] = force * function.gradient[i];
+    }
+    linearisation.blocks(
+        cut.relative(),
+        gradient,
+        curvature,
+        (on, by, byPlace) -> sink.wrenchByLink(on, by, byPlace, NO_RATES));
+  }
+
+  @Override
+  void byCoordinate(double stiffness, int by, ForceJacobian sink) {
+    formWrenches();
+    if (cut.relative().linkA() != TreeGeometry.ROOT) {
+      sink.wrenchByCoordinate(cut.relative().linkA(), by, scaled(stiffness, wrenchA), NO_RATES);
+    }
+    if (cut.relative().linkB() != TreeGeometry.ROOT) {
+      sink.wrenchByCoordinate(cut.relative().linkB(), by, scaled(stiffness, wrenchB), NO_RATES);
+    }
+  }
+
+  @Override
+  void byLink(double stiffness, int link, double[] by, ForceJacobian sink) {
+    if (link == TreeGeometry.ROOT) {
+      return;
+    }
+    formWrenches();
+    outer(stiffness, cut.relative().linkA(), wrenchA, link, by, sink);
+    outer(stiffness, cut.relative().linkB(), wrenchB, link, by, sink);
+  }
+
+  private void outer(
+      double stiffness, int on, double[] wrench, int link, double[] by, ForceJacobian sink) {
+    if (on == TreeGeometry.ROOT) {
+      return;
+    }
+    for (int i = 0; i < 36; i++) {
+      curvature[i] = stiffness * wrench[i / 6] * by[i % 6];
+    }
+    sink.wrenchByLink(on, link, curvature, NO_RATES);
+  }
+
+  @Override
+  void accepted() {
+    counted.set(reference, value);
+  }
+}

@@ -1,0 +1,309 @@
+package org.mechservice.solver.closure.equations;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.mechservice.solver.force.applied.Couplings;
+import org.mechservice.solver.force.applied.ForceJacobian;
+import org.mechservice.solver.kinematics.CountedPositions;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.mechanism.Parameter;
+import org.mechservice.solver.mechanism.closure.CoordinateClosure;
+import org.mechservice.solver.mechanism.closure.DistanceClosure;
+import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
+import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
+
+/**
+ * The equations of all closures of a mechanism: Φ(q, t) = 0, Φ' = J v + Φ_t = 0, Φ'' = J v' + γ =
+ * 0. Workspace of one thread; nothing allocates after construction.
+ *
+ * <p>Displacements are in m and tilts in rad, with gradients of size one; each equation comes with
+ * the {@link #size} of what it measures, which makes residuals comparable.
+ */
+public final class LoopEquations {
+  private final TreeGeometry tree;
+  private final List<ClosureRows> closures = new ArrayList<>();
+  private final ClosureRows[] closureOfRow;
+  private final int[] rowInClosure;
+  private final double[] parameters;
+  private final double length;
+
+  /** What angles of cut joints in couplings count from. */
+  public final CountedPositions counted = new CountedPositions();
+
+  /** Φ, m or rad. */
+  public final double[] value;
+
+  /** Φ' = J v + Φ_t. */
+  public final double[] rate;
+
+  /** γ = Φ'' of the accelerations last swept. */
+  public final double[] acceleration;
+
+  /**
+   * J, row by row, one number per extended velocity: the state's first, then those of driven
+   * joints.
+   */
+  public final double[] jacobian;
+
+  /** Prepares the equations of a tree's mechanism, its parameters at their values in the file. */
+  public LoopEquations(TreeGeometry tree) {
+    this(tree, false);
+  }
+
+  /**
+   * @param start whether to add what cut joints are to keep at the start
+   */
+  public LoopEquations(TreeGeometry tree, boolean start) {
+    this.tree = tree;
+    parameters = tree.mechanism().parameters().stream().mapToDouble(Parameter::value).toArray();
+    length = LengthScale.of(tree);
+    for (LoopClosure closure : tree.mechanism().closures()) {
+      closures.add(rows(closure));
+    }
+    if (start) {
+      addStarts();
+    }
+    int count = closures.stream().mapToInt(ClosureRows::count).sum();
+    closureOfRow = new ClosureRows[count];
+    rowInClosure = new int[count];
+    int row = 0;
+    for (ClosureRows rows : closures) {
+      for (int i = 0; i < rows.count(); i++) {
+        closureOfRow[row] = rows;
+        rowInClosure[row++] = i;
+      }
+    }
+    value = new double[count];
+    rate = new double[count];
+    acceleration = new double[count];
+    jacobian = new double[count * tree.velocityCount];
+  }
+
+  private ClosureRows rows(LoopClosure closure) {
+    if (closure instanceof JointClosure joint) {
+      return PairRows.of(joint, tree, parameters, length);
+    } else if (closure instanceof DistanceClosure distance) {
+      return PairRows.of(distance, tree, length);
+    } else if (closure instanceof PointOnPlaneClosure plane) {
+      return PairRows.of(plane, tree, length);
+    } else if (closure instanceof PointOnLineClosure line) {
+      return PairRows.of(line, tree, length);
+    }
+    return new CouplingRows((CoordinateClosure) closure, tree, parameters, length, counted);
+  }
+
+  private void addStarts() {
+    for (LoopClosure closure : tree.mechanism().closures()) {
+      if (closure instanceof JointClosure joint && joint.keepsStart()) {
+        closures.add(PairRows.ofStart(joint, tree, length));
+      }
+    }
+  }
+
+  /** Returns the number of equations. */
+  public int count() {
+    return closureOfRow.length;
+  }
+
+  /** Returns the length of a row of J: the number of extended velocities. */
+  public int width() {
+    return tree.velocityCount;
+  }
+
+  /** Returns the closure an equation belongs to. */
+  public LoopClosure closure(int row) {
+    return closureOfRow[row].closure();
+  }
+
+  /** Returns what an equation forbids, for messages: {@code displacement along (0, 0, 1)}, say. */
+  public String label(int row) {
+    return closureOfRow[row].label(rowInClosure[row]);
+  }
+
+  /** Returns the size of what an equation measures: a length of the mechanism in m, or 1 rad. */
+  public double size(int row) {
+    return closureOfRow[row].size(rowInClosure[row]);
+  }
+
+  /** Returns closure and label of an equation, for messages. */
+  public String name(int row) {
+    return "constraint \"" + closure(row).name() + "\" (" + label(row) + ")";
+  }
+
+  /** Returns the SI unit of an equation's residual. */
+  public String unit(int row) {
+    return closureOfRow[row].unit(rowInClosure[row]);
+  }
+
+  /** Returns the length that makes residuals in m comparable, m. */
+  public double length() {
+    return length;
+  }
+
+  /** Returns the values of the parameters, which may be changed. */
+  public double[] parameters() {
+    return parameters;
+  }
+
+  /** Evaluates Φ for the places of the last sweep. */
+  public void place(TreeMotion motion, double t) {
+    for (int i = 0; i < closures.size(); i++) {
+      closures.get(i).place(motion, t);
+    }
+    for (int row = 0; row < closureOfRow.length; row++) {
+      value[row] = closureOfRow[row].value(rowInClosure[row]);
+    }
+  }
+
+  /** Evaluates J after {@link #place}. */
+  public void differentiate(TreeMotion motion) {
+    Arrays.fill(jacobian, 0);
+    for (int row = 0; row < closureOfRow.length; row++) {
+      closureOfRow[row].addJacobian(motion, rowInClosure[row], jacobian, row * width());
+    }
+  }
+
+  /** Evaluates Φ' for the velocities of the last sweep, after {@link #place}. */
+  public void move(TreeMotion motion, double t) {
+    for (int i = 0; i < closures.size(); i++) {
+      closures.get(i).move(motion, t);
+    }
+    for (int row = 0; row < closureOfRow.length; row++) {
+      rate[row] = closureOfRow[row].rate(rowInClosure[row]);
+    }
+  }
+
+  /**
+   * Writes the columns of J that belong to the state, rows over their sizes.
+   *
+   * @param rows {@link #count} times {@code columns} numbers; overwritten
+   */
+  public void scaledRows(double[] rows, int columns) {
+    for (int row = 0; row < closureOfRow.length; row++) {
+      double perSize = 1 / size(row);
+      for (int j = 0; j < columns; j++) {
+        rows[row * columns + j] = perSize * jacobian[row * width() + j];
+      }
+    }
+  }
+
+  /**
+   * Takes Φ, Φ' and J as code has evaluated them.
+   *
+   * @param terms as {@link LoopTerms} says; not modified
+   * @param velocities number of velocities of the state
+   */
+  public void take(double[] terms, int velocities) {
+    int m = count();
+    System.arraycopy(terms, 0, value, 0, m);
+    System.arraycopy(terms, m, rate, 0, m);
+    for (int row = 0; row < m; row++) {
+      int at = LoopTerms.jacobianAt(m) + row * velocities;
+      System.arraycopy(terms, at, jacobian, row * width(), velocities);
+      closureOfRow[row].measure(terms[LoopTerms.sizeAt(m, velocities) + row]);
+    }
+  }
+
+  /** Evaluates γ for the accelerations of the last sweep, after {@link #move}. */
+  public void accelerate(TreeMotion motion, double t) {
+    for (int i = 0; i < closures.size(); i++) {
+      closures.get(i).accelerate(motion, t);
+    }
+    for (int row = 0; row < closureOfRow.length; row++) {
+      acceleration[row] = closureOfRow[row].acceleration(rowInClosure[row]);
+    }
+  }
+
+  /**
+   * Adds bounds of the elements of J, after {@link #place}: a row far below them is zero but for
+   * rounding.
+   *
+   * @param bounds like {@link #jacobian}; added to
+   */
+  public void addBounds(TreeMotion motion, double[] bounds) {
+    for (int row = 0; row < closureOfRow.length; row++) {
+      closureOfRow[row].addBounds(motion, rowInClosure[row], bounds, row * width());
+    }
+  }
+
+  /**
+   * Adds the forces Jᵀ λ as wrenches and joint forces.
+   *
+   * @param multipliers λ, one per equation, N or N·m; not modified
+   * @param factor what they are multiplied by
+   * @param wrench [moment; force], 6 per link, in link axes at the reference points; added to
+   * @param tau one number per extended velocity; added to
+   */
+  public void addForces(double[] multipliers, double factor, double[] wrench, double[] tau) {
+    for (int row = 0; row < closureOfRow.length; row++) {
+      addForces(row, factor * multipliers[row], wrench, tau);
+    }
+  }
+
+  /** Adds the forces of one equation's multiplier, likewise. */
+  public void addForces(int row, double multiplier, double[] wrench, double[] tau) {
+    if (multiplier != 0) {
+      closureOfRow[row].addForces(rowInClosure[row], multiplier, wrench, tau);
+    }
+  }
+
+  /**
+   * Gives how the forces factor · Jᵀ λ change with the places of links and coordinates, after
+   * {@link #place}.
+   *
+   * @param multipliers λ, one per equation, N or N·m; not modified
+   */
+  public void linearise(double[] multipliers, double factor, ForceJacobian sink) {
+    int row = 0;
+    for (int i = 0; i < closures.size(); i++) {
+      closures.get(i).linearise(multipliers, row, factor, sink);
+      row += closures.get(i).count();
+    }
+  }
+
+  /** Gives the pairs of links that {@link #linearise} couples; some more than once. */
+  public void couplings(Couplings couplings) {
+    closures.forEach(rows -> rows.couplings(couplings));
+  }
+
+  /** Takes note of an accepted step: angles of cut joints go on counting from here. */
+  public void accepted() {
+    for (int i = 0; i < closures.size(); i++) {
+      closures.get(i).accepted();
+    }
+  }
+
+  /** Returns the largest |Φ| over its size, of the last {@link #place}; NaN if one is. */
+  public double largestResidual() {
+    int worst = worst(value);
+    return worst < 0 ? 0 : Math.abs(value[worst]) / size(worst);
+  }
+
+  /** Returns the equation with the largest |Φ| over its size, or −1 if there is none. */
+  public int worst() {
+    return worst(value);
+  }
+
+  /**
+   * Returns the row whose number is largest over its size, the first NaN if there is one, or −1.
+   */
+  public int worst(double[] residual) {
+    int worst = -1;
+    double largest = -1;
+    for (int row = 0; row < residual.length; row++) {
+      double part = Math.abs(residual[row]) / size(row);
+      if (Double.isNaN(part)) {
+        return row;
+      }
+      if (part > largest) {
+        largest = part;
+        worst = row;
+      }
+    }
+    return worst;
+  }
+}

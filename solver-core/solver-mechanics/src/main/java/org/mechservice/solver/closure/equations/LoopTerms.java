@@ -1,0 +1,158 @@
+package org.mechservice.solver.closure.equations;
+
+import java.util.Optional;
+import org.mechservice.solver.api.BodyPoses;
+import org.mechservice.solver.api.ExplicitModel;
+
+/**
+ * The terms of the equations of one mechanism with loops, M v' + b + Jᵀ λ = τ and Φ(q, t) = 0, as
+ * code written for it; how they are solved is left to the closure. Workspace of one thread.
+ *
+ * <p>With m equations of the loops in the order of {@link LoopEquations} and n velocities of the
+ * state, terms stand in one array, one after the other:
+ *
+ * <ul>
+ *   <li>Φ, m numbers, m or rad;
+ *   <li>Φ' = J v + Φ_t, m numbers;
+ *   <li>J by the velocities of the state, m × n row by row;
+ *   <li>the sizes of what the equations measure, m numbers, of those of which the size changes; 0
+ *       for the others;
+ *   <li>γ, m numbers: Φ'' while no joint accelerates but the driven ones;
+ *   <li>b − τ, n numbers, N·m or N;
+ *   <li>M, n × n row by row, of which only the lower triangle and the diagonal are used.
+ * </ul>
+ *
+ * <p>What is zero in every state need not be written. The state y is [q; v], followed by the {@link
+ * UnwrappedAngles}, rad, as they were at the last accepted step: those of now are the nearest.
+ */
+public interface LoopTerms {
+  /** What {@link #equations} returns where all forces have values. */
+  int REGULAR = ExplicitModel.REGULAR;
+
+  /** Returns where J begins. */
+  static int jacobianAt(int m) {
+    return 2 * m;
+  }
+
+  /** Returns where the sizes begin. */
+  static int sizeAt(int m, int n) {
+    return jacobianAt(m) + m * n;
+  }
+
+  /** Returns where γ begins. */
+  static int offsetAt(int m, int n) {
+    return sizeAt(m, n) + m;
+  }
+
+  /** Returns where b − τ begins. */
+  static int biasAt(int m, int n) {
+    return offsetAt(m, n) + m;
+  }
+
+  /** Returns where M begins. */
+  static int massAt(int m, int n) {
+    return biasAt(m, n) + n;
+  }
+
+  /** Returns how many numbers all terms are. */
+  static int count(int m, int n) {
+    return massAt(m, n) + n * n;
+  }
+
+  /**
+   * Writes Φ, Φ', J and the sizes.
+   *
+   * @param t time, s
+   * @param y state [q; v] and counted angles; need not close the loops; not modified
+   * @param terms overwritten
+   */
+  void loops(double t, double[] y, double[] terms);
+
+  /**
+   * Writes all terms.
+   *
+   * @param t time, s
+   * @param y state [q; v] and counted angles; not modified
+   * @param terms overwritten
+   * @return {@link #REGULAR}, or what a force returns that has no direction ({@link
+   *     org.mechservice.solver.api.DirectedForces})
+   */
+  int equations(double t, double[] y, double[] terms);
+
+  /**
+   * Writes the energies of bodies, rods and springs.
+   *
+   * @param t time, s
+   * @param y state [q; v] and counted angles; not modified
+   * @param energy kinetic and potential energy, J; overwritten
+   */
+  void energy(double t, double[] y, double[] energy);
+
+  /**
+   * Writes the power of the forces that have no potential energy.
+   *
+   * @param t time, s
+   * @param y state [q; v] and counted angles; not modified
+   * @param power two zeros; overwritten by the sum and the sum of the sizes, W, if there is such a
+   *     force
+   */
+  void power(double t, double[] y, double[] power);
+
+  /** Returns where the bodies are, if code was written for that. */
+  default Optional<OfPoses> poses() {
+    return this instanceof OfPoses own ? Optional.of(own) : Optional.empty();
+  }
+
+  /** Where the bodies are besides. */
+  interface OfPoses extends LoopTerms {
+    /**
+     * Writes the numbers of {@link BodyPoses}, bodies in file order, except that e0 may be
+     * negative.
+     *
+     * @param t time, s
+     * @param y state [q; v]; not modified
+     * @param poses overwritten
+     */
+    void poses(double t, double[] y, double[] poses);
+  }
+
+  /** Terms of the recursive residual besides. */
+  interface OfResidual extends LoopTerms {
+    /**
+     * Writes γ.
+     *
+     * @param t time, s
+     * @param y state [q; v] and counted angles; not modified
+     * @param terms overwritten
+     */
+    void offset(double t, double[] y, double[] terms);
+
+    /**
+     * Writes M v' + b − τ.
+     *
+     * @param t time, s
+     * @param y state [q; v] and counted angles; not modified
+     * @param a accelerations v', n numbers, rad/s² or m/s²; not modified
+     * @param residual n numbers, N·m or N; overwritten
+     * @return as {@link #equations}
+     */
+    int residual(double t, double[] y, double[] a, double[] residual);
+  }
+
+  /** Derivatives of the recursive residual besides. */
+  interface OfDerivatives extends OfResidual {
+    /**
+     * Writes the derivatives of M v' + b − τ + Jᵀ λ by v', v and q, for Euler parameters along the
+     * tangent. What is zero in every state need not be written.
+     *
+     * @param t time, s
+     * @param y state [q; v] and counted angles; not modified
+     * @param a accelerations v', n numbers, rad/s² or m/s²; not modified
+     * @param lambda multipliers λ, m numbers, N or N·m; not modified
+     * @param derivatives M, of which only the lower triangle and the diagonal are used, then ∂/∂v,
+     *     then ∂/∂q, each n × n row by row; overwritten
+     * @return as {@link #equations}
+     */
+    int derivatives(double t, double[] y, double[] a, double[] lambda, double[] derivatives);
+  }
+}

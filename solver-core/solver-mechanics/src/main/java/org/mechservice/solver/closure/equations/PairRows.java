@@ -1,0 +1,244 @@
+package org.mechservice.solver.closure.equations;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.force.applied.Couplings;
+import org.mechservice.solver.force.applied.ForceJacobian;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.kinematics.pair.CutJoint;
+import org.mechservice.solver.kinematics.pair.PairFunction;
+import org.mechservice.solver.kinematics.pair.PairLinearisation;
+import org.mechservice.solver.kinematics.pair.RelativeMotion;
+import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.closure.DistanceClosure;
+import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
+import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
+
+/**
+ * Equations between two bodies: functions of their relative pose that vanish, and coordinates of a
+ * cut joint that follow prescribed motions.
+ */
+final class PairRows extends ClosureRows {
+  private static final double[] NO_RATES = new double[36];
+
+  private final RelativeMotion relative;
+  private final PairFunction[] functions;
+  private final double[] value;
+  private final double[] gradient = new double[6];
+  private final double[] curvature = new double[36];
+  private final PairLinearisation linearisation = new PairLinearisation();
+  private final double length;
+
+  /** Number of functions at the front that vanish; the others follow the motion. */
+  private final int vanishing;
+
+  private final PrescribedPairMotion driven;
+
+  /** Whether the motion is that of the start, counted from time zero. */
+  private final boolean atStart;
+
+  private PairRows(
+      LoopClosure closure,
+      RelativeMotion relative,
+      List<PairFunction> functions,
+      PrescribedPairMotion driven,
+      double length,
+      boolean atStart) {
+    super(closure);
+    this.atStart = atStart;
+    this.relative = relative;
+    this.functions = functions.toArray(PairFunction[]::new);
+    this.driven = driven;
+    this.length = length;
+    vanishing = functions.size() - driven.count();
+    value = new double[functions.size()];
+  }
+
+  private PairRows(
+      LoopClosure closure, RelativeMotion relative, List<PairFunction> functions, double length) {
+    this(
+        closure,
+        relative,
+        functions,
+        new PrescribedPairMotion(List.of(), new double[0]),
+        length,
+        false);
+  }
+
+  /** What a cut joint forbids, and its prescribed coordinates. */
+  static PairRows of(JointClosure closure, TreeGeometry tree, double[] parameters, double length) {
+    CutJoint cut = new CutJoint(tree, closure.joint());
+    List<PairFunction> functions = new ArrayList<>(cut.forbidden());
+    for (int k = 0; k < closure.motion().size(); k++) {
+      functions.add(cut.coordinate(k));
+    }
+    PrescribedPairMotion driven = new PrescribedPairMotion(closure.motion(), parameters);
+    return new PairRows(closure, cut.relative(), functions, driven, length, false);
+  }
+
+  /** Two points at a constant distance. */
+  static PairRows of(DistanceClosure closure, TreeGeometry tree, double length) {
+    RelativeMotion relative = new RelativeMotion(tree, closure.point1(), closure.point2());
+    return new PairRows(
+        closure, relative, List.of(PairFunction.distance(closure.distance())), length);
+  }
+
+  /** A point in a plane. */
+  static PairRows of(PointOnPlaneClosure closure, TreeGeometry tree, double length) {
+    RelativeMotion relative = new RelativeMotion(tree, closure.plane(), closure.point());
+    PairFunction offPlane =
+        PairFunction.displacement("displacement off the plane", closure.normal());
+    return new PairRows(closure, relative, List.of(offPlane), length);
+  }
+
+  /** A point on a line. */
+  static PairRows of(PointOnLineClosure closure, TreeGeometry tree, double length) {
+    RelativeMotion relative = new RelativeMotion(tree, closure.line(), closure.point());
+    return new PairRows(closure, relative, PairFunction.offLine(closure.direction()), length);
+  }
+
+  /**
+   * A cut joint's coordinates and velocities that are to keep their start values: equations of
+   * assembly alone.
+   */
+  static PairRows ofStart(JointClosure closure, TreeGeometry tree, double length) {
+    Joint joint = closure.joint();
+    CutJoint cut = new CutJoint(tree, joint);
+    double[] q = new double[joint.type().positionCount()];
+    double[] v = new double[joint.type().velocityCount()];
+    joint.initialPositions(q, 0);
+    joint.initialVelocities(v, 0);
+    int turning = joint.type().hasEulerParameters() ? 3 : 0;
+    List<PairFunction> functions = new ArrayList<>();
+    List<Expression> kept = new ArrayList<>();
+    if (turning > 0) {
+      functions.addAll(cut.rotationsFrom(q, 0));
+    }
+    for (int k = 0; k < v.length; k++) {
+      double start = k < turning ? 0 : q[k + q.length - v.length];
+      kept.add(
+          new Expression.Sum(
+              Expression.of(start),
+              new Expression.Product(Expression.of(v[k]), new Expression.Time())));
+      if (k >= turning) {
+        functions.add(cut.coordinate(k));
+      }
+    }
+    PrescribedPairMotion motion = new PrescribedPairMotion(kept, new double[0]);
+    return new PairRows(closure, cut.relative(), functions, motion, length, true);
+  }
+
+  @Override
+  int count() {
+    return functions.length;
+  }
+
+  @Override
+  String label(int row) {
+    return functions[row].label();
+  }
+
+  @Override
+  double size(int row) {
+    return displaces(row) ? length : 1;
+  }
+
+  @Override
+  String unit(int row) {
+    return displaces(row) ? "m" : "rad";
+  }
+
+  private boolean displaces(int row) {
+    double[] gradient = functions[row].gradient;
+    return gradient[3] != 0 || gradient[4] != 0 || gradient[5] != 0;
+  }
+
+  @Override
+  void place(TreeMotion motion, double t) {
+    relative.place(motion);
+    driven.evaluate(atStart ? 0 : t);
+    for (int i = 0; i < functions.length; i++) {
+      value[i] = functions[i].evaluate(relative);
+    }
+    for (int i = vanishing; i < functions.length; i++) {
+      value[i] = functions[i].difference(value[i], driven.value(i - vanishing));
+    }
+  }
+
+  @Override
+  void move(TreeMotion motion, double t) {
+    relative.move(motion);
+  }
+
+  @Override
+  void accelerate(TreeMotion motion, double t) {
+    relative.accelerate(motion);
+  }
+
+  @Override
+  double value(int row) {
+    return value[row];
+  }
+
+  @Override
+  double rate(int row) {
+    double rate = functions[row].rate(relative);
+    return row < vanishing ? rate : rate - driven.rate(row - vanishing);
+  }
+
+  @Override
+  double acceleration(int row) {
+    double acceleration = functions[row].acceleration(relative);
+    return row < vanishing ? acceleration : acceleration - driven.acceleration(row - vanishing);
+  }
+
+  @Override
+  void addJacobian(TreeMotion motion, int row, double[] rows, int at) {
+    relative.addRow(motion, functions[row].gradient, 1, rows, at);
+  }
+
+  @Override
+  void addBounds(TreeMotion motion, int row, double[] bounds, int at) {
+    relative.addRowBounds(motion, functions[row].gradient, bounds, at);
+  }
+
+  @Override
+  void addForces(int row, double multiplier, double[] wrench, double[] tau) {
+    relative.addWrenches(functions[row].gradient, multiplier, wrench);
+  }
+
+  @Override
+  void linearise(double[] multipliers, int at, double factor, ForceJacobian sink) {
+    Arrays.fill(gradient, 0);
+    Arrays.fill(curvature, 0);
+    for (int row = 0; row < functions.length; row++) {
+      double force = factor * multipliers[at + row];
+      if (force != 0) {
+        for (int i = 0; i < 6; i++) {
+          gradient[i] += force * functions[row].gradient[i];
+        }
+        functions[row].addCurvature(relative, force, curvature);
+      }
+    }
+    linearisation.blocks(
+        relative,
+        gradient,
+        curvature,
+        (on, by, byPlace) -> sink.wrenchByLink(on, by, byPlace, NO_RATES));
+  }
+
+  @Override
+  void couplings(Couplings couplings) {
+    if (relative.linkA() != TreeGeometry.ROOT && relative.linkB() != TreeGeometry.ROOT) {
+      couplings.couple(relative.linkA(), relative.linkB());
+    }
+  }
+
+  @Override
+  void accepted() {}
+}

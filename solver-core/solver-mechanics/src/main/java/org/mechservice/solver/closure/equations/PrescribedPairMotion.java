@@ -1,0 +1,60 @@
+package org.mechservice.solver.closure.equations;
+
+import java.util.List;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Tape;
+import org.mechservice.solver.expression.TapeEvaluation;
+
+/** Prescribed coordinates as functions of time and parameters. Workspace of one thread. */
+public final class PrescribedPairMotion {
+  private final Tape tape;
+  private final TapeEvaluation evaluation;
+  private final double[] parameters;
+
+  /**
+   * @param coordinates one expression per coordinate
+   * @param parameters values of the parameters; kept, so that they may be changed
+   * @throws IllegalArgumentException if an expression depends on anything but time and parameters
+   */
+  public PrescribedPairMotion(List<Expression> coordinates, double[] parameters) {
+    tape = new Tape(coordinates);
+    evaluation = new TapeEvaluation(tape);
+    this.parameters = parameters;
+    for (Expression leaf : tape.leaves()) {
+      if (!(leaf instanceof Expression.Time) && !(leaf instanceof Expression.ParameterValue)) {
+        throw new IllegalArgumentException("a prescribed motion depends on " + leaf);
+      }
+    }
+  }
+
+  /** Returns the number of coordinates. */
+  public int count() {
+    return tape.resultCount();
+  }
+
+  /** Evaluates the coordinates with their first and second derivatives. */
+  public void evaluate(double t) {
+    List<Expression> leaves = tape.leaves();
+    for (int i = 0; i < leaves.size(); i++) {
+      if (leaves.get(i) instanceof Expression.ParameterValue parameter) {
+        evaluation.setLeaf(i, parameters[parameter.index()], 0, 0);
+      } else {
+        evaluation.setLeaf(i, t, 1, 0);
+      }
+    }
+    evaluation.derivatives();
+    evaluation.rates();
+  }
+
+  double value(int index) {
+    return evaluation.value(index);
+  }
+
+  double rate(int index) {
+    return evaluation.rate(index);
+  }
+
+  public double acceleration(int index) {
+    return evaluation.secondRate(index);
+  }
+}

@@ -1,0 +1,194 @@
+package org.mechservice.solver.closure.model;
+
+import java.util.Arrays;
+import org.mechservice.solver.api.LinearisedModel;
+import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
+import org.mechservice.solver.dynamics.derivative.TreeIteration;
+import org.mechservice.solver.dynamics.tree.TreePattern;
+import org.mechservice.solver.force.user.UserForceSource;
+import org.mechservice.solver.linear.DenseLu;
+import org.mechservice.solver.linear.LinearSolver;
+
+/**
+ * RR-JF with closed loops by the second velocity transformation. The equations of an implicit step
+ * are reduced to one per degree of freedom,
+ *
+ * <pre>Rᵀ (M + hγ C + hγ² (K + Σ λ_k ∂²Φ_k)) R Δv_I = …</pre>
+ *
+ * <p>with K, C the derivatives of the open tree's residual (NUMERICS §3). How R and γ̂ themselves
+ * change with q and v is left to the iteration: their part is smaller by hγ |v| over a length.
+ */
+public final class LinearisedProjectionModel extends ResidualProjectionModel
+    implements LinearisedModel {
+  public final ResidualJacobian jacobian;
+  private final TreeIteration iteration;
+
+  /** Choices, J and position equations at the state of the last linearisation. */
+  private final Partition velocities;
+
+  private final Partition positions;
+  private final ProjectedMotion directions;
+  private final double[] loopJacobian;
+  private final double[] positionMatrix;
+
+  /** λ at the state of the last linearisation. */
+  public final double[] lambda;
+
+  private final double[] full;
+
+  /** The matrix of an implicit step, f × f. */
+  public final double[] reduced;
+
+  private final double[] right;
+  private final double[] carried;
+  private final double[] dependent;
+  private final DenseLu lu;
+  private int singular;
+
+  /** The choice of velocities at the last linearisation, which a run taken up repeats. */
+  private final Partition linearised;
+
+  private boolean repeating;
+
+  /**
+   * Makes a model of a mechanism whose loops are closed.
+   *
+   * @param userForces makes the forces that users have written
+   * @throws IllegalArgumentException if the loops are not closed at the start
+   */
+  public LinearisedProjectionModel(ClosedMechanism closed, UserForceSource userForces) {
+    super(closed, userForces);
+    TreePattern pattern = new TreePattern(work.tree, work.coupledLinks());
+    jacobian = new ResidualJacobian(work.motion, pattern);
+    iteration = new TreeIteration(work.tree, pattern, jacobian);
+    int rank = closed.rank();
+    int f = closed.freedom();
+    velocities = new Partition(work.loops.count(), work.nv, rank);
+    positions =
+        new Partition(
+            work.loops.count() + work.coordinates.ballCount(),
+            work.nq,
+            rank + work.coordinates.ballCount());
+    directions = new ProjectedMotion(work.nv, velocities);
+    linearised = new Partition(work.loops.count(), work.nv, rank);
+    linearised.copyChoice(completion.ofVelocities());
+    loopJacobian = new double[work.loops.jacobian.length];
+    positionMatrix = new double[completion.positionMatrix().length];
+    lambda = new double[work.loops.count()];
+    full = new double[work.nv * work.nv];
+    reduced = new double[f * f];
+    right = new double[f];
+    carried = new double[f];
+    dependent = new double[positions.rank()];
+    lu = new DenseLu(f);
+  }
+
+  @Override
+  public int stateLength() {
+    return super.stateLength() + linearised.stateLength();
+  }
+
+  @Override
+  public void saveState(double[] state) {
+    super.saveState(state);
+    linearised.save(state, super.stateLength());
+  }
+
+  @Override
+  public void restoreState(double[] state) {
+    super.restoreState(state);
+    linearised.restore(state, super.stateLength());
+    repeating = true;
+  }
+
+  /** {@inheritDoc} The first of a run taken up is that which was last before. */
+  @Override
+  public boolean linearise(double t, double[] y, double[] yDot) {
+    Partition present = completion.ofVelocities();
+    if (!repeating) {
+      linearised.copyChoice(present);
+      return lineariseAsChosen(t, y, yDot);
+    }
+    repeating = false;
+    velocities.copyChoice(present);
+    present.copyChoice(linearised);
+    boolean done = lineariseAsChosen(t, y, yDot);
+    present.copyChoice(velocities);
+    return done;
+  }
+
+  private boolean lineariseAsChosen(double t, double[] y, double[] yDot) {
+    if (evaluate(t, y, yDot) != REGULAR) {
+      return false;
+    }
+    projected.multipliers(force, lambda);
+    if (!work.linearise(t, acceleration, 0, lambda, jacobian)) {
+      fail(work.forces.defect());
+      return false;
+    }
+    iteration.setState(y);
+    completion.formPositionMatrix(y);
+    System.arraycopy(work.loops.jacobian, 0, loopJacobian, 0, loopJacobian.length);
+    System.arraycopy(completion.positionMatrix(), 0, positionMatrix, 0, positionMatrix.length);
+    return jacobian.isFinite();
+  }
+
+  @Override
+  public boolean factor(double hGamma) {
+    velocities.copyChoice(completion.ofVelocities());
+    positions.copyChoice(completion.ofPositions());
+    if (!velocities.factor(loopJacobian, work.loops.width())
+        || !positions.factor(positionMatrix, work.nq)) {
+      singular = velocities.dependent[0];
+      return false;
+    }
+    directions.formTransformation(loopJacobian, work.loops.width());
+    iteration.form(hGamma);
+    iteration.matrix().toDense(full);
+    directions.reduceSquare(full, reduced);
+    int column = lu.factor(reduced);
+    singular = column == LinearSolver.NONSINGULAR ? 0 : velocities.independent[column];
+    return column == LinearSolver.NONSINGULAR;
+  }
+
+  @Override
+  public void solve(double[] r) {
+    completePositions(r);
+    for (int j = 0; j < right.length; j++) {
+      right[j] = r[work.nq + velocities.independent[j]];
+    }
+    Arrays.fill(r, work.nq, work.nq + work.nv, 0);
+    double[] change = iteration.reduce(r);
+    directions.project(change, carried);
+    for (int j = 0; j < right.length; j++) {
+      right[j] += carried[j];
+    }
+    lu.solve(right);
+    for (int j = 0; j < right.length; j++) {
+      change[velocities.independent[j]] = right[j];
+    }
+    directions.expand(change, 0);
+    iteration.expand(r);
+  }
+
+  /** Dependent positions of a right-hand side along the loops: P_D r_D = −P_I r_I. */
+  private void completePositions(double[] r) {
+    for (int i = 0; i < dependent.length; i++) {
+      double sum = 0;
+      for (int j : positions.independent) {
+        sum -= positionMatrix[positions.kept[i] * work.nq + j] * r[j];
+      }
+      dependent[i] = sum;
+    }
+    positions.solve(dependent);
+    for (int i = 0; i < dependent.length; i++) {
+      r[positions.dependent[i]] = dependent[i];
+    }
+  }
+
+  @Override
+  public int singularUnknown() {
+    return work.nq + singular;
+  }
+}

@@ -1,0 +1,129 @@
+package org.mechservice.solver.closure.model;
+
+import java.util.Arrays;
+import java.util.Optional;
+import org.mechservice.solver.api.ModelState;
+import org.mechservice.solver.api.ProjectedStates;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.closure.LoopProjection;
+import org.mechservice.solver.closure.PenaltySettings;
+import org.mechservice.solver.force.user.UserForceSource;
+
+/**
+ * DSR with closed loops by penalty: all of [q; v] is state, the augmented Lagrangian of index 1
+ * gives the accelerations,
+ *
+ * <pre>
+ * (M + Jᵀ α J) a = τ − b − Jᵀ (α c + λ),   c = γ + 2 Ω μ Φ' + Ω² Φ,   λ ← λ + α (J a + c)
+ * </pre>
+ *
+ * <p>repeated until J a + c is round-off, and every step ends with positions and velocities
+ * projected onto the loops in the metric of M (NUMERICS §3). Redundant equations do no harm, and no
+ * coordinates need to be chosen.
+ */
+public class PenaltyModel extends LoopModel implements ProjectedStates, ModelState {
+  final PenaltySettings settings;
+  final LoopProjection projection;
+  private final SingularityMonitor watch;
+  private final Partition partition;
+  private final double[] right;
+  private final double[] offset;
+
+  /**
+   * Makes a model of a mechanism whose loops are closed.
+   *
+   * @param userForces makes the forces that users have written
+   * @throws IllegalArgumentException if the loops are not closed at the start
+   */
+  public PenaltyModel(
+      ClosedMechanism closed, UserForceSource userForces, PenaltySettings settings) {
+    super(closed, userForces);
+    this.settings = settings;
+    projection = new LoopProjection(work, settings);
+    partition = new Partition(work.loops.count(), work.nv, closed.rank());
+    watch = new SingularityMonitor(work.loops, partition, this::note);
+    right = new double[work.nv];
+    offset = new double[work.loops.count()];
+    note(new Note(MessageCode.PENALTY_SETTINGS, closed.startTime(), false, settings.text()));
+    beginWatch(closed.startTime(), closed.start());
+  }
+
+  private void beginWatch(double t, double[] y) {
+    work.place(t, y);
+    double[] rows = new double[work.loops.count()];
+    Arrays.setAll(rows, row -> 1 / work.loops.size(row));
+    partition.scale(rows, work.units.velocities);
+    partition.choose(work.loops.jacobian, work.loops.width());
+    watch.begin(t);
+  }
+
+  @Override
+  public final int derivative(double t, double[] y, double[] yDot) {
+    work.placeEquations(t, y);
+    if (!work.formBias(t)) {
+      return fail(work.forces.defect());
+    }
+    int singular = projection.factor();
+    if (singular >= 0) {
+      return closed.jointOfVelocity(singular);
+    }
+    for (int j = 0; j < right.length; j++) {
+      right[j] = -work.bias()[j];
+    }
+    double omega = settings.frequency();
+    for (int row = 0; row < offset.length; row++) {
+      double residual =
+          work.loops.acceleration[row]
+              + 2 * omega * settings.damping() * work.loops.rate[row]
+              + omega * omega * work.loops.value[row];
+      offset[row] = residual / work.loops.size(row);
+    }
+    work.coordinates.rates(y, 0, y, work.nq, yDot, 0);
+    projection.equations().solve(right, offset, yDot, work.nq);
+    return REGULAR;
+  }
+
+  @Override
+  public final boolean project(double t, double[] y) {
+    boolean done = !watch.creeps() && projection.project(t, y);
+    watch.tried(done);
+    return done;
+  }
+
+  @Override
+  public final void accepted(double t, double[] y) {
+    work.place(t, y);
+    partition.choose(work.loops.jacobian, work.loops.width());
+    watch.accepted(t);
+    work.accepted(t);
+  }
+
+  @Override
+  final void jumped(double t, double[] y, boolean closed) {
+    partition.choose(work.loops.jacobian, work.loops.width());
+    watch.jumped(t, closed);
+  }
+
+  @Override
+  public final Optional<Defect> obstacle() {
+    return watch.obstacle();
+  }
+
+  @Override
+  public final int stateLength() {
+    return work.stateLength() + watch.stateLength();
+  }
+
+  @Override
+  public final void saveState(double[] state) {
+    work.save(state, 0);
+    watch.save(state, work.stateLength());
+  }
+
+  @Override
+  public final void restoreState(double[] state) {
+    work.restore(state, 0);
+    watch.restore(state, work.stateLength());
+  }
+}

@@ -1,0 +1,136 @@
+package org.mechservice.solver.closure.model;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.mechservice.solver.api.DependentStates;
+import org.mechservice.solver.api.ModelState;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.closure.assembly.LoopFinding;
+import org.mechservice.solver.force.user.UserForceSource;
+
+/**
+ * DSR with closed loops by the second velocity transformation: the state [q; v] of the open tree,
+ * of which as many coordinates are independent as there are degrees of freedom (NUMERICS §3).
+ */
+public class ProjectionModel extends LoopModel implements DependentStates, ModelState {
+  public final Completion completion;
+  final ProjectedMotion projected;
+
+  /** Why the motion cannot go on from the last accepted state. */
+  private Optional<Defect> broken = Optional.empty();
+
+  /**
+   * Makes a model of a mechanism whose loops are closed. Where the start hides so many equations
+   * that no independent coordinates can be chosen, evaluations end with N-023.
+   *
+   * @param userForces makes the forces that users have written
+   * @throws IllegalArgumentException if the loops are not closed at the start
+   */
+  public ProjectionModel(ClosedMechanism closed, UserForceSource userForces) {
+    super(closed, userForces);
+    completion = new Completion(work, closed.rank(), this::note);
+    projected = new ProjectedMotion(work.nv, completion.ofVelocities());
+    if (!completion.begin(closed.startTime(), closed.start())) {
+      broken = Optional.of(completion.startsSingular());
+    }
+  }
+
+  @Override
+  public final boolean independent(int component) {
+    return completion.independent(component);
+  }
+
+  @Override
+  public final boolean complete(double t, double[] y) {
+    return completion.complete(t, y);
+  }
+
+  @Override
+  public final boolean accepted(double t, double[] y) {
+    boolean other = completion.accepted(t, y);
+    broken = completion.leftOutIsOpen(y);
+    work.accepted(t);
+    if (other) {
+      note(new LoopFinding(LoopFinding.Kind.CHOSEN_ANEW, independentNames(), 0, "1", t));
+    }
+    return other;
+  }
+
+  @Override
+  final void jumped(double t, double[] y, boolean closed) {
+    completion.jumped(t, y, closed);
+  }
+
+  private String independentNames() {
+    List<Variable> states = description().states();
+    return IntStream.range(0, states.size())
+        .filter(this::independent)
+        .mapToObj(i -> states.get(i).name())
+        .collect(Collectors.joining(", "));
+  }
+
+  @Override
+  public final Optional<Defect> obstacle() {
+    return broken.or(completion::obstacle);
+  }
+
+  @Override
+  public int stateLength() {
+    return work.stateLength() + completion.stateLength();
+  }
+
+  @Override
+  public void saveState(double[] state) {
+    work.save(state, 0);
+    completion.save(state, work.stateLength());
+  }
+
+  @Override
+  public void restoreState(double[] state) {
+    work.restore(state, 0);
+    completion.restore(state, work.stateLength());
+  }
+
+  /** Returns whether the motion goes on from the last accepted state. */
+  final boolean goesOn() {
+    if (broken.isPresent()) {
+      fail(broken.get());
+    }
+    return broken.isEmpty();
+  }
+
+  /** Forms R at the state last placed. */
+  final int formDirections() {
+    if (!completion.ofVelocities().factor(work.loops.jacobian, work.loops.width())) {
+      return fail(completion.locked());
+    }
+    projected.formTransformation(work.loops.jacobian, work.loops.width());
+    return REGULAR;
+  }
+
+  @Override
+  public final int derivative(double t, double[] y, double[] yDot) {
+    if (!goesOn()) {
+      return DEFECT;
+    }
+    work.placeEquations(t, y);
+    int begun = formDirections();
+    if (begun != REGULAR) {
+      return begun;
+    }
+    if (!work.formBias(t)) {
+      return fail(work.forces.defect());
+    }
+    work.formMass();
+    int singular = projected.reduce(work.mass);
+    if (singular != ProjectedMotion.REGULAR) {
+      return closed.jointOfVelocity(singular);
+    }
+    work.coordinates.rates(y, 0, y, work.nq, yDot, 0);
+    projected.accelerations(work.mass, work.bias(), work.loops.acceleration, yDot, work.nq);
+    return REGULAR;
+  }
+}

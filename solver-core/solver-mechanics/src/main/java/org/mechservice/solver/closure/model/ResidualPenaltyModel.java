@@ -1,0 +1,395 @@
+package org.mechservice.solver.closure.model;
+
+import java.util.Arrays;
+import org.mechservice.solver.api.LinearisedModel;
+import org.mechservice.solver.closure.AugmentedEquations;
+import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.closure.PenaltySettings;
+import org.mechservice.solver.closure.equations.LoopRounding;
+import org.mechservice.solver.dynamics.derivative.ResidualDifferences;
+import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
+import org.mechservice.solver.dynamics.derivative.TreeIteration;
+import org.mechservice.solver.dynamics.tree.TreePattern;
+import org.mechservice.solver.force.user.UserForceSource;
+import org.mechservice.solver.linear.Cholesky;
+import org.mechservice.solver.linear.DenseLu;
+
+/**
+ * RR and RR-JF with closed loops by penalty: the stabilised equations of index 2 (Gear, Gupta and
+ * Leimkuhler 1985) in y = [q; v; λ; μ],
+ *
+ * <pre>F = [q' − N (v − Jᵀ μ); M v' + b − τ + Jᵀ λ; J v + Φ_t; Φ],</pre>
+ *
+ * <p>rows of J over their sizes, columns in the coordinates' units where they act on velocities. λ
+ * and μ are in no test. The equations of an implicit step are solved with a penalty in place of the
+ * zero block and repeated, which is the augmented Lagrangian (NUMERICS §3). Rows that repeat others
+ * where F is linearised are left out, their λ and μ being zero: predicted states lie off the loops,
+ * where such rows contradict the others by a little, and multipliers would grow without bound. How
+ * J v changes with q is not in the matrix, which is kept for steps that move otherwise: every
+ * solution is corrected by the rates at the state it leads to. How Jᵀ μ changes is left to the
+ * iteration.
+ */
+public final class ResidualPenaltyModel extends PenaltyModel implements LinearisedModel {
+  /** Where the derivatives of the equations of motion come from. */
+  public enum Derivatives {
+    /** By recursion: RR-JF. */
+    RECURSIVE,
+    /** By differences: RR. */
+    DIFFERENCES
+  }
+
+  /** Part of the largest element added to the diagonal of J U² Jᵀ, some rows of J being zero. */
+  private static final double REGULAR_PART = 1e-10;
+
+  private static final int REPETITIONS = 3;
+
+  /** Residuals that assembly leaves, over their sizes, besides their rounding. */
+  private static final double ROUNDING = 2e-13;
+
+  /** Rates over the speed that change with positions moved by their rounding. */
+  private static final double RATE_ROUNDING = 1e-11;
+
+  private final Derivatives derivatives;
+  private final ResidualJacobian jacobian;
+  private final ResidualDifferences differences;
+  private final TreeIteration iteration;
+  private final int n;
+  private final int m;
+
+  /** J over its sizes where F is evaluated, and where it was linearised, m × n. */
+  private final double[] rows;
+
+  private final double[] linearisedRows;
+  private final double[] force;
+  private final double[] velocity;
+  private final double[] lambda;
+  private final double[] full;
+  private final AugmentedEquations equations;
+  private final double[] normal;
+  private final Cholesky gram;
+  private final double[] right;
+  private final double[] ofVelocity;
+  private final double[] ofPosition;
+  private final double[] mu;
+
+  /** Which rows are independent, chosen where F is linearised, and which repeat them. */
+  private final Partition independent;
+
+  private final boolean[] isRepeated;
+
+  /** Time and state of the last residual, and a state near by. */
+  private double time;
+
+  private final double[] state;
+  private final double[] moved;
+
+  /** Positions of a reduced right-hand side, and the change of λ times hγ. */
+  private final double[] reduced;
+
+  private final double[] push;
+  private final double[] none;
+  private double hGamma;
+  private int singular;
+
+  /**
+   * Makes a model of a mechanism whose loops are closed.
+   *
+   * @param userForces makes the forces that users have written
+   * @throws IllegalArgumentException if the loops are not closed at the start
+   */
+  public ResidualPenaltyModel(
+      ClosedMechanism closed,
+      UserForceSource userForces,
+      PenaltySettings settings,
+      Derivatives derivatives) {
+    super(closed, userForces, settings);
+    this.derivatives = derivatives;
+    n = work.nv;
+    m = work.loops.count();
+    TreePattern pattern = new TreePattern(work.tree, work.coupledLinks());
+    jacobian = new ResidualJacobian(work.motion, pattern);
+    iteration = new TreeIteration(work.tree, pattern, jacobian);
+    differences =
+        new ResidualDifferences(jacobian, work.coordinates, pattern, work.tree.velocityCount);
+    rows = new double[m * n];
+    linearisedRows = new double[m * n];
+    force = new double[work.tree.velocityCount];
+    velocity = new double[n];
+    lambda = new double[m];
+    full = new double[n * n];
+    DenseLu lu = new DenseLu(n);
+    equations = new AugmentedEquations(m, work.units.velocities, AugmentedEquations.Factors.of(lu));
+    normal = new double[m * m];
+    gram = new Cholesky(m);
+    right = new double[n];
+    ofVelocity = new double[m];
+    ofPosition = new double[m];
+    mu = new double[m];
+    independent = new Partition(m, n, closed.rank());
+    double[] sizes = new double[m];
+    Arrays.setAll(sizes, row -> 1 / work.loops.size(row));
+    independent.scale(sizes, work.units.velocities);
+    isRepeated = new boolean[m];
+    findRepeated();
+    state = new double[work.nq + n];
+    moved = new double[work.nq + n];
+    reduced = new double[work.nq];
+    push = new double[m];
+    none = new double[n];
+  }
+
+  @Override
+  public int unknownCount() {
+    return work.nq + n + 2 * m;
+  }
+
+  @Override
+  public boolean isDifferential(int unknown) {
+    return unknown < work.nq + n;
+  }
+
+  @Override
+  public int consistent(double t, double[] y, double[] yDot) {
+    int done = derivative(t, y, yDot);
+    int at = work.nq + n;
+    Arrays.fill(y, at, at + 2 * m, 0);
+    Arrays.fill(yDot, at, at + 2 * m, 0);
+    System.arraycopy(projection.equations().multipliers, 0, y, at, m);
+    return done;
+  }
+
+  @Override
+  public int residual(double t, double[] y, double[] yDot, double[] residual) {
+    if (!formForce(t, y, yDot)) {
+      return fail(work.forces.defect());
+    }
+    int atLambda = work.nq + n;
+    int atMu = atLambda + m;
+    time = t;
+    System.arraycopy(y, 0, state, 0, state.length);
+    formRows(rows);
+    System.arraycopy(y, work.nq, velocity, 0, n);
+    addTransposed(rows, y, atMu, -1, true, velocity);
+    work.coordinates.rates(y, 0, velocity, 0, residual, 0);
+    for (int i = 0; i < work.nq; i++) {
+      residual[i] = yDot[i] - residual[i];
+    }
+    addTransposed(rows, y, atLambda, 1, false, force);
+    System.arraycopy(force, 0, residual, work.nq, n);
+    double speed = work.units.speed(y, work.nq);
+    for (int row = 0; row < m; row++) {
+      double size = work.loops.size(row);
+      boolean repeats = isRepeated[row];
+      double leftAlone = projection.rounding.leftAlone(row, y);
+      residual[atLambda + row] =
+          repeats
+              ? y[atLambda + row]
+              : LoopRounding.beyond(
+                  (RATE_ROUNDING + leftAlone) * speed, work.loops.rate[row] / size);
+      residual[atMu + row] =
+          repeats
+              ? y[atMu + row]
+              : LoopRounding.beyond(ROUNDING + leftAlone, work.loops.value[row] / size);
+    }
+    return REGULAR;
+  }
+
+  /** Finds the rows that repeat others where the loops are placed. */
+  private void findRepeated() {
+    if (independent.choose(work.loops.jacobian, work.loops.width())) {
+      independent.listLeftOut(isRepeated);
+    }
+  }
+
+  /** J over its sizes; nothing in the rows that repeat others. */
+  private void formRows(double[] j) {
+    work.loops.scaledRows(j, n);
+    for (int row = 0; row < m; row++) {
+      if (isRepeated[row]) {
+        Arrays.fill(j, row * n, (row + 1) * n, 0);
+      }
+    }
+  }
+
+  /** M v' + b − τ without the loops; returns false if a force has no value. */
+  private boolean formForce(double t, double[] y, double[] yDot) {
+    work.place(t, y);
+    return work.formResidual(t, yDot, work.nq, force);
+  }
+
+  /** x += factor Jᵀ λ, or factor U² Jᵀ λ. */
+  private void addTransposed(
+      double[] j, double[] multipliers, int at, double factor, boolean inUnits, double[] x) {
+    double[] unit = work.units.velocities;
+    for (int row = 0; row < m; row++) {
+      double push = factor * multipliers[at + row];
+      for (int k = 0; push != 0 && k < n; k++) {
+        x[k] += push * j[row * n + k] * (inUnits ? unit[k] * unit[k] : 1);
+      }
+    }
+  }
+
+  @Override
+  public boolean linearise(double t, double[] y, double[] yDot) {
+    int atLambda = work.nq + n;
+    work.place(t, y);
+    findRepeated();
+    if (derivatives == Derivatives.DIFFERENCES) {
+      if (!differences.evaluate(y, work.units.velocities, (at, f) -> pushed(t, at, y, yDot, f))) {
+        return false;
+      }
+      work.place(t, y);
+    } else {
+      if (!formForce(t, y, yDot)) {
+        fail(work.forces.defect());
+        return false;
+      }
+      for (int row = 0; row < m; row++) {
+        lambda[row] = isRepeated[row] ? 0 : y[atLambda + row] / work.loops.size(row);
+      }
+      if (!work.linearise(t, yDot, work.nq, lambda, jacobian)) {
+        fail(work.forces.defect());
+        return false;
+      }
+    }
+    formRows(linearisedRows);
+    iteration.setState(y);
+    return jacobian.isFinite();
+  }
+
+  /** M v' + b − τ + Jᵀ λ at another state, for the same v' and λ. */
+  private boolean pushed(double t, double[] at, double[] y, double[] yDot, double[] pushed) {
+    if (!formForce(t, at, yDot)) {
+      fail(work.forces.defect());
+      return false;
+    }
+    formRows(rows);
+    System.arraycopy(force, 0, pushed, 0, force.length);
+    addTransposed(rows, y, work.nq + n, 1, false, pushed);
+    return true;
+  }
+
+  @Override
+  public boolean factor(double hGamma) {
+    this.hGamma = hGamma;
+    iteration.form(hGamma);
+    iteration.matrix().toDense(full);
+    double largest = 0;
+    for (int j = 0; j < n; j++) {
+      double unit = work.units.velocities[j];
+      largest = Math.max(largest, Math.abs(full[j * n + j]) * unit * unit);
+    }
+    singular = equations.factor(full, linearisedRows, settings.stiffness() * largest);
+    return singular < 0 && factorGram();
+  }
+
+  /** J U² Jᵀ with a small diagonal. */
+  private boolean factorGram() {
+    double[] unit = work.units.velocities;
+    double largest = 0;
+    for (int i = 0; i < m; i++) {
+      for (int j = 0; j <= i; j++) {
+        double sum = 0;
+        for (int k = 0; k < n; k++) {
+          sum += linearisedRows[i * n + k] * unit[k] * unit[k] * linearisedRows[j * n + k];
+        }
+        normal[i * m + j] = sum;
+      }
+      largest = Math.max(largest, normal[i * m + i]);
+    }
+    // rows left out are zero, and all rows of loops between bodies that cannot move
+    double regular = REGULAR_PART * (largest > 0 ? largest : 1);
+    for (int i = 0; i < m; i++) {
+      normal[i * m + i] += regular;
+    }
+    singular = 0;
+    return m == 0 || gram.factor(normal) < 0;
+  }
+
+  @Override
+  public void solve(double[] r) {
+    int atLambda = work.nq + n;
+    int atMu = atLambda + m;
+    double[] change = iteration.reduce(r);
+    for (int row = 0; row < m; row++) {
+      boolean repeats = isRepeated[row];
+      ofVelocity[row] = repeats ? 0 : -r[atLambda + row] / hGamma;
+      ofPosition[row] =
+          repeats
+              ? 0
+              : product(row, iteration.tangent()) / hGamma - r[atMu + row] / (hGamma * hGamma);
+    }
+    System.arraycopy(r, 0, reduced, 0, work.nq);
+    System.arraycopy(change, 0, right, 0, n);
+    equations.solve(right, ofVelocity, velocity, 0);
+    System.arraycopy(equations.multipliers, 0, push, 0, m);
+    complete(r, change);
+    correctVelocities(r);
+    System.arraycopy(reduced, 0, r, 0, work.nq);
+    complete(r, change);
+    for (int row = 0; row < m; row++) {
+      boolean repeats = isRepeated[row];
+      r[atLambda + row] = (repeats ? r[atLambda + row] : push[row]) / hGamma;
+      r[atMu + row] = repeats ? r[atMu + row] / hGamma : mu[row];
+    }
+  }
+
+  /** Changes of the states from that of velocities; r holds the reduced positions. */
+  private void complete(double[] r, double[] change) {
+    System.arraycopy(velocity, 0, change, 0, n);
+    correctPositions(change);
+    iteration.expand(r);
+    System.arraycopy(velocity, 0, r, work.nq, n);
+  }
+
+  /** Makes velocities fit the loops at the positions to which a change leads. */
+  private void correctVelocities(double[] r) {
+    for (int i = 0; i < moved.length; i++) {
+      moved[i] = state[i] + r[i];
+    }
+    work.placeRates(time, moved);
+    double speed = work.units.speed(moved, work.nq);
+    for (int row = 0; row < m; row++) {
+      double leftAlone = RATE_ROUNDING + projection.rounding.leftAlone(row, moved);
+      ofVelocity[row] =
+          isRepeated[row]
+              ? 0
+              : LoopRounding.beyond(leftAlone * speed, work.loops.rate[row] / work.loops.size(row));
+    }
+    equations.solve(none, ofVelocity, right, 0);
+    for (int k = 0; k < n; k++) {
+      velocity[k] += right[k];
+    }
+    for (int row = 0; row < m; row++) {
+      push[row] += equations.multipliers[row];
+    }
+  }
+
+  /** Δw = Δv − U² Jᵀ Δμ, so that J Δw meets the positions. */
+  private void correctPositions(double[] change) {
+    Arrays.fill(mu, 0);
+    for (int i = 0; i < REPETITIONS; i++) {
+      for (int row = 0; row < m; row++) {
+        lambda[row] = product(row, change) + ofPosition[row];
+      }
+      gram.solve(lambda, 0);
+      addTransposed(linearisedRows, lambda, 0, -1, true, change);
+      for (int row = 0; row < m; row++) {
+        mu[row] += lambda[row];
+      }
+    }
+  }
+
+  private double product(int row, double[] x) {
+    double sum = 0;
+    for (int k = 0; k < n; k++) {
+      sum += linearisedRows[row * n + k] * x[k];
+    }
+    return sum;
+  }
+
+  @Override
+  public int singularUnknown() {
+    return work.nq + Math.max(0, singular);
+  }
+}

@@ -1,0 +1,161 @@
+package org.mechservice.solver.dynamics.event;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.solver.api.ModelEvents;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.mechanism.Event;
+import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.MotionJump;
+import org.mechservice.solver.mechanism.StateChange;
+import org.mechservice.solver.spatial.EulerParameters;
+
+/** The events of a mechanism, evaluated in its motion, whatever the formulation. */
+public final class StateEvents implements ModelEvents {
+  private static final int EULER_PARAMETERS = 4;
+
+  private final Mechanism mechanism;
+  private final List<Kind> kinds;
+  private final TreeMotion motion;
+  private final List<Assignment> assignments;
+  private final WrittenValues expressions;
+  private final double[] assigned;
+  private final int ownCount;
+  private Optional<DrivenJumps> driven = Optional.empty();
+
+  /**
+   * Prepares the events of a mechanism.
+   *
+   * @param code evaluates their expressions, if it was written for them
+   * @throws IllegalArgumentException if an expression refers to what the mechanism does not have
+   */
+  public StateEvents(Mechanism mechanism, Optional<WrittenValues> code) {
+    this.mechanism = mechanism;
+    List<Event> events = mechanism.events();
+    kinds = events.stream().map(e -> new Kind(e.name(), e.direction(), e.action())).toList();
+    motion = new TreeMotion(new TreeGeometry(mechanism));
+    assignments = assignments(mechanism);
+    assigned = new double[assignments.size()];
+    ownCount = events.size();
+    expressions =
+        code.orElseGet(
+            () ->
+                new EventExpressions(
+                    motion, events.stream().map(Event::trigger).toList(), assigned(mechanism)));
+  }
+
+  /** Prepares the events of a mechanism, their expressions evaluated in its motion. */
+  public StateEvents(Mechanism mechanism) {
+    this(mechanism, Optional.empty());
+  }
+
+  /** Returns what the events of a mechanism assign, in one order for all. */
+  public static List<Expression> assigned(Mechanism mechanism) {
+    return assignments(mechanism).stream().map(Assignment::value).toList();
+  }
+
+  private static List<Assignment> assignments(Mechanism mechanism) {
+    List<Assignment> all = new ArrayList<>();
+    List<Event> events = mechanism.events();
+    for (int i = 0; i < events.size(); i++) {
+      for (StateChange change : events.get(i).changes()) {
+        int q = mechanism.positionOffset(change.joint());
+        int v = mechanism.positionCount() + mechanism.velocityOffset(change.joint());
+        assign(i, q, change.positions(), all);
+        assign(i, v, change.velocities(), all);
+      }
+    }
+    return all;
+  }
+
+  private static void assign(
+      int event, int at, List<Expression> expressions, List<Assignment> all) {
+    for (int k = 0; k < expressions.size(); k++) {
+      all.add(new Assignment(event, at + k, expressions.get(k)));
+    }
+  }
+
+  /** A component of the state that takes the value of an expression. */
+  private record Assignment(int event, int component, Expression value) {}
+
+  @Override
+  public List<Kind> kinds() {
+    List<Kind> all = new ArrayList<>(kinds);
+    driven.ifPresent(jumps -> all.addAll(jumps.kinds()));
+    return all;
+  }
+
+  @Override
+  public void values(double t, double[] y, double[] g) {
+    expressions.triggers(t, y, g);
+    if (driven.isPresent()) {
+      driven.get().values(t, g, ownCount);
+    }
+  }
+
+  @Override
+  public void change(boolean[] occurred, double t, double[] y) {
+    if (driven.isPresent()) {
+      driven.get().change(occurred, ownCount, t, y);
+    }
+    expressions.assignments(t, y, assigned);
+    for (int i = 0; i < assignments.size(); i++) {
+      if (occurred[assignments.get(i).event()]) {
+        y[assignments.get(i).component()] = assigned[i];
+      }
+    }
+    normalize(y);
+  }
+
+  /** Gives Euler parameters norm one again; expressions need not. */
+  private void normalize(double[] y) {
+    for (int j = 0; j < mechanism.joints().size(); j++) {
+      Joint joint = mechanism.joints().get(j);
+      if (joint.type().hasEulerParameters() && !mechanism.isDriven(j)) {
+        int at = mechanism.positionOffset(j);
+        double norm = EulerParameters.norm(y, at);
+        for (int k = at; k < at + EULER_PARAMETERS; k++) {
+          y[k] /= norm;
+        }
+      }
+    }
+  }
+
+  @Override
+  public boolean changes(int event, int component) {
+    return assignments.stream().anyMatch(a -> a.event() == event && a.component() == component);
+  }
+
+  @Override
+  public double beside(double t) {
+    return driven.isPresent() ? driven.get().beside(t) : t;
+  }
+
+  @Override
+  public void goOn(double t) {
+    driven.ifPresent(jumps -> jumps.goOn(t));
+  }
+
+  @Override
+  public double after(boolean[] occurred, double t) {
+    return driven.isPresent() ? driven.get().after(occurred, ownCount, t) : t;
+  }
+
+  @Override
+  public List<Double> begin(double from, double to) {
+    List<MotionJump> jumps = mechanism.motionJumps(from, to);
+    driven = jumps.isEmpty() ? Optional.empty() : Optional.of(new DrivenJumps(motion, jumps));
+    List<Double> times = new ArrayList<>();
+    for (double time : mechanism.timeJumps(from, to)) {
+      if (beside(time) == time) {
+        times.add(time);
+      }
+    }
+    jumps.forEach(jump -> times.add(jump.time()));
+    return times;
+  }
+}

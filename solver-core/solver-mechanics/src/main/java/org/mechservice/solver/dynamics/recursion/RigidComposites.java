@@ -1,0 +1,70 @@
+package org.mechservice.solver.dynamics.recursion;
+
+import static org.mechservice.solver.spatial.Blocks.apply;
+import static org.mechservice.solver.spatial.Blocks.dot;
+
+import org.mechservice.solver.kinematics.LinkKind;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.TreeMotion;
+
+/**
+ * The links beyond a joint taken as one rigid body: what a pivot of the joint-space inertia is
+ * judged by. A pivot that is small against it has been cancelled by the joints beyond and holds
+ * nothing but rounding (NUMERICS §2). Workspace of one thread.
+ */
+final class RigidComposites {
+  private final TreeGeometry tree;
+  private final LinkInertias inertias;
+
+  /** Mass, kg. */
+  private final double[] mass;
+
+  /** First moment about the reference point in link axes, kg·m, 3 per link. */
+  private final double[] moment;
+
+  /** Trace of the inertia about the reference point, kg·m². */
+  private final double[] trace;
+
+  private final double[] turned = new double[3];
+
+  RigidComposites(TreeGeometry tree, LinkInertias inertias) {
+    this.tree = tree;
+    this.inertias = inertias;
+    mass = new double[tree.linkCount];
+    moment = new double[3 * tree.linkCount];
+    trace = new double[tree.linkCount];
+  }
+
+  /** Begins the sweep inwards with the links alone. */
+  void start() {
+    System.arraycopy(inertias.mass, 0, mass, 0, mass.length);
+    System.arraycopy(inertias.moment, 0, moment, 0, moment.length);
+    for (int link = 0; link < trace.length; link++) {
+      double[] j = inertias.second;
+      trace[link] = j[9 * link] + j[9 * link + 4] + j[9 * link + 8];
+    }
+  }
+
+  /** Returns the size a pivot of the link's joint would have if nothing beyond could move. */
+  double scale(int link) {
+    if (tree.kind[link] == LinkKind.SLIDE) {
+      return mass[link];
+    }
+    double pitch = tree.pitch[link];
+    return trace[link] + pitch * pitch * mass[link];
+  }
+
+  /** Adds a link's composite to its parent: m, R h + m p, tr J + 4 pᵀ R h + 2 m pᵀ p. */
+  void addToParent(TreeMotion motion, int link) {
+    int parent = tree.parent[link];
+    double[] p = motion.position;
+    double m = mass[link];
+    apply(motion.rotation, 9 * link, moment, 3 * link, turned, 0);
+    mass[parent] += m;
+    trace[parent] +=
+        trace[link] + 4 * dot(p, 3 * link, turned, 0) + 2 * m * dot(p, 3 * link, p, 3 * link);
+    for (int i = 0; i < 3; i++) {
+      moment[3 * parent + i] += turned[i] + m * p[3 * link + i];
+    }
+  }
+}

@@ -1,0 +1,21 @@
+/**
+ * The recursions over a tree of bodies that all formulations are made of.
+ *
+ * <ul>
+ *   <li>{@link org.mechservice.solver.dynamics.recursion.NewtonEuler}: inverse dynamics, outward
+ *       for velocities and accelerations, inward for forces.
+ *   <li>{@link org.mechservice.solver.dynamics.recursion.CompositeInertias}: the mass matrix.
+ *   <li>{@link org.mechservice.solver.dynamics.recursion.ArticulatedBody}: accelerations in O(n).
+ *   <li>{@link org.mechservice.solver.dynamics.recursion.MassiveRods}: rods with mass between two
+ *       bodies, which belong to no joint.
+ *   <li>{@link org.mechservice.solver.dynamics.recursion.LinkDerivatives}: derivatives of the
+ *       Newton-Euler recursion.
+ *   <li>{@link org.mechservice.solver.dynamics.recursion.JointReactions} and {@link
+ *       org.mechservice.solver.dynamics.recursion.TotalMomentum}: results, at output times only.
+ * </ul>
+ *
+ * <p>Spatial vectors are in world axes about the world origin, which spares transformations between
+ * links. Nothing allocates after construction. Sources: Featherstone 2008, chapters 5 to 7;
+ * Rodríguez et al. 2003, section 3.
+ */
+package org.mechservice.solver.dynamics.recursion;

@@ -1,0 +1,16 @@
+package org.mechservice.solver.dynamics.tree;
+
+/**
+ * The elements of a matrix over the velocities of the state, in the places of a {@link
+ * TreePattern}.
+ */
+public interface TreeElements {
+  /** Returns the elements on the diagonal, by place. */
+  double[] diagonal();
+
+  /** Returns element (row, column) for each column of each row of the pattern. */
+  double[] lower();
+
+  /** Returns element (column, row) for each column of each row of the pattern. */
+  double[] upper();
+}

@@ -1,0 +1,85 @@
+package org.mechservice.solver.force.applied;
+
+import java.util.List;
+import org.mechservice.solver.api.Defects.Defect;
+import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.force.ForceElement;
+
+/**
+ * One applied force at work: reads a motion that someone else sweeps. Workspace of one thread;
+ * nothing allocates unless something fails.
+ */
+public abstract class AppliedForce {
+  private final ForceElement element;
+  private Defect defect = new Defect(MessageCode.FORCE_COEFFICIENT, "", "", "");
+
+  public AppliedForce(ForceElement element) {
+    this.element = element;
+  }
+
+  /** Returns the values it can put out in the mechanism it acts in. */
+  public List<Variable> variables(Mechanism mechanism) {
+    return element.values(mechanism::jointOf);
+  }
+
+  /**
+   * Takes the values of tunable parameters.
+   *
+   * @return false if a coefficient has no value or none that is allowed; see {@link #defect()}
+   */
+  public abstract boolean parameters(double[] values);
+
+  /**
+   * Adds its wrenches and joint forces.
+   *
+   * @return false if they are not finite or not defined; see {@link #defect()}
+   */
+  public abstract boolean apply(double t, double[] wrench, double[] tau);
+
+  /** Gives its derivatives in the state of the last {@link #apply}; false as there. */
+  public abstract boolean linearise(double t, ForceJacobian sink);
+
+  /** Returns its potential energy in the state of the last {@link #apply}, J. */
+  public abstract double potentialEnergy();
+
+  /** Returns the power of what has no energy in the state of the last {@link #apply}, W. */
+  public abstract double power();
+
+  /** Writes the values of the last {@link #apply}. */
+  public abstract void values(double[] out, int at);
+
+  /** Adds the pairs of links it couples: what happens to one acts on the other. */
+  public abstract void couplings(Couplings couplings);
+
+  /** Keeps in mind which whole turn an angle of a cut joint is on, after an accepted step. */
+  public void accepted() {}
+
+  /** Returns why the last call failed. */
+  public Defect defect() {
+    return defect;
+  }
+
+  /** Remembers a failure and returns false. */
+  public boolean fail(MessageCode code, String cause, String advice) {
+    defect = new Defect(code, "force " + element.name(), cause, advice);
+    return false;
+  }
+
+  /** Remembers that a coefficient cannot be used and returns false. */
+  public boolean refuse(String quantity, double value, String condition) {
+    return fail(
+        MessageCode.FORCE_COEFFICIENT,
+        "The " + quantity + " is " + value + "; it must be " + condition + ".",
+        "Check the parameters it is computed from.");
+  }
+
+  /** Remembers that a result is not finite and returns false. */
+  public boolean notFinite(String quantity, double value) {
+    return fail(
+        MessageCode.FORCE_NOT_FINITE,
+        "The " + quantity + " is not finite but " + value + ".",
+        "Look for a division by zero or a root of a negative number in its law.");
+  }
+}

@@ -1,0 +1,54 @@
+package org.mechservice.solver.force.applied;
+
+import org.mechservice.solver.force.ForceSet;
+
+/**
+ * Takes the derivatives of applied forces by what they depend on, piece by piece.
+ *
+ * <p>A wrench is [moment; force] in the axes of its link at the link's reference point, as {@link
+ * ForceSet#apply} gives it; its derivatives are those of these six components, so whoever takes
+ * them to the joints adds how a wrench that is constant in its link's axes acts there. A link is
+ * moved by a small twist [rotation; displacement of the reference point] in link axes, with the
+ * components of its velocity [angular; linear] in link axes held; or its velocity is changed. A
+ * coordinate is an index among the extended velocities; its small displacement is along the tangent
+ * (NUMERICS §1a) and moves the force directly here, not through the links it carries.
+ *
+ * <p>Arrays belong to the caller of these methods and change afterwards.
+ */
+public interface ForceJacobian {
+  /**
+   * Adds the derivative of the wrench on a link by the place and velocity of a link.
+   *
+   * @param on link of the wrench
+   * @param by link that moves; may be the same
+   * @param byPlace 6 × 6 row by row, N·m/rad, N·m/m, N/rad, N/m
+   * @param byVelocity 6 × 6 row by row, the same per s⁻¹
+   */
+  void wrenchByLink(int on, int by, double[] byPlace, double[] byVelocity);
+
+  /**
+   * Adds the derivative of the wrench on a link by a coordinate.
+   *
+   * @param byPlace 6 numbers, per rad or m
+   * @param byVelocity 6 numbers, per rad/s or m/s
+   */
+  void wrenchByCoordinate(int on, int by, double[] byPlace, double[] byVelocity);
+
+  /**
+   * Adds the derivative of a joint force by the place and velocity of a link.
+   *
+   * @param on coordinate of the force
+   * @param byPlace 6 numbers, per rad, m
+   * @param byVelocity 6 numbers, per rad/s, m/s
+   */
+  void forceByLink(int on, int by, double[] byPlace, double[] byVelocity);
+
+  /**
+   * Adds the derivative of a joint force by a coordinate.
+   *
+   * @param on coordinate of the force
+   * @param byPlace per rad or m
+   * @param byVelocity per rad/s or m/s
+   */
+  void forceByCoordinate(int on, int by, double byPlace, double byVelocity);
+}

@@ -1,0 +1,260 @@
+package org.mechservice.solver.force.applied;
+
+import static org.mechservice.solver.spatial.Blocks.addCross;
+import static org.mechservice.solver.spatial.Blocks.apply;
+import static org.mechservice.solver.spatial.Blocks.applyTransposed;
+import static org.mechservice.solver.spatial.Blocks.multiply;
+
+import java.util.Arrays;
+import org.mechservice.solver.expression.BodyFrame;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.spatial.Rotation;
+
+/**
+ * How frame 2, on one body, stands and moves relative to frame 1, on another, as an observer on the
+ * first body sees it, in the axes of frame 1. Whatever acts between two bodies and depends on them
+ * alone is a function of this.
+ *
+ * <p>Legend: A1, A2 rotations from the axes of links 1 and 2 to those of frame 1; r1, r2 the
+ * frames' origins from the links' reference points in link axes; s the origin of frame 2 from the
+ * reference point of link 1 in its axes.
+ */
+public final class FrameMotion {
+  private final TreeMotion motion;
+  private final int link1;
+  private final int link2;
+  private final int ancestor;
+
+  /** A1, constant, and frame 2's axes to link 2's axes. */
+  private final double[] a1 = new double[9];
+
+  private final double[] axes2 = new double[9];
+  private final double[] a2 = new double[9];
+  private final double[] r1 = new double[3];
+  private final double[] r2 = new double[3];
+  private final double[] s = new double[3];
+
+  /** Origin of frame 2 from that of frame 1, m. */
+  public final double[] displacement = new double[3];
+
+  /** Axes of frame 2 to axes of frame 1. */
+  public final double[] rotation = new double[9];
+
+  /** Angular velocity of frame 2, rad/s, then the rate of {@link #displacement}, m/s. */
+  public final double[] twist = new double[6];
+
+  /** Angular velocity of link 1 in frame 1; of link 2; velocity of frame 2's origin; world seen. */
+  private final double[] omega1 = new double[3];
+
+  private final double[] omega2 = new double[3];
+  private final double[] velocity2 = new double[3];
+
+  private final double[] work = new double[9];
+  private final double[] moved = new double[3];
+
+  /** Watches two frames in a motion that someone else sweeps. */
+  public FrameMotion(TreeMotion motion, BodyFrame frame1, BodyFrame frame2) {
+    this.motion = motion;
+    TreeGeometry tree = motion.tree();
+    link1 = tree.linkOf(frame1.body());
+    link2 = tree.linkOf(frame2.body());
+    ancestor = tree.commonAncestor(link1, link2);
+    put(a1, frame1.axes().transposed());
+    put(axes2, frame2.axes());
+    tree.fromReference(frame1.origin(), r1, 0);
+    tree.fromReference(frame2.origin(), r2, 0);
+  }
+
+  public int link1() {
+    return link1;
+  }
+
+  public int link2() {
+    return link2;
+  }
+
+  private static void put(double[] m, Rotation r) {
+    m[0] = r.xx();
+    m[1] = r.xy();
+    m[2] = r.xz();
+    m[3] = r.yx();
+    m[4] = r.yy();
+    m[5] = r.yz();
+    m[6] = r.zx();
+    m[7] = r.zy();
+    m[8] = r.zz();
+  }
+
+  /** Reads place and velocities from the swept motion. */
+  public void read() {
+    motion.points.difference(ancestor, link1, r1, 0, link2, r2, 0, moved, 0);
+    motion.fromWorld(link1, moved, 0, work, 0);
+    apply(a1, 0, work, 0, displacement, 0);
+    for (int i = 0; i < 3; i++) {
+      s[i] = r1[i] + work[i];
+    }
+    // rows of A2 = A1 (R1ᵀ R2): R1ᵀ R2 column by column
+    for (int j = 0; j < 3; j++) {
+      for (int i = 0; i < 3; i++) {
+        moved[i] = i == j ? 1 : 0;
+      }
+      motion.toWorld(link2, moved, 0, work, 0);
+      motion.fromWorld(link1, work, 0, work, 3);
+      apply(a1, 0, work, 3, moved, 0);
+      for (int i = 0; i < 3; i++) {
+        a2[3 * i + j] = moved[i];
+      }
+    }
+    multiply(a2, 0, axes2, 0, rotation, 0);
+    readVelocities();
+  }
+
+  private void readVelocities() {
+    velocity(link2, r2, a2, omega2, velocity2);
+    velocity(link1, s, a1, omega1, moved);
+    for (int i = 0; i < 3; i++) {
+      twist[i] = omega2[i] - omega1[i];
+      twist[3 + i] = velocity2[i] - moved[i];
+    }
+  }
+
+  /** Angular velocity of a link and velocity u + ω × r of a point of it, in frame 1. */
+  private void velocity(int link, double[] r, double[] a, double[] omega, double[] u) {
+    if (link == TreeGeometry.ROOT) {
+      clear(omega);
+      clear(u);
+      return;
+    }
+    apply(a, 0, motion.angularVelocity, 3 * link, omega, 0);
+    System.arraycopy(motion.linearVelocity, 3 * link, work, 0, 3);
+    addCross(motion.angularVelocity, 3 * link, r, 0, work, 0);
+    apply(a, 0, work, 0, u, 0);
+  }
+
+  private static void clear(double[] x) {
+    x[0] = 0;
+    x[1] = 0;
+    x[2] = 0;
+  }
+
+  /**
+   * Adds a wrench that acts on body 2, and its opposite on body 1.
+   *
+   * @param w [moment; force] at frame 2's origin, in the axes of frame 1, N·m, N; not modified
+   * @param wrench external wrenches of all links; added to
+   */
+  void addWrench(double[] w, double[] wrench) {
+    if (link2 != TreeGeometry.ROOT) {
+      add(w, a2, r2, 1, wrench, 6 * link2);
+    }
+    if (link1 != TreeGeometry.ROOT) {
+      add(w, a1, s, -1, wrench, 6 * link1);
+    }
+  }
+
+  /**
+   * Writes what a wrench on body 2, and its opposite on body 1, are at the links' reference points.
+   *
+   * @param w as for {@link #addWrench}; not modified
+   * @param on1 [moment; force] in link 1's axes; overwritten
+   * @param on2 in link 2's axes; overwritten
+   */
+  public void wrenches(double[] w, double[] on1, double[] on2) {
+    Arrays.fill(on1, 0);
+    Arrays.fill(on2, 0);
+    add(w, a1, s, -1, on1, 0);
+    add(w, a2, r2, 1, on2, 0);
+  }
+
+  /** Adds sign [Aᵀ m + r × Aᵀ f; Aᵀ f]. */
+  private void add(double[] w, double[] a, double[] r, double sign, double[] wrench, int at) {
+    applyTransposed(a, 0, w, 0, work, 0);
+    applyTransposed(a, 0, w, 3, work, 3);
+    addCross(r, 0, work, 3, work, 0);
+    for (int i = 0; i < 6; i++) {
+      wrench[at + i] += sign * work[i];
+    }
+  }
+
+  /**
+   * Writes how the relative motion changes when a body is moved by a small twist with the
+   * components of its velocity held.
+   *
+   * @param first whether body 1 moves
+   * @param xi [rotation; displacement] in link axes; not modified
+   * @param place change of [rotation; displacement] of frame 2 in frame 1; overwritten
+   * @param velocity change of {@link #twist}; overwritten
+   */
+  public void changeByPlace(boolean first, double[] xi, double[] place, double[] velocity) {
+    changeByVelocity(first, xi, place);
+    double sign = first ? -1 : 1;
+    // what turns with body 2, or against body 1, and s moving in the turning body 1
+    for (int i = 0; i < 6; i++) {
+      velocity[i] = 0;
+    }
+    apply(first ? a1 : a2, 0, xi, 0, moved, 0);
+    for (int i = 0; i < 3; i++) {
+      moved[i] *= sign;
+    }
+    addCross(moved, 0, omega2, 0, velocity, 0);
+    addCross(moved, 0, velocity2, 0, velocity, 3);
+    addCross(place, 3, omega1, 0, velocity, 3);
+  }
+
+  /** As {@link #changeByPlace} for a change of the body's velocity: that of {@link #twist}. */
+  public void changeByVelocity(boolean first, double[] xi, double[] change) {
+    double[] a = first ? a1 : a2;
+    double sign = first ? -1 : 1;
+    apply(a, 0, xi, 0, change, 0);
+    System.arraycopy(xi, 3, work, 0, 3);
+    addCross(xi, 0, first ? s : r2, 0, work, 0);
+    apply(a, 0, work, 0, change, 3);
+    for (int i = 0; i < 6; i++) {
+      change[i] *= sign;
+    }
+  }
+
+  /**
+   * Writes the change of the wrench on body 2 in link axes.
+   *
+   * @param w the wrench as given to {@link #addWrench}
+   * @param dw its change, likewise
+   * @param firstTurns whether it is body 1 that was moved
+   * @param xi the small twist it was moved by; zero for a change of velocity
+   * @param out change of the components in link 2's axes; overwritten
+   */
+  void wrenchChange2(double[] w, double[] dw, boolean firstTurns, double[] xi, double[] out) {
+    for (int i = 0; i < 6; i++) {
+      work[i] = dw[i];
+    }
+    // A2ᵀ x changes by A2ᵀ ((A1 θ1) × x), or by −A2ᵀ ((A2 θ2) × x)
+    apply(firstTurns ? a1 : a2, 0, xi, 0, moved, 0);
+    if (!firstTurns) {
+      for (int i = 0; i < 3; i++) {
+        moved[i] = -moved[i];
+      }
+    }
+    addCross(moved, 0, w, 0, work, 0);
+    addCross(moved, 0, w, 3, work, 3);
+    applyTransposed(a2, 0, work, 0, out, 0);
+    applyTransposed(a2, 0, work, 3, out, 3);
+    addCross(r2, 0, out, 3, out, 0);
+  }
+
+  /**
+   * Writes the change of the wrench on body 1 in link axes.
+   *
+   * @param place change of the relative place; zero for a change of velocity
+   */
+  void wrenchChange1(double[] w, double[] dw, double[] place, double[] out) {
+    for (int i = 0; i < 6; i++) {
+      work[i] = -dw[i];
+    }
+    // the moment arm s moves by A1ᵀ δr: −δr × f
+    addCross(w, 3, place, 3, work, 0);
+    applyTransposed(a1, 0, work, 0, out, 0);
+    applyTransposed(a1, 0, work, 3, out, 3);
+    addCross(s, 0, out, 3, out, 0);
+  }
+}

@@ -1,0 +1,97 @@
+package org.mechservice.solver.force.formula;
+
+import java.util.List;
+import java.util.function.IntConsumer;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Tape;
+import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.force.applied.GradientSink;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.mechanism.Parameter;
+
+/**
+ * Expressions of time, parameters and the state, evaluated in a motion that someone else sweeps.
+ */
+public final class ExpressionInputs {
+  private final TapeEvaluation tape;
+  private final LeafInput[] inputs;
+  private final double[] parameters;
+
+  /** ∂(result)/∂(leaf), leaves of one result after the other. */
+  private final double[][] gradients;
+
+  /**
+   * Prepares expressions, parameters at the values the mechanism gives them.
+   *
+   * @throws IllegalArgumentException if one refers to what the motion does not have
+   */
+  public ExpressionInputs(TreeMotion motion, List<Expression> expressions) {
+    tape = new TapeEvaluation(new Tape(expressions));
+    parameters =
+        motion.tree().mechanism().parameters().stream().mapToDouble(Parameter::value).toArray();
+    List<Expression> leaves = tape.tape().leaves();
+    inputs = new LeafInput[leaves.size()];
+    for (int i = 0; i < inputs.length; i++) {
+      inputs[i] = LeafInput.of(leaves.get(i), motion, parameters);
+    }
+    gradients = new double[expressions.size()][inputs.length];
+  }
+
+  /** Takes the values of the mechanism's parameters, SI units. */
+  public void parameters(double[] values) {
+    System.arraycopy(values, 0, parameters, 0, parameters.length);
+  }
+
+  /** Evaluates all results in the motion of the last sweep, places in the world included. */
+  public void evaluate(double t) {
+    for (int i = 0; i < inputs.length; i++) {
+      tape.setLeaf(i, inputs[i].value(t));
+    }
+    tape.values();
+  }
+
+  /** Returns a result of the last {@link #evaluate}. */
+  public double value(int result) {
+    return tape.value(result);
+  }
+
+  /** Returns the first result that is not finite, or −1. */
+  int firstNotFinite() {
+    return tape.firstNotFinite();
+  }
+
+  /** Evaluates the gradients of all results in the state of the last {@link #evaluate}. */
+  void differentiate() {
+    tape.derivatives();
+    for (int i = 0; i < gradients.length; i++) {
+      tape.gradient(i, gradients[i]);
+    }
+  }
+
+  int leafCount() {
+    return inputs.length;
+  }
+
+  /** Returns ∂(result)/∂(leaf). */
+  double byLeaf(int result, int leaf) {
+    return gradients[result][leaf];
+  }
+
+  /** Gives what a leaf depends on. */
+  void gradient(int leaf, GradientSink sink) {
+    inputs[leaf].gradient(sink);
+  }
+
+  void links(IntConsumer taker) {
+    for (LeafInput input : inputs) {
+      input.links(taker);
+    }
+  }
+
+  /** Takes note of an accepted state: angles of cut joints go on counting from here. */
+  public void accepted() {
+    for (LeafInput input : inputs) {
+      input.accepted();
+    }
+  }
+}

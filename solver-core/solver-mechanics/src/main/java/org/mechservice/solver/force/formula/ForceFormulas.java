@@ -1,0 +1,137 @@
+package org.mechservice.solver.force.formula;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.ForceTorque;
+import org.mechservice.solver.mechanism.force.JointForce;
+
+/**
+ * The formulas of a mechanism's forces taken apart: every part that can lose its value while what
+ * it is made of has one, or can jump, from the inside out, and what it is made of; then the whole.
+ */
+public final class ForceFormulas {
+  /** Longer formulas are cut: they are there to be recognised. */
+  private static final int LONGEST_TEXT = 160;
+
+  /** Characters of all lines: more would not fit into a class file. */
+  private static final int MOST_TEXT = 20_000;
+
+  private final FormulaText text;
+  private final List<Expression> expressions = new ArrayList<>();
+  private final StringBuilder lines = new StringBuilder();
+  private boolean canFail;
+
+  private ForceFormulas(Mechanism mechanism) {
+    text = new FormulaText(mechanism);
+    for (ForceElement force : mechanism.forces()) {
+      if (force instanceof JointForce joint) {
+        add(force.name(), "joint force", joint.force());
+      } else if (force instanceof ForceTorque given) {
+        for (int i = 0; i < given.components().size(); i++) {
+          add(
+              force.name(),
+              given.values(mechanism::jointOf).get(i).name(),
+              given.components().get(i));
+        }
+      }
+    }
+  }
+
+  /**
+   * Takes the formulas of a mechanism's forces apart.
+   *
+   * @return nothing if all of them have a value and a slope in every state that is not itself
+   *     absurd, or if there are too many to keep
+   */
+  public static Optional<ForceFormulas> of(Mechanism mechanism) {
+    ForceFormulas formulas = new ForceFormulas(mechanism);
+    return formulas.canFail && formulas.lines.length() <= MOST_TEXT
+        ? Optional.of(formulas)
+        : Optional.empty();
+  }
+
+  /**
+   * Returns what is to be evaluated: for each line the part, then what it is made of, as many as
+   * the line names.
+   */
+  public List<Expression> expressions() {
+    return List.copyOf(expressions);
+  }
+
+  /**
+   * Returns a line for each part: force, quantity, its formula, the part, and what the part is made
+   * of, with tabs between.
+   */
+  public String lines() {
+    return lines.toString();
+  }
+
+  private void add(String force, String quantity, Expression formula) {
+    String head = force + "\t" + quantity + "\t" + shown(formula);
+    parts(head, formula);
+    line(head, formula, List.of());
+  }
+
+  private void parts(String head, Expression formula) {
+    List<Expression> arguments = arguments(formula);
+    arguments.forEach(argument -> parts(head, argument));
+    if (mayFail(formula)) {
+      canFail = true;
+      List<Expression> moving =
+          arguments.stream().filter(a -> !(a instanceof Expression.Constant)).toList();
+      line(head, formula, moving);
+    }
+  }
+
+  private void line(String head, Expression part, List<Expression> arguments) {
+    lines.append(lines.isEmpty() ? "" : "\n").append(head).append('\t').append(shown(part));
+    expressions.add(part);
+    for (Expression argument : arguments) {
+      lines.append('\t').append(shown(argument));
+      expressions.add(argument);
+    }
+  }
+
+  private String shown(Expression formula) {
+    String all = text.of(formula);
+    return all.length() <= LONGEST_TEXT ? all : all.substring(0, LONGEST_TEXT) + "...";
+  }
+
+  private static List<Expression> arguments(Expression formula) {
+    if (formula instanceof Expression.Sum sum) {
+      return List.of(sum.left(), sum.right());
+    } else if (formula instanceof Expression.Product product) {
+      return List.of(product.left(), product.right());
+    } else if (formula instanceof Expression.Quotient quotient) {
+      return List.of(quotient.dividend(), quotient.divisor());
+    } else if (formula instanceof Expression.Power power) {
+      return List.of(power.base(), power.exponent());
+    } else if (formula instanceof Expression.Negation negation) {
+      return List.of(negation.operand());
+    } else if (formula instanceof Expression.Call call) {
+      return call.arguments();
+    }
+    return List.of();
+  }
+
+  /**
+   * Whether a part can be without a finite value where its arguments have moderate ones, or jumps.
+   */
+  private static boolean mayFail(Expression part) {
+    if (part instanceof Expression.Quotient quotient) {
+      return !(quotient.divisor() instanceof Expression.Constant);
+    } else if (part instanceof Expression.Power) {
+      return true;
+    } else if (part instanceof Expression.Call call) {
+      return switch (call.function()) {
+        case SQRT, LOG, ASIN, ACOS, TAN, EXP, SINH, COSH, SIGNUM, STEP, FLOOR -> true;
+        default -> false;
+      };
+    }
+    return false;
+  }
+}

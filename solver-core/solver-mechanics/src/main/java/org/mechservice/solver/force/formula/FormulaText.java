@@ -1,0 +1,121 @@
+package org.mechservice.solver.force.formula;
+
+import java.util.List;
+import java.util.Locale;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.ClosureCoordinate;
+import org.mechservice.solver.expression.Coordinate;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.spatial.Vector3;
+
+/** Writes formulas as text for people, with the names of their mechanism. */
+public final class FormulaText {
+  private static final int SUM = 1;
+  private static final int PRODUCT = 2;
+  private static final int SIGN = 3;
+  private static final int POWER = 4;
+  private static final int ATOM = 5;
+  private static final String[] AXES = {"x", "y", "z"};
+
+  private final Mechanism mechanism;
+
+  /**
+   * @param mechanism whose names the formulas use
+   */
+  public FormulaText(Mechanism mechanism) {
+    this.mechanism = mechanism;
+  }
+
+  /** Returns a formula as it could stand in a model file, in SI units. */
+  public String of(Expression formula) {
+    if (formula instanceof Expression.Constant constant) {
+      return number(constant.value());
+    } else if (formula instanceof Expression.Sum sum) {
+      return sum(sum);
+    } else if (formula instanceof Expression.Product product) {
+      return inside(product.left(), PRODUCT) + "*" + inside(product.right(), PRODUCT);
+    } else if (formula instanceof Expression.Quotient quotient) {
+      return inside(quotient.dividend(), PRODUCT) + "/" + inside(quotient.divisor(), SIGN);
+    } else if (formula instanceof Expression.Power power) {
+      return inside(power.base(), ATOM) + "^" + inside(power.exponent(), ATOM);
+    } else if (formula instanceof Expression.Negation negation) {
+      return "-" + inside(negation.operand(), SIGN);
+    } else if (formula instanceof Expression.Call call) {
+      List<String> arguments = call.arguments().stream().map(this::of).toList();
+      return call.function().symbol() + "(" + String.join(", ", arguments) + ")";
+    }
+    return leaf(formula);
+  }
+
+  private String sum(Expression.Sum sum) {
+    return sum.right() instanceof Expression.Negation minus
+        ? of(sum.left()) + " - " + inside(minus.operand(), PRODUCT)
+        : of(sum.left()) + " + " + of(sum.right());
+  }
+
+  private String inside(Expression formula, int least) {
+    return binding(formula) < least ? "(" + of(formula) + ")" : of(formula);
+  }
+
+  private static int binding(Expression formula) {
+    if (formula instanceof Expression.Sum) {
+      return SUM;
+    } else if (formula instanceof Expression.Product || formula instanceof Expression.Quotient) {
+      return PRODUCT;
+    } else if (formula instanceof Expression.Power) {
+      return POWER;
+    }
+    boolean signed =
+        formula instanceof Expression.Negation
+            || (formula instanceof Expression.Constant constant && constant.value() < 0);
+    return signed ? SUM : ATOM;
+  }
+
+  private static String number(double value) {
+    return value == Math.rint(value) && Math.abs(value) < 1e6
+        ? Long.toString((long) value)
+        : Double.toString(value);
+  }
+
+  private String leaf(Expression leaf) {
+    if (leaf instanceof Expression.Time) {
+      return "t";
+    } else if (leaf instanceof Expression.ParameterValue parameter) {
+      return mechanism.parameters().get(parameter.index()).name();
+    } else if (leaf instanceof Expression.CoordinatePosition position) {
+      return coordinate(position.coordinate(), "q", true);
+    } else if (leaf instanceof Expression.CoordinateVelocity velocity) {
+      return coordinate(velocity.coordinate(), "v", false);
+    } else if (leaf instanceof Expression.PointPosition point) {
+      return place(point.point(), AXES[point.axis()]);
+    } else if (leaf instanceof Expression.PointVelocity point) {
+      return place(point.point(), "v" + AXES[point.axis()]);
+    }
+    return "x";
+  }
+
+  private String coordinate(Coordinate coordinate, String what, boolean position) {
+    String name = "joint";
+    int count = 1;
+    if (coordinate instanceof JointCoordinate joint) {
+      name = mechanism.joints().get(joint.joint()).name();
+      var type = mechanism.joints().get(joint.joint()).type();
+      count = position ? type.positionCount() : type.velocityCount();
+    } else if (coordinate instanceof ClosureCoordinate closure) {
+      name = mechanism.closures().get(closure.closure()).name();
+    }
+    return name + "." + what + (count == 1 ? "" : "[" + coordinate.component() + "]");
+  }
+
+  private String place(BodyPoint point, String what) {
+    String body =
+        point.body() == BodyPoint.ROOT
+            ? mechanism.root().name()
+            : mechanism.bodies().get(point.body()).name();
+    Vector3 at = point.position();
+    return String.format(
+        Locale.ROOT, "%s(%.6g; %.6g; %.6g).%s", body, at.x(), at.y(), at.z(), what);
+  }
+}

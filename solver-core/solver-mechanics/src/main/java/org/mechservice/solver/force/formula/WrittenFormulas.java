@@ -1,0 +1,46 @@
+package org.mechservice.solver.force.formula;
+
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.solver.api.Defects;
+import org.mechservice.solver.api.Failure;
+
+/** Generated code that evaluates the parts of its forces' formulas. */
+public interface WrittenFormulas extends Defects {
+  /** Returns the lines of {@link ForceFormulas}. */
+  String formulas();
+
+  /** Returns how many values there are. */
+  int formulaCount();
+
+  /**
+   * Evaluates the parts.
+   *
+   * @param t time, s
+   * @param y state [q; v]; not modified
+   * @param values overwritten
+   */
+  void formulaValues(double t, double[] y, double[] values);
+
+  /** {@inheritDoc} No evaluation looks for them. */
+  @Override
+  default Defect lastDefect() {
+    throw new IllegalStateException("no evaluation has failed");
+  }
+
+  @Override
+  default Optional<Defect> withoutValue(
+      double t, double[] y, double[] yDot, List<Failure.Step> tried) {
+    return SampleStates.search(
+        formulas(),
+        (time, state) -> {
+          double[] values = new double[formulaCount()];
+          formulaValues(time, state, values);
+          return values;
+        },
+        t,
+        y,
+        yDot,
+        tried);
+  }
+}

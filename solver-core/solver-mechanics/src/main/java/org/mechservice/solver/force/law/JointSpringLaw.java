@@ -1,0 +1,62 @@
+package org.mechservice.solver.force.law;
+
+import java.util.List;
+import org.mechservice.solver.expression.Expression.Negation;
+import org.mechservice.solver.force.applied.AppliedForce;
+import org.mechservice.solver.force.applied.Coefficients;
+import org.mechservice.solver.force.applied.ScalarLaw;
+import org.mechservice.solver.mechanism.force.JointSpringDamper;
+
+/** The force of a joint's spring is its tension turned round. */
+public final class JointSpringLaw implements ScalarLaw {
+  private final Coefficients coefficients;
+  private final ScalarSpring spring;
+
+  public JointSpringLaw(JointSpringDamper element) {
+    coefficients =
+        new Coefficients(
+            element.name(),
+            List.of(
+                element.stiffness(),
+                element.damping(),
+                element.position0(),
+                new Negation(element.force0()),
+                element.smoothing()));
+    spring = new ScalarSpring(element.side());
+  }
+
+  @Override
+  public boolean parameters(double[] values, AppliedForce force) {
+    return spring.parameters(coefficients, values, force);
+  }
+
+  @Override
+  public void evaluate(double position, double velocity) {
+    spring.evaluate(position, velocity);
+  }
+
+  @Override
+  public double force() {
+    return -spring.tension();
+  }
+
+  @Override
+  public double byPosition() {
+    return -spring.byPosition();
+  }
+
+  @Override
+  public double byVelocity() {
+    return -spring.byVelocity();
+  }
+
+  @Override
+  public double potentialEnergy(double position) {
+    return spring.potentialEnergy(position);
+  }
+
+  @Override
+  public double energyRate(double velocity) {
+    return (spring.tension() - spring.dampingForce()) * velocity;
+  }
+}
