@@ -30,7 +30,7 @@ public final class MethodReports {
         suite DIR [--quick]        the integrators alone, on problems with verified solutions
         paper DIR EXAMPLES         the paper's tables, on the scenes of folder EXAMPLES
         study DIR NAME [--quick] [CASE...]
-                                   one study (%s) or all;
+                                   one study (STUDIES) or all;
                                    study service runs the named cases only
       """;
 
@@ -51,10 +51,10 @@ public final class MethodReports {
     System.setProperty("slf4j.internal.verbosity", "ERROR");
     List<String> words = new ArrayList<>(Arrays.asList(args));
     boolean quick = words.remove(QUICK);
-    try (ProgressLine line =
-        new ProgressLine(new PrintWriter(System.err, true, StandardCharsets.UTF_8))) {
+    PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
+    try (ProgressLine line = new ProgressLine(err)) {
       if (!new MethodReports().run(words, quick, line)) {
-        System.err.printf(USAGE, String.join(", ", namesOfStudies()));
+        System.err.print(USAGE.replace("STUDIES", String.join(", ", namesOfStudies())));
         System.exit(2);
       }
     }
@@ -99,8 +99,8 @@ public final class MethodReports {
         ExtremeCase.suite().stream()
             .filter(one -> cases.isEmpty() || cases.contains(one.name()))
             .toList();
-    if (!wanted.equals(ALL) && !namesOfStudies().contains(wanted)
-        || !cases.isEmpty() && suite.size() < cases.size()) {
+    boolean known = wanted.equals(ALL) || namesOfStudies().contains(wanted);
+    if (!known || (!cases.isEmpty() && suite.size() < cases.size())) {
       return false;
     }
     try (EmbeddedService service = new EmbeddedService()) {

@@ -89,6 +89,8 @@ public record FetchedModel(
   }
 
   /**
+   * Prepares a run of the model in this process.
+   *
    * @param columns column groups asked for; empty: those its file selects
    * @param strict whether the first warning ends the run
    * @param maxDrift drift of the energy balance, over the energy scale, that ends it

@@ -154,10 +154,10 @@ public abstract class CheckpointContract {
   void stateOfTheProblemItselfIsTakenUpToo() {
     Integrator whole = create(1e-8);
     List<Double> expected =
-        trace(whole, whole.start(new SavedPendulum(), 0, LoopPendulum.START, 5), 4);
+        trace(whole, whole.start(new SavedPendulum(), 0, LoopPendulum.start(), 5), 4);
     Integrator part = create(1e-8);
     SavedPendulum pendulum = new SavedPendulum();
-    part.start(pendulum, 0, LoopPendulum.START, 5);
+    part.start(pendulum, 0, LoopPendulum.start(), 5);
     while (pendulum.changes() < 3) {
       part.step();
     }

@@ -262,7 +262,7 @@ public abstract class EventContract extends EventLocationContract {
               g[0] = y[0];
               g[1] = 1;
             });
-    run(new EventIntegration(create(1e-4), length), new LoopPendulum(), LoopPendulum.START, 3);
+    run(new EventIntegration(create(1e-4), length), new LoopPendulum(), LoopPendulum.start(), 3);
     assertThat(length.times).isNotEmpty();
   }
 }

@@ -28,7 +28,7 @@ public abstract class ManifoldContract {
   void passiveComponentsFollowTheIndependentOnes(double tolerance) {
     LoopPendulum pendulum = new LoopPendulum();
     Integrator integrator = create(tolerance);
-    integrator.start(pendulum, 0, LoopPendulum.START, 10);
+    integrator.start(pendulum, 0, LoopPendulum.start(), 10);
     double[] y = new double[4];
     StepResult result = StepResult.ADVANCED;
     while (result == StepResult.ADVANCED) {
@@ -43,7 +43,7 @@ public abstract class ManifoldContract {
     assertThat(pendulum.changes()).isGreaterThan(15);
     for (int i = 0; i < 4; i++) {
       // Nine swings: the error per step is multiplied by the number of steps and by the phase.
-      assertThat(y[i]).isCloseTo(LoopPendulum.AT_TEN[i], within(accumulation() * tolerance));
+      assertThat(y[i]).isCloseTo(LoopPendulum.atTen()[i], within(accumulation() * tolerance));
     }
   }
 
@@ -51,7 +51,7 @@ public abstract class ManifoldContract {
   void otherIndependentComponentsCostNeitherOrderNorStep() {
     LoopPendulum pendulum = new LoopPendulum();
     Integrator integrator = create(1e-9);
-    integrator.start(pendulum, 0, LoopPendulum.START, 10);
+    integrator.start(pendulum, 0, LoopPendulum.start(), 10);
     int changes = 0;
     double shrink = 1;
     int lowest = Integer.MAX_VALUE;
@@ -129,7 +129,7 @@ public abstract class ManifoldContract {
             return t <= 0.5 && super.complete(t, y);
           }
         };
-    Run run = Run.of(create(1e-6), pendulum, 0, LoopPendulum.START, 10);
+    Run run = Run.of(create(1e-6), pendulum, 0, LoopPendulum.start(), 10);
     assertThat(run.result()).isEqualTo(StepResult.FAILED);
     assertThat(run.integrator().failure().cause())
         .isEqualTo(IntegrationFailure.Cause.NOT_COMPLETED);
@@ -177,7 +177,7 @@ public abstract class ManifoldContract {
   @ValueSource(doubles = {1e-4, 1e-6, 1e-8, 1e-10})
   void projectedSolutionIsOnTheManifoldAtEveryStep(double tolerance) {
     Integrator integrator = create(tolerance);
-    integrator.start(new ProjectedPendulum(), 0, LoopPendulum.START, 10);
+    integrator.start(new ProjectedPendulum(), 0, LoopPendulum.start(), 10);
     double[] y = new double[4];
     while (integrator.step() == StepResult.ADVANCED) {
       integrator.interpolate(integrator.time(), y, new double[4]);
@@ -185,7 +185,7 @@ public abstract class ManifoldContract {
     }
     LoopPendulum equations = new LoopPendulum();
     Ode free = new Ode(4, equations::derivative);
-    double[] drifted = Run.of(create(tolerance), free, 0, LoopPendulum.START, 10).atEnd();
+    double[] drifted = Run.of(create(tolerance), free, 0, LoopPendulum.start(), 10).atEnd();
     assertThat(defect(drifted)).isGreaterThan(0.01 * tolerance);
   }
 
@@ -197,8 +197,8 @@ public abstract class ManifoldContract {
     for (int k = 4; k <= 10; k++) {
       double tolerance = StrictMath.pow(10, -k);
       double[] projected =
-          Run.of(create(tolerance), new ProjectedPendulum(), 0, LoopPendulum.START, 10).atEnd();
-      double[] drifted = Run.of(create(tolerance), free, 0, LoopPendulum.START, 10).atEnd();
+          Run.of(create(tolerance), new ProjectedPendulum(), 0, LoopPendulum.start(), 10).atEnd();
+      double[] drifted = Run.of(create(tolerance), free, 0, LoopPendulum.start(), 10).atEnd();
       digitsLost += StrictMath.log10(error(projected) / error(drifted));
     }
     // On the average of seven tolerances; a single run is right by luck now and then.
@@ -212,7 +212,7 @@ public abstract class ManifoldContract {
   private static double error(double[] y) {
     double error = 0;
     for (int i = 0; i < 4; i++) {
-      error = Math.max(error, Math.abs(y[i] - LoopPendulum.AT_TEN[i]));
+      error = Math.max(error, Math.abs(y[i] - LoopPendulum.atTen()[i]));
     }
     return error;
   }

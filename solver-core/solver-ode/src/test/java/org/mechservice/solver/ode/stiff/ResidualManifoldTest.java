@@ -51,7 +51,7 @@ class ResidualManifoldTest {
     LoopResidual pendulum = new LoopResidual();
     Ode15sR integrator = integrator(tolerance);
     ResidualSystem system = pendulum;
-    StepResult result = integrator.start(system, 0, LoopPendulum.START, SLOPE, 10);
+    StepResult result = integrator.start(system, 0, LoopPendulum.start(), SLOPE, 10);
     double[] y = new double[4];
     while (result == StepResult.ADVANCED) {
       result = integrator.step();
@@ -62,7 +62,7 @@ class ResidualManifoldTest {
     assertThat(result).isEqualTo(StepResult.REACHED_END);
     assertThat(pendulum.changes()).isGreaterThan(15);
     // Low order: two to three times the steps of an Adams method, each with an error of one sign.
-    assertThat(y).containsExactly(LoopPendulum.AT_TEN, within(5000 * tolerance));
+    assertThat(y).containsExactly(LoopPendulum.atTen(), within(5000 * tolerance));
   }
 
   @Test
@@ -70,10 +70,10 @@ class ResidualManifoldTest {
     IntegratorSettings settings = new IntegratorSettings(1e-8, 1e-8).withMode(Mode.FAITHFUL);
     Ode15s explicit = new Ode15s(settings);
     double steps =
-        Run.of(explicit, new LoopPendulum(), 0, LoopPendulum.START, 10).statistics().steps();
+        Run.of(explicit, new LoopPendulum(), 0, LoopPendulum.start(), 10).statistics().steps();
     Ode15sR implicit = new Ode15sR(settings);
     ResidualSystem system = new LoopResidual();
-    StepResult result = implicit.start(system, 0, LoopPendulum.START, SLOPE, 10);
+    StepResult result = implicit.start(system, 0, LoopPendulum.start(), SLOPE, 10);
     while (result == StepResult.ADVANCED) {
       result = implicit.step();
     }

@@ -10,10 +10,9 @@ import org.mechservice.solver.ode.SavedState;
  * faster as the independent one and finds the other from x² + y² = 1 and x x' + y y' = 0.
  */
 public class LoopPendulum implements OdeSystem, CompletedSystem {
-  public static final double[] START = {1, 0, 0, 0};
+  private static final double[] START = {1, 0, 0, 0};
 
-  /** State at t = 10, from elliptic functions. */
-  public static final double[] AT_TEN = {
+  private static final double[] AT_TEN = {
     0.2750874625761168, -0.9614192050991250, -4.175598101950732, -1.1947490545604753
   };
 
@@ -78,5 +77,15 @@ public class LoopPendulum implements OdeSystem, CompletedSystem {
     independent = other;
     changes++;
     return true;
+  }
+
+  /** Returns the state at t = 0: x, y and their derivatives. */
+  public static double[] start() {
+    return START.clone();
+  }
+
+  /** Returns the state at t = 10, from elliptic functions. */
+  public static double[] atTen() {
+    return AT_TEN.clone();
   }
 }
