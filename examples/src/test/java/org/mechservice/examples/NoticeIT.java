@@ -56,7 +56,7 @@ class NoticeIT {
     try (Stream<Path> poms =
         Files.find(WorkingTree.TOP, 3, (file, attributes) -> file.endsWith("pom.xml"))) {
       modules =
-          poms.map(pom -> String.valueOf(pom.getParent().getFileName()))
+          poms.map(pom -> String.valueOf(pom.resolveSibling(".").normalize().getFileName()))
               .collect(Collectors.toSet());
     }
     return files

@@ -19,7 +19,6 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.function.Predicate;
 import java.util.jar.Attributes;
 import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
@@ -47,7 +46,10 @@ class ModelJarsTest {
   private static final String MODEL = "org/mechservice/model/FiveBarPendulum.class";
   private static final String SOLVER = "org/mechservice/solver/";
   private static final String DE = SOLVER + "ode/adams/De.class";
-  private static final Predicate<String> CLASS_FILE = name -> name.endsWith(".class");
+
+  private static boolean isClassFile(String name) {
+    return name.endsWith(".class");
+  }
 
   private static CompiledModel pendulum(String integrator) {
     RunSettings settings = new RunSettings(0, 3, 0.01, integrator, 1e-5, 1e-5);
@@ -147,7 +149,8 @@ class ModelJarsTest {
   void theStandaloneJarHoldsOnlyWhatItReaches() throws IOException {
     JarImage jar = ModelJars.standalone(pendulum("DE"), SHA);
     Set<String> names = entries(jar).keySet();
-    long solver = SolverClasses.files().keySet().stream().filter(CLASS_FILE).count();
+    long solver =
+        SolverClasses.files().keySet().stream().filter(ModelJarsTest::isClassFile).count();
     assertThat(names.stream().filter(name -> name.startsWith(SOLVER)).count())
         .isLessThan(solver / 3);
     assertThat(names)
@@ -177,7 +180,7 @@ class ModelJarsTest {
     SortedMap<String, byte[]> files = entries(ModelJars.standalone(pendulum("DE"), SHA));
     Set<String> missing = new TreeSet<>();
     for (Map.Entry<String, byte[]> file : files.entrySet()) {
-      if (CLASS_FILE.test(file.getKey())) {
+      if (isClassFile(file.getKey())) {
         for (String name : ReachableClasses.namesIn(file.getValue())) {
           if (!files.containsKey(name + ".class") && !name.startsWith("java/")) {
             missing.add(name + ".class");
@@ -218,7 +221,7 @@ class ModelJarsTest {
         new URLClassLoader(
             new URL[] {file.toUri().toURL()}, ClassLoader.getPlatformClassLoader())) {
       for (String path : entries(image).keySet()) {
-        if (CLASS_FILE.test(path)) {
+        if (isClassFile(path)) {
           String name = path.substring(0, path.length() - ".class".length()).replace('/', '.');
           assertThat(Class.forName(name, true, loader).getName()).isEqualTo(name);
         }
