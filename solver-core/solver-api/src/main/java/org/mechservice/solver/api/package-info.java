@@ -1,10 +1,12 @@
 /**
- * What a generated model and whoever runs it share: the model's equations, the settings of a run,
- * its control, its rows and its report.
+ * The interface between a generated model and the solver that runs it.
  *
- * <p>Only types of java.base occur here. A model JAR is compiled against this package alone, and in
- * local mode it is, with the form in which fetched classes are packed, what the client and the
- * fetched solver have in common, so {@link Model#API_VERSION} names the state of both: a JAR built
- * for another version is refused before it is unpacked.
+ * <p>{@link Model} is the main type. A model supplies its equations in explicit or residual form.
+ * The other types describe the settings of a run, its control, its rows, its notes and its report.
+ *
+ * <p>The package uses only types of java.base. A model JAR is compiled against this package alone.
+ * In local mode the client and the fetched solver share this package and the form in which the
+ * fetched classes are packed. {@link Model#API_VERSION} is the version of both: a JAR built for
+ * another version is refused before it is unpacked.
  */
 package org.mechservice.solver.api;

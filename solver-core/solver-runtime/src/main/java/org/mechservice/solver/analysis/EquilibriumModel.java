@@ -5,7 +5,7 @@ import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.force.user.UserForceSource;
 
 /** A mechanism at rest: one state, in which all forces balance. */
-final class EquilibriumModel extends FoundModel {
+final class EquilibriumModel extends AnalysisModel {
   private final StaticEquilibrium equilibrium;
 
   /**

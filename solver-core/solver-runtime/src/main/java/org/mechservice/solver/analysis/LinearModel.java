@@ -50,7 +50,7 @@ final class LinearModel implements ResultTable, RunNotes {
     this.userForces = userForces;
     this.atEquilibrium = atEquilibrium;
     this.modes = modes;
-    description = FoundModel.description(data);
+    description = AnalysisModel.description(data);
     names = new CoordinateNames(data.mechanism());
     equations = new EquationsOfMotion(data.mechanism(), userForces);
     y = new double[equations.nq + equations.nv];

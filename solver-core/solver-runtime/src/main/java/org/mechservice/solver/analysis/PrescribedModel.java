@@ -19,7 +19,7 @@ import org.mechservice.solver.force.user.UserForceSource;
  * time to the next in steps small enough that the position predicted is close; velocities and
  * accelerations from J v = −Φ_t and J a = −γ. The forces this takes are columns of their own.
  */
-final class PrescribedModel extends FoundModel {
+final class PrescribedModel extends AnalysisModel {
   /** A position may differ from the one predicted by this, rad or lengths of the mechanism. */
   private static final double NEAR = 0.05;
 

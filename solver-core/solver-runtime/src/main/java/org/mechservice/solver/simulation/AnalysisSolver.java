@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
+import org.mechservice.solver.api.AlgebraicModel;
 import org.mechservice.solver.api.Defects;
 import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ExtendedModel;
-import org.mechservice.solver.api.FoundStates;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.ResultSink;
@@ -25,7 +25,7 @@ public final class AnalysisSolver implements Solver {
   /** Returns whether a model is for this solver. */
   public static boolean takes(Model model) {
     Model bare = ExtendedModel.bare(model);
-    return bare instanceof FoundStates || bare instanceof ResultTable;
+    return bare instanceof AlgebraicModel || bare instanceof ResultTable;
   }
 
   @Override
@@ -106,7 +106,7 @@ public final class AnalysisSolver implements Solver {
 
   /** States at all output times. */
   private static final class States {
-    private final FoundStates model;
+    private final AlgebraicModel model;
     private final RunSettings settings;
     private final RunControl control;
     private final RowWriter rows;
@@ -116,7 +116,7 @@ public final class AnalysisSolver implements Solver {
 
     States(Model model, RunRequest request, ResultSink sink, RunControl control)
         throws IOException {
-      this.model = (FoundStates) ExtendedModel.bare(model);
+      this.model = (AlgebraicModel) ExtendedModel.bare(model);
       this.control = control;
       settings = request.settings();
       reached = settings.tStart();

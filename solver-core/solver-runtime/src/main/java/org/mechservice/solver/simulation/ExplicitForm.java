@@ -8,7 +8,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 public final class ExplicitForm implements EquationForm {
   @Override
   public ModelEquations of(Model model) {
-    return new ExplicitEquations(explicit(model));
+    return new ExplicitModelEquations(explicit(model));
   }
 
   static ExplicitModel explicit(Model model) {

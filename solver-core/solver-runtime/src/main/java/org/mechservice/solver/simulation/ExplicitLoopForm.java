@@ -16,11 +16,11 @@ public final class ExplicitLoopForm implements EquationForm {
     }
     return model instanceof ProjectedStates loops
         ? new OnManifold(explicit, loops)
-        : new ExplicitEquations(explicit);
+        : new ExplicitModelEquations(explicit);
   }
 
   /** Loops closed by completing independent states. */
-  private static final class InIndependentStates extends ExplicitEquations
+  private static final class InIndependentStates extends ExplicitModelEquations
       implements LoopCompletion {
     private final DependentStates loops;
 
@@ -36,7 +36,7 @@ public final class ExplicitLoopForm implements EquationForm {
   }
 
   /** Loops kept closed by projection. */
-  private static final class OnManifold extends ExplicitEquations implements ProjectedSystem {
+  private static final class OnManifold extends ExplicitModelEquations implements ProjectedSystem {
     private final ProjectedStates loops;
 
     OnManifold(ExplicitModel model, ProjectedStates loops) {

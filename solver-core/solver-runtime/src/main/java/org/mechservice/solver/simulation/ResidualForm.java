@@ -30,11 +30,11 @@ public final class ResidualForm implements EquationForm {
     }
     return model instanceof DependentStates loops
         ? new InIndependentStates(residual, loops)
-        : new ResidualEquations(residual);
+        : new ResidualModelEquations(residual);
   }
 
   /** Loops closed by completing independent states. */
-  private static final class InIndependentStates extends ResidualEquations
+  private static final class InIndependentStates extends ResidualModelEquations
       implements LoopCompletion {
     private final DependentStates loops;
 
@@ -50,7 +50,7 @@ public final class ResidualForm implements EquationForm {
   }
 
   /** With the model's own linear algebra. */
-  private static class Linearised extends ResidualEquations implements LinearisedSystem {
+  private static class Linearised extends ResidualModelEquations implements LinearisedSystem {
     private final LinearisedModel model;
 
     Linearised(LinearisedModel model) {

@@ -40,12 +40,12 @@ public final class RuntimeSolver implements Solver {
       return new AnalysisSolver().run(model, request, sink, control);
     }
     String name = request.settings().integrator();
-    MotionSeen seen = new MotionSeen(sink, model.description());
+    MotionObserver seen = new MotionObserver(sink, model.description());
     RunReport report =
         new Simulation(integrator(name), formOf(model, name))
             .run(model, request, seen, control, checkpoints);
     RunReport judged = seen.completed(report, request.strict());
-    return EnergyDoubt.added(judged, model, request);
+    return EnergyDriftWarning.added(judged, model, request);
   }
 
   /** Returns the form in which an integrator takes a model's equations. */

@@ -126,8 +126,8 @@ public final class Simulation implements Solver {
     private final RowWriter rows;
     private final WorkMeter work;
     private final CheckpointWriter checkpoints;
-    private final NotesOfRun notes;
-    private final FailuresOfRun failures;
+    private final RunNoteCollector notes;
+    private final RunFailures failures;
     private final Optional<MomentumBalance> momentum;
     private final double[] y;
     private final double[] yDot;
@@ -163,8 +163,8 @@ public final class Simulation implements Solver {
       work =
           new WorkMeter(
               equations, integrator, model, rows.measuresWork(), momentum, settings.tStart());
-      notes = new NotesOfRun(model, rows, events, integrator, momentum);
-      failures = new FailuresOfRun(equations, events, integrator, rows, momentum, request);
+      notes = new RunNoteCollector(model, rows, events, integrator, momentum);
+      failures = new RunFailures(equations, events, integrator, rows, momentum, request);
       y = new double[equations.dimension()];
       yDot = new double[equations.dimension()];
       timeReached = settings.tStart();
@@ -305,7 +305,7 @@ public final class Simulation implements Solver {
       for (double t = dueRow(); t <= timeReached; t = dueRow()) {
         integrator.interpolate(t, y, yDot);
         if (!equations.closeLoops(t, y) || !work.advance(t)) {
-          return FailuresOfRun.LOOPS_OPEN;
+          return RunFailures.LOOPS_OPEN;
         }
         int badColumn = rows.write(t, equations.beside(t), y, work.work(), work.turnover());
         if (badColumn != RowWriter.ALL_FINITE) {
@@ -317,7 +317,7 @@ public final class Simulation implements Solver {
         }
         rowWritten(t);
       }
-      return work.advance(timeReached) ? RowWriter.ALL_FINITE : FailuresOfRun.LOOPS_OPEN;
+      return work.advance(timeReached) ? RowWriter.ALL_FINITE : RunFailures.LOOPS_OPEN;
     }
 
     /** Returns when the next row is due: an output time, or an event. */

@@ -45,11 +45,11 @@ public final class ResultCursors {
 
   private final Owner owner;
   private final ResultSpool rows;
-  private final ResultColumns columns;
+  private final RunColumns columns;
   private final Map<Cursor, ActiveObject> open = new HashMap<>();
   private boolean closed;
 
-  public ResultCursors(Owner owner, ResultSpool rows, ResultColumns columns) {
+  public ResultCursors(Owner owner, ResultSpool rows, RunColumns columns) {
     this.owner = owner;
     this.rows = rows;
     this.columns = columns;
@@ -69,7 +69,7 @@ public final class ResultCursors {
     return open(columns.selectAll());
   }
 
-  private ResultCursor open(ResultColumns.Selection selection) throws LimitExceeded {
+  private ResultCursor open(RunColumns.Selection selection) throws LimitExceeded {
     synchronized (open) {
       if (closed) {
         throw new OBJECT_NOT_EXIST("the simulation was destroyed");
@@ -111,7 +111,7 @@ public final class ResultCursors {
     private static final int LEAST_BYTES = 1 << 13;
 
     private final ResultSpool spool;
-    private final ResultColumns.Selection selection;
+    private final RunColumns.Selection selection;
     private final IntSupplier leaseSeconds;
     private final ReplyMemory room;
     private final Consumer<Cursor> destroyed;
@@ -124,7 +124,7 @@ public final class ResultCursors {
      */
     Cursor(
         ResultSpool spool,
-        ResultColumns.Selection selection,
+        RunColumns.Selection selection,
         IntSupplier leaseSeconds,
         ReplyMemory room,
         Consumer<Cursor> destroyed) {

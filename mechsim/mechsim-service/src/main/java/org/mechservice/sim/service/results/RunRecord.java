@@ -35,7 +35,7 @@ import org.mechservice.solver.api.Variable;
  */
 public record RunRecord(
     RunIdentity identity,
-    ResultColumns columns,
+    RunColumns columns,
     List<Variable> states,
     Progress progress,
     long startedAt,
@@ -211,7 +211,7 @@ public record RunRecord(
       String simId = string(json, "simId");
       return new RunRecord(
           identity(json),
-          new ResultColumns(variables(json.getAsJsonArray("columns")), groups),
+          new RunColumns(variables(json.getAsJsonArray("columns")), groups),
           variables(json.getAsJsonArray("states")),
           progress(simId, json.getAsJsonObject("progress")),
           json.get("startedAt").getAsLong(),

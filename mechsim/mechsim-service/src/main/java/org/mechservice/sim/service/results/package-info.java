@@ -3,7 +3,7 @@
  *
  * <p>A running solver appends rows to a {@link org.mechservice.sim.service.results.ResultSpool};
  * any number of {@link org.mechservice.sim.service.results.ResultCursors} read them meanwhile.
- * {@link org.mechservice.sim.service.results.ResultColumns} names the columns and selects some of
+ * {@link org.mechservice.sim.service.results.RunColumns} names the columns and selects some of
  * them.
  *
  * <p>{@link org.mechservice.sim.service.results.RunStore} keeps the runs whose session has ended.

@@ -5,7 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.sim.model.CompiledModel;
-import org.mechservice.sim.service.results.ResultColumns;
+import org.mechservice.sim.service.results.RunColumns;
 import org.mechservice.sim.service.results.RunStore;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
@@ -36,9 +36,9 @@ public final class RunFactory {
    *
    * @throws IllegalArgumentException if the model lacks a requested column group
    */
-  public ResultColumns columns(Model model, RunRequest request) {
+  public RunColumns columns(Model model, RunRequest request) {
     Simulation.requireBalance(model, request);
-    return ResultColumns.of(groups -> Simulation.columns(model, groups), request.columns());
+    return RunColumns.of(groups -> Simulation.columns(model, groups), request.columns());
   }
 
   /**

@@ -3,8 +3,8 @@ package org.mechservice.sim.service.run;
 import java.io.IOException;
 import java.util.List;
 import java.util.OptionalDouble;
-import org.mechservice.sim.service.results.ResultColumns;
 import org.mechservice.sim.service.results.ResultSpool;
+import org.mechservice.sim.service.results.RunColumns;
 import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.RunControl;
 import org.mechservice.solver.api.Variable;
@@ -35,7 +35,7 @@ final class RunOutput implements ResultSink {
    * @param task the run before its start
    * @param spool receives the rows
    */
-  RunOutput(RunTask task, ResultColumns columns, ResultSpool spool, RunControl control) {
+  RunOutput(RunTask task, RunColumns columns, ResultSpool spool, RunControl control) {
     this.spool = spool;
     this.control = control;
     kineticColumn = columns.indexOf("energy.kinetic");

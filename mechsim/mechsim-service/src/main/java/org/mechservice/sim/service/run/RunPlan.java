@@ -3,7 +3,7 @@ package org.mechservice.sim.service.run;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import org.mechservice.sim.service.results.ResultColumns;
+import org.mechservice.sim.service.results.RunColumns;
 import org.mechservice.sim.service.results.RunIdentity;
 
 /**
@@ -16,7 +16,7 @@ import org.mechservice.sim.service.results.RunIdentity;
  *     formulation, set-up times; in the order of the report
  */
 public record RunPlan(
-    RunIdentity identity, RunTask task, ResultColumns columns, Map<String, Object> setUp) {
+    RunIdentity identity, RunTask task, RunColumns columns, Map<String, Object> setUp) {
   public RunPlan {
     setUp = Collections.unmodifiableMap(new LinkedHashMap<>(setUp));
   }

@@ -16,8 +16,8 @@ import org.mechservice.idl.SimSummary;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.service.limits.TimeBudget;
-import org.mechservice.sim.service.results.ResultColumns;
 import org.mechservice.sim.service.results.ResultSpool;
+import org.mechservice.sim.service.results.RunColumns;
 import org.mechservice.sim.service.results.RunIdentity;
 import org.mechservice.sim.service.results.RunRecord;
 import org.mechservice.sim.service.results.RunStore;
@@ -95,7 +95,7 @@ public final class SimulationRun implements Runnable {
     return plan.identity();
   }
 
-  public ResultColumns columns() {
+  public RunColumns columns() {
     return plan.columns();
   }
 

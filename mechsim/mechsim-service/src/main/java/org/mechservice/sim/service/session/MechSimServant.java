@@ -53,7 +53,7 @@ import org.mechservice.sim.service.library.SetUpTimes;
 import org.mechservice.sim.service.library.SimulationRequest;
 import org.mechservice.sim.service.limits.AdmissionControl;
 import org.mechservice.sim.service.limits.HostLimit;
-import org.mechservice.sim.service.results.ResultColumns;
+import org.mechservice.sim.service.results.RunColumns;
 import org.mechservice.sim.service.results.RunIdentity;
 import org.mechservice.sim.service.run.RunFactory;
 import org.mechservice.sim.service.run.RunPlan;
@@ -270,7 +270,7 @@ final class MechSimServant implements MechSimOperations {
         new RunRequest(asked.settings(), asked.columns(), asked.strict(), asked.maxDrift());
     long memory = session.limits().of(HostLimit.MEMORY);
     RunTask task = ContractErrors.build(() -> runs.task(compiled, request, memory));
-    ResultColumns columns = ContractErrors.build(() -> runs.columns(task.model(), request));
+    RunColumns columns = ContractErrors.build(() -> runs.columns(task.model(), request));
     RunPlan plan =
         new RunPlan(
             identity(task, source, asked), task, columns, setUp(source, compiled.generated()));

@@ -29,8 +29,8 @@ import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.limits.HostLimits;
-import org.mechservice.sim.service.results.ResultColumns;
 import org.mechservice.sim.service.results.ResultSpool;
+import org.mechservice.sim.service.results.RunColumns;
 import org.mechservice.sim.service.results.RunIdentity;
 import org.mechservice.sim.service.results.RunRecord;
 import org.mechservice.sim.service.results.RunStore;
@@ -121,7 +121,7 @@ class SpoolRestartTest {
     RunStore store = new RunStore(Optional.of(folder), inForce("retention", 0));
     RunIdentity identity =
         new RunIdentity("0a", "session", "here", "ann", "m", "m.xml", "", 0, List.of());
-    ResultColumns columns = new ResultColumns(List.of(new Variable("t", "s")), List.of());
+    RunColumns columns = new RunColumns(List.of(new Variable("t", "s")), List.of());
     ResultSpool rows = store.newRows("0a", 1);
     rows.append(new double[] {1});
     Progress done = new Progress("0a", SimState.SIM_DONE, 0, 1, 0, 1, 1, 1, 1, 1, 1);

@@ -1,10 +1,10 @@
 package org.mechservice.solver.api;
 
 /**
- * A model whose states are found one by one, without integration: positions that follow prescribed
- * motions, equilibria.
+ * A model that computes each state from algebraic equations, without integration: positions that
+ * follow prescribed motions, equilibria.
  */
-public interface FoundStates extends ExplicitModel, Defects {
+public interface AlgebraicModel extends ExplicitModel, Defects {
   /**
    * Finds the state at an output time.
    *

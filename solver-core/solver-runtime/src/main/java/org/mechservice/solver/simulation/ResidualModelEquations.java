@@ -11,13 +11,13 @@ import org.mechservice.solver.ode.ResidualSystem;
 import org.mechservice.solver.ode.StepResult;
 
 /** A model in residual form as the integrator sees it. */
-class ResidualEquations extends ModelEquations implements ResidualSystem {
+class ResidualModelEquations extends ModelEquations implements ResidualSystem {
   private final ResidualModel model;
 
   /** Unknown whose derivative at the start is not finite, or −1. */
   private int startNotFinite = -1;
 
-  ResidualEquations(ResidualModel model) {
+  ResidualModelEquations(ResidualModel model) {
     super(model, model.unknownCount());
     this.model = model;
   }

@@ -19,11 +19,11 @@ import org.mechservice.solver.ode.IntegrationStatistics;
 import org.mechservice.solver.ode.Integrator;
 
 /**
- * What ends a run before its end: the model or the integrator cannot go on, a row cannot be
- * written, a balance has drifted too far, or a warning is not to be passed over. Asks whoever knows
- * most of it for the cause: the equations of their defect, else the integrator.
+ * The failures that end a run early: the model or the integrator cannot continue, a row cannot be
+ * written, a balance has drifted too far, or a strict run has a warning. The cause comes from the
+ * defect of the equations if they have one, else from the integrator.
  */
-final class FailuresOfRun {
+final class RunFailures {
   /** In place of a column: the loops cannot be closed at an output time. */
   static final int LOOPS_OPEN = -2;
 
@@ -41,7 +41,7 @@ final class FailuresOfRun {
   private final OptionalDouble maxDrift;
   private final ModelDescription description;
 
-  FailuresOfRun(
+  RunFailures(
       ModelEquations equations,
       RunEvents events,
       Integrator integrator,

@@ -11,8 +11,8 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.SavedState;
 
-/** What is noted in a run: by its model, its rows, its events and its method. */
-final class NotesOfRun {
+/** Collects the notes of a run from its model, its rows, its events and its method. */
+final class RunNoteCollector {
   private static final Note NOT_READ_YET = new Note(MessageCode.EVENT_OCCURRED, 0, false, "");
 
   private final ExplicitModel model;
@@ -24,7 +24,7 @@ final class NotesOfRun {
   /** What the model had noted when the run that is taken up was saved. */
   private final List<Note> notedBefore = new ArrayList<>();
 
-  NotesOfRun(
+  RunNoteCollector(
       ExplicitModel model,
       RowWriter rows,
       RunEvents events,

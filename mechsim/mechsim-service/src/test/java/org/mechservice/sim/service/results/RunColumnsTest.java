@@ -12,10 +12,10 @@ import org.mechservice.idl.NotFound;
 import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Variable;
 
-class ResultColumnsTest {
-  private static final ResultColumns ALL =
-      ResultColumns.of(
-          ResultColumnsTest::columnsOf,
+class RunColumnsTest {
+  private static final RunColumns ALL =
+      RunColumns.of(
+          RunColumnsTest::columnsOf,
           EnumSet.of(
               ColumnGroup.JOINTS,
               ColumnGroup.ACCELERATIONS,

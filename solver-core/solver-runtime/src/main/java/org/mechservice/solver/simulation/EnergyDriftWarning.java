@@ -10,15 +10,15 @@ import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.WatchedModel;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** Warns of a run whose energy balance says that its motion is wrong. */
-final class EnergyDoubt {
+/** Warns if the energy balance of a run shows that its motion is wrong. */
+final class EnergyDriftWarning {
   /** Part of the energy scale by which no right motion drifts. */
   private static final double FAR = 0.01;
 
   /** Tolerances that add up to a drift without anything having been missed. */
   private static final double TOLERANCES = 1e3;
 
-  private EnergyDoubt() {}
+  private EnergyDriftWarning() {}
 
   /**
    * Returns the report with a warning beside its other notes, if there is reason for one; it ends a
@@ -33,7 +33,7 @@ final class EnergyDoubt {
     double drift = report.energyDrift().orElse(0) / report.energyScale().orElse(1);
     boolean far = drift > FAR && drift > TOLERANCES * request.settings().relativeTolerance();
     return measured && far
-        ? LateWarning.added(report, warning(report.timeReached(), drift), request.strict())
+        ? DeferredWarning.added(report, warning(report.timeReached(), drift), request.strict())
         : report;
   }
 

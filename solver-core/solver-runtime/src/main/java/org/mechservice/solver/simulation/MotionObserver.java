@@ -13,11 +13,10 @@ import org.mechservice.solver.api.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * Watches the rows of a run for how far states move, and warns if all of them stay below their
- * absolute tolerances: error tests then pass whatever a step makes of the motion, and a run may
- * step over all of it.
+ * Observes in the rows of a run how far the states move. It warns if all states stay below their
+ * absolute tolerances: the error test then accepts every step, and a run may miss the motion.
  */
-final class MotionSeen implements ResultSink {
+final class MotionObserver implements ResultSink {
   private static final MessageCode CODE = MessageCode.ABSOLUTE_TOLERANCE_TOO_LARGE;
 
   /** Motion of a position over one and its size that is rounding, of a mechanism at rest. */
@@ -33,7 +32,7 @@ final class MotionSeen implements ResultSink {
 
   private boolean begun;
 
-  MotionSeen(ResultSink sink, ModelDescription model) {
+  MotionObserver(ResultSink sink, ModelDescription model) {
     this.sink = sink;
     states = model.states();
     positions = model.positionCount();
@@ -61,7 +60,7 @@ final class MotionSeen implements ResultSink {
   /** Returns the report of the run with the warning, if there is one to give. */
   RunReport completed(RunReport report, boolean strict) {
     return warning(report.settings(), report.timeReached())
-        .map(warning -> LateWarning.added(report, warning, strict))
+        .map(warning -> DeferredWarning.added(report, warning, strict))
         .orElse(report);
   }
 

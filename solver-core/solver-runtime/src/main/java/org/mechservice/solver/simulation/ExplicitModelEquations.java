@@ -6,10 +6,10 @@ import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.StepResult;
 
 /** A model in explicit form as the integrator sees it. */
-class ExplicitEquations extends ModelEquations implements OdeSystem {
+class ExplicitModelEquations extends ModelEquations implements OdeSystem {
   private final ExplicitModel model;
 
-  ExplicitEquations(ExplicitModel model) {
+  ExplicitModelEquations(ExplicitModel model) {
     super(model, model.description().stateCount());
     this.model = model;
   }

@@ -14,7 +14,7 @@ import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** A mass on a spring, displaced by so little, or so loosely followed, that no test sees it. */
-class MotionSeenTest {
+class MotionObserverTest {
   private static List<Note> warnings(double displacement, double absoluteTolerance)
       throws IOException {
     HarmonicOscillator model =

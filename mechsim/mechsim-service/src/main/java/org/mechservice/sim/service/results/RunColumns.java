@@ -20,8 +20,8 @@ import org.mechservice.solver.api.Variable;
  * @param variables name and unit of each; the first is time
  * @param groups label of the column group each belongs to
  */
-public record ResultColumns(List<Variable> variables, List<String> groups) {
-  public ResultColumns {
+public record RunColumns(List<Variable> variables, List<String> groups) {
+  public RunColumns {
     variables = List.copyOf(variables);
     groups = List.copyOf(groups);
   }
@@ -32,7 +32,7 @@ public record ResultColumns(List<Variable> variables, List<String> groups) {
    * @param columnsOf the columns of a run with certain groups
    * @param asked column groups of this run
    */
-  public static ResultColumns of(
+  public static RunColumns of(
       Function<Set<ColumnGroup>, List<Variable>> columnsOf, Set<ColumnGroup> asked) {
     Map<String, String> groupOf = new HashMap<>();
     for (Variable joint : columnsOf.apply(EnumSet.of(ColumnGroup.JOINTS))) {
@@ -46,7 +46,7 @@ public record ResultColumns(List<Variable> variables, List<String> groups) {
     List<Variable> all = columnsOf.apply(asked);
     List<String> groups = new ArrayList<>();
     all.forEach(column -> groups.add(groupOf.getOrDefault(column.name(), "")));
-    return new ResultColumns(all, groups);
+    return new RunColumns(all, groups);
   }
 
   public int count() {

@@ -3,9 +3,9 @@ package org.mechservice.solver.analysis;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.mechservice.solver.api.AlgebraicModel;
 import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.Energies;
-import org.mechservice.solver.api.FoundStates;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.RunNotes;
@@ -16,8 +16,8 @@ import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
 
-/** What models whose states are found one by one have in common. Workspace of one run. */
-abstract class FoundModel implements FoundStates, Energies, BodyPoses, RunNotes {
+/** Common base of the models that compute each state without integration. Workspace of one run. */
+abstract class AnalysisModel implements AlgebraicModel, Energies, BodyPoses, RunNotes {
   final Mechanism mechanism;
   final EquationsOfMotion equations;
 
@@ -32,7 +32,7 @@ abstract class FoundModel implements FoundStates, Energies, BodyPoses, RunNotes 
   /**
    * @param data the model; its formulation is the name of the task
    */
-  FoundModel(CompactModel data, UserForceSource userForces) {
+  AnalysisModel(CompactModel data, UserForceSource userForces) {
     mechanism = data.mechanism();
     equations = new EquationsOfMotion(mechanism, userForces);
     acceleration = new double[equations.nv];

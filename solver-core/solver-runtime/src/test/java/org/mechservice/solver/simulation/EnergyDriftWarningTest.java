@@ -16,7 +16,7 @@ import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** An energy balance that is far off tells of a motion that is wrong. */
-class EnergyDoubtTest {
+class EnergyDriftWarningTest {
   /** A force that nobody accounts for. */
   private static final class Pushed extends HarmonicOscillator {
     private final double push;

@@ -6,9 +6,9 @@ import org.mechservice.solver.api.Outcome;
 import org.mechservice.solver.api.RunNotes.Note;
 import org.mechservice.solver.api.RunReport;
 
-/** A warning for which the whole of a run must be known. */
-final class LateWarning {
-  private LateWarning() {}
+/** A warning that can be decided only at the end of a run. */
+final class DeferredWarning {
+  private DeferredWarning() {}
 
   /**
    * Returns the report with the warning behind its other notes. A strict run that was completed
