@@ -80,7 +80,7 @@ public record IntegratorSettings(
      * Like the standard mode, and with a 20th of the tolerances or less in every error test, so
      * that as a rule the solution at the end has the digits asked for but one.
      */
-    ACCURATE
+    STRICT
   }
 
   /** Returns the same settings in another mode. */
@@ -97,12 +97,12 @@ public record IntegratorSettings(
   }
 
   /**
-   * Returns what the tolerances are multiplied by in every error test: 1, or in the accurate mode a
+   * Returns what the tolerances are multiplied by in every error test: 1, or in the strict mode a
    * 20th, unless the limit of the arithmetic is nearer.
    */
   public double toleranceFactor() {
-    return mode == Mode.ACCURATE
-        ? Math.min(1, Math.max(ACCURATE_FACTOR, SMALLEST_RELATIVE_TOLERANCE / relativeTolerance))
+    return mode == Mode.STRICT
+        ? Math.min(1, Math.max(STRICT_FACTOR, SMALLEST_RELATIVE_TOLERANCE / relativeTolerance))
         : 1;
   }
 
@@ -139,7 +139,7 @@ public record IntegratorSettings(
    * with Adams methods, 1.5 times with stiff ones. From 0.03 to 0.06 shares and costs go with the
    * factor, up to a few runs that change sides by chance.
    */
-  private static final double ACCURATE_FACTOR = 0.05;
+  private static final double STRICT_FACTOR = 0.05;
 
   /** Smallest relative tolerance: about 100 units of round-off, as in the MATLAB ODE Suite. */
   public static final double SMALLEST_RELATIVE_TOLERANCE = 2.3e-14;

@@ -138,7 +138,7 @@
  * <tr><td>faithful</td><td>nothing</td><td>nothing</td><td>to compare counts and steps</td></tr>
  * <tr><td>standard</td><td>narrow down jumps</td><td>the same; fewer iterations; shorter steps
  * where nothing is stiff</td><td>the default</td></tr>
- * <tr><td>accurate</td><td>a 20th of the tolerances, 1.3 times the evaluations</td><td>the same,
+ * <tr><td>strict</td><td>a 20th of the tolerances, 1.3 times the evaluations</td><td>the same,
  * 1.5 times the evaluations</td><td>the digits asked for have to arrive</td></tr>
  * </table>
  *
@@ -148,7 +148,7 @@
  * on their way is up to the problem. On the usual test problems the end has one to three digits
  * fewer than asked for; on stable ones none. To judge a result, integrate again with a tenth of the
  * tolerance. Give each component an absolute tolerance at which it is negligible. In the
- * {@linkplain org.mechservice.solver.ode.IntegratorSettings.Mode#ACCURATE accurate mode} a smaller
+ * {@linkplain org.mechservice.solver.ode.IntegratorSettings.Mode#STRICT strict mode} a smaller
  * tolerance is used inside, so that as a rule the end has the digits asked for but one: in three
  * runs of four on orbits and oscillations, in nineteen of twenty on stiff problems.
  *
@@ -171,11 +171,11 @@
  * stuck to a moving belt breaks loose, stiff methods can pass the place with the derivatives of the
  * time when it stuck, or of a step before. What is left of the equations is watched for that: of
  * 3000 random runs each with w from 1e-8 to 1e-4 and tolerances from 1e-11 to 1e-3, up to one in
- * 300 still completed with a wrong state by the standard mode, one in 3000 by the accurate one;
+ * 300 still completed with a wrong state by the standard mode, one in 3000 by the strict one;
  * with steps held equal by a maxStep of a hundredth of the interval up to one in 1000 and none. Of
  * 120 random loops each with such friction in a joint none went wrong with multipliers, up to one
  * in 60 in independent coordinates. Declare sticking and slipping as {@link
- * org.mechservice.solver.ode.events.EventFunctions events}, or integrate again in the accurate mode
+ * org.mechservice.solver.ode.events.EventFunctions events}, or integrate again in the strict mode
  * and compare.
  *
  * <p>Results are the same to the bit on every machine if those of f are.

@@ -79,9 +79,9 @@ public abstract class BreakpointContract {
     "7, STANDARD",
     "8, STANDARD",
     "9, STANDARD",
-    "3, ACCURATE",
-    "6, ACCURATE",
-    "9, ACCURATE"
+    "3, STRICT",
+    "6, STRICT",
+    "9, STRICT"
   })
   void jumpsDeclaredCostNoDigits(int k, Mode mode) {
     Integrator integrator = create(tolerances(StrictMath.pow(10, -k)).withMode(mode));

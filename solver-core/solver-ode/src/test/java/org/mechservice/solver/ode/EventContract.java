@@ -27,7 +27,7 @@ public abstract class EventContract extends EventLocationContract {
   // The suite's bouncing ball
 
   @ParameterizedTest
-  @EnumSource(names = {"STANDARD", "ACCURATE"})
+  @EnumSource(names = {"STANDARD", "STRICT"})
   void ballBouncesWhenItShouldAndNoOftener(Mode mode) {
     // Suite: ev_bounce. Dropped from 10 m, keeping 80 % of its speed.
     Bounces bounces = new Bounces(0.8);

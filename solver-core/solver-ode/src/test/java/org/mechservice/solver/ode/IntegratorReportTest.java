@@ -144,11 +144,11 @@ class IntegratorReportTest {
     line(
         "Share of the runs at 1e-3 to 1e-10 whose result has the digits asked for less 3, 2 and 1."
             + " Targets: not stiff 87 and 52 %, stiff 96 and 90 %, differential-algebraic 85 and"
-            + " 55 %; in the accurate mode, less 1, 70 % not stiff and 80 % stiff.");
+            + " 55 %; in the strict mode, less 1, 70 % not stiff and 80 % stiff.");
     line("");
     line("| integrator | mode | problems | less 3 | less 2 | less 1 | evaluations |");
     line("|---|---|---|---|---|---|---|");
-    for (Mode mode : List.of(Mode.FAITHFUL, Mode.STANDARD, Mode.ACCURATE)) {
+    for (Mode mode : List.of(Mode.FAITHFUL, Mode.STANDARD, Mode.STRICT)) {
       share("ode113", mode, "not stiff", SuiteProblem.nonstiff());
       share("DE", mode, "not stiff", SuiteProblem.nonstiff());
     }

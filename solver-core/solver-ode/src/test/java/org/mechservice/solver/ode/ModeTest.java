@@ -59,7 +59,7 @@ class ModeTest {
   @MethodSource("adamsMethods")
   void adamsMethodsDeliverTheDigitsAskedForLessOneInAccurateMode(IntegratorFactory method) {
     List<SuiteProblem> problems = SuiteProblem.nonstiff();
-    Runs accurate = Runs.of(method, problems, Mode.ACCURATE);
+    Runs accurate = Runs.of(method, problems, Mode.STRICT);
     assertThat(accurate.share()).isGreaterThanOrEqualTo(0.70);
     assertThat(accurate.costRelativeTo(Runs.of(method, problems, Mode.STANDARD)))
         .isLessThanOrEqualTo(1.35);
@@ -68,7 +68,7 @@ class ModeTest {
   @Test
   void ode15sDeliversTheDigitsAskedForLessOneInAccurateMode() {
     List<SuiteProblem> problems = SuiteProblem.stiff();
-    Runs accurate = Runs.of(Ode15s::new, problems, Mode.ACCURATE);
+    Runs accurate = Runs.of(Ode15s::new, problems, Mode.STRICT);
     assertThat(accurate.share()).isGreaterThanOrEqualTo(0.80);
     assertThat(accurate.costRelativeTo(Runs.of(Ode15s::new, problems, Mode.STANDARD)))
         .isLessThanOrEqualTo(1.6);
@@ -93,7 +93,7 @@ class ModeTest {
     IntegratorSettings settings = new IntegratorSettings(1e-6, 1e-6);
     assertThat(settings.toleranceFactor()).isEqualTo(1);
     assertThat(settings.withMode(Mode.FAITHFUL).toleranceFactor()).isEqualTo(1);
-    IntegratorSettings accurate = settings.withMode(Mode.ACCURATE);
+    IntegratorSettings accurate = settings.withMode(Mode.STRICT);
     assertThat(accurate.toleranceFactor()).isEqualTo(0.05);
     SuiteProblem problem = SuiteProblem.named("EulerRigidBody");
     for (IntegratorFactory integrators :
@@ -107,7 +107,7 @@ class ModeTest {
 
   @Test
   void internalToleranceStaysAboveTheLimitOfTheArithmetic() {
-    IntegratorSettings tight = new IntegratorSettings(1e-13, 1e-13).withMode(Mode.ACCURATE);
+    IntegratorSettings tight = new IntegratorSettings(1e-13, 1e-13).withMode(Mode.STRICT);
     assertThat(tight.toleranceFactor())
         .isCloseTo(IntegratorSettings.SMALLEST_RELATIVE_TOLERANCE / 1e-13, within(1e-12));
     Run run = Run.of(new Ode113(tight), SuiteProblem.named("EulerRigidBody"));
@@ -134,8 +134,8 @@ class ModeTest {
             new Ode15s(standard),
             new Ode15sR(standard),
             new Switching(standard),
-            new Ode15s(standard.withMode(Mode.ACCURATE)),
-            new Ode15sR(standard.withMode(Mode.ACCURATE)));
+            new Ode15s(standard.withMode(Mode.STRICT)),
+            new Ode15sR(standard.withMode(Mode.STRICT)));
     for (Integrator integrator : integrators) {
       integrator.start(pushed, 0, new double[2], 5);
       long atFirst = 0;

@@ -24,7 +24,7 @@ import org.mechservice.solver.ode.step.IntegrationProgress;
  * <p>Errors of stiff steps die out, those of others add up, by hundreds at these orders. Where even
  * the fastest motion of the problem advances little in a step, h ρ(∂f/∂y) &lt; 1, and is no plain
  * decay or growth, a step is therefore held to a hundredth of the tolerances in the standard and
- * the accurate mode, so that phases that are not stiff keep their digits, too, for about twice the
+ * the strict mode, so that phases that are not stiff keep their digits, too, for about twice the
  * steps.
  *
  * <p>Formulas of orders 3 to 5 are not stable for weakly damped oscillations that are fast compared

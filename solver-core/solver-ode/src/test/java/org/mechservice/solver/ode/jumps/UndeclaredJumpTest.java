@@ -52,7 +52,7 @@ class UndeclaredJumpTest {
   private static final double EQUAL_STEP = 0.01;
 
   /** Modes that look for jumps. */
-  private static final Mode[] WATCHFUL = {Mode.STANDARD, Mode.ACCURATE};
+  private static final Mode[] WATCHFUL = {Mode.STANDARD, Mode.STRICT};
 
   /** Enough for a run that is not stuck. */
   private static final long MAX_STEPS = 5000;

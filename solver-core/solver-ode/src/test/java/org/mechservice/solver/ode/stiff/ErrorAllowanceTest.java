@@ -35,7 +35,7 @@ class ErrorAllowanceTest {
   }
 
   @ParameterizedTest
-  @EnumSource(names = {"STANDARD", "ACCURATE"})
+  @EnumSource(names = {"STANDARD", "STRICT"})
   void ode15sDeliversAsManyDigitsAsOde113WhereNothingIsStiff(Mode mode) {
     // The target set for Adams methods on these problems; as published, ode15s delivers 48 %.
     assertThat(shareWithinTwo(mode)).isGreaterThanOrEqualTo(0.52);
