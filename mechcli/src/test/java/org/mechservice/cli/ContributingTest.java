@@ -40,12 +40,12 @@ class ContributingTest {
 
   @Test
   void tableOfPackagesNamesThePackagesOfTheProduct() throws IOException {
-    Set<String> named =
-        PACKAGE.matcher(layout()).results().map(r -> r.group(1)).collect(treeSet());
+    Set<String> named = PACKAGE.matcher(layout()).results().map(r -> r.group(1)).collect(treeSet());
     Set<String> inCode =
         new ClassFileImporter()
-            .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
-            .importPackages("org.mechservice").stream()
+                .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
+                .importPackages("org.mechservice")
+                .stream()
                 .map(JavaClass::getPackageName)
                 .map(name -> name.substring(ROOT.length()))
                 // The IDL compiler adds one package for the nested types of each interface.
@@ -89,7 +89,8 @@ class ContributingTest {
     String table = layout().split("\n### Packages\n", 2)[0];
     for (MatchResult row : MODULE.matcher(table).results().toList()) {
       modules.put(
-          row.group(1), NAME.matcher(row.group(2)).results().map(r -> r.group(1)).collect(treeSet()));
+          row.group(1),
+          NAME.matcher(row.group(2)).results().map(r -> r.group(1)).collect(treeSet()));
     }
     return modules;
   }

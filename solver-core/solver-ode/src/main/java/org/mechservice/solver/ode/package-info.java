@@ -171,10 +171,10 @@
  * stuck to a moving belt breaks loose, stiff methods can pass the place with the derivatives of the
  * time when it stuck, or of a step before. What is left of the equations is watched for that: of
  * 3000 random runs each with w from 1e-8 to 1e-4 and tolerances from 1e-11 to 1e-3, up to one in
- * 300 still completed with a wrong state by the standard mode, one in 3000 by the strict one;
- * with steps held equal by a maxStep of a hundredth of the interval up to one in 1000 and none. Of
- * 120 random loops each with such friction in a joint none went wrong with multipliers, up to one
- * in 60 in independent coordinates. Declare sticking and slipping as {@link
+ * 300 still completed with a wrong state by the standard mode, one in 3000 by the strict one; with
+ * steps held equal by a maxStep of a hundredth of the interval up to one in 1000 and none. Of 120
+ * random loops each with such friction in a joint none went wrong with multipliers, up to one in 60
+ * in independent coordinates. Declare sticking and slipping as {@link
  * org.mechservice.solver.ode.events.EventFunctions events}, or integrate again in the strict mode
  * and compare.
  *
