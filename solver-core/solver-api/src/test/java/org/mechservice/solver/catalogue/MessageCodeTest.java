@@ -23,6 +23,9 @@ class MessageCodeTest {
     List<String> lines = Files.readAllLines(TOP.resolve(message.page()));
     assertThat(lines.get(0)).startsWith("# " + message.code() + ": ");
     assertThat(lines).anyMatch(line -> line.contains("What to do"));
+    if (message.code().startsWith("M-")) {
+      assertThat(lines).contains("## What it means", "## What to do");
+    }
   }
 
   @Test
