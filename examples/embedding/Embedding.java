@@ -1,10 +1,10 @@
-import org.mechservice.solver.api.Energies;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
-import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.api.capability.Energies;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ExtendedModel;
+import org.mechservice.solver.api.capability.WatchedModel;
 
 /** Integrates a model by the classical Runge-Kutta method; give its class, the end, the steps. */
 public final class Embedding {

@@ -1,6 +1,6 @@
 package org.mechservice.benchmarks;
 
-import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Param;

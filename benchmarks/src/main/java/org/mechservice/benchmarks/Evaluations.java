@@ -1,6 +1,6 @@
 package org.mechservice.benchmarks;
 
-import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.dynamics.LinearisedResidualModel;
 import org.mechservice.solver.dynamics.RecursiveResidualModel;

@@ -22,8 +22,8 @@ import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.model.GeneratedModel;
 import org.mechservice.sim.model.ModelFactory;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.api.capability.ExplicitModel;
 
 /**
  * What the first evaluations cost in a virtual machine that has done nothing else, generated code

@@ -2,8 +2,8 @@ package org.mechservice.benchmarks;
 
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.ResidualModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ResidualModel;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;

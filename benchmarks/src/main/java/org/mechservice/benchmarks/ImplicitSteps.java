@@ -2,8 +2,8 @@ package org.mechservice.benchmarks;
 
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.LinearisedModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.LinearisedModel;
 import org.mechservice.solver.linear.DenseLu;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Param;

@@ -9,7 +9,7 @@ import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.GeneratedModel;
 import org.mechservice.sim.model.ModelFactory;
-import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**

@@ -13,7 +13,7 @@ import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 
 /** The mechanisms whose equations are measured. */
 final class Scenes {

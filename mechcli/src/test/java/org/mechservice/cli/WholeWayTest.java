@@ -311,7 +311,13 @@ class WholeWayTest {
             .map(JavaClass::getPackageName)
             .collect(Collectors.toSet());
     packages.removeAll(ModuleLayer.boot().findModule("java.base").orElseThrow().getPackages());
-    assertThat(packages).isSubsetOf("org.mechservice.solver.api", "org.mechservice.solver.spatial");
+    assertThat(packages)
+        .isSubsetOf(
+            "org.mechservice.solver.api",
+            "org.mechservice.solver.api.capability",
+            "org.mechservice.solver.api.result",
+            "org.mechservice.solver.api.run",
+            "org.mechservice.solver.spatial");
   }
 
   @Test

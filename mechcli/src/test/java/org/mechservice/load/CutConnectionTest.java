@@ -15,8 +15,8 @@ import org.mechservice.client.SimulationOptions;
 import org.mechservice.client.failure.ServerLostException;
 import org.mechservice.client.jar.JarCache;
 import org.mechservice.client.run.RemoteRun;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
 
 /** What becomes of the rows of a run when the connection to its server is cut meanwhile. */
 class CutConnectionTest {

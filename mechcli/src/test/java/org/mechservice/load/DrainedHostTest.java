@@ -30,9 +30,9 @@ import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
 import org.mechservice.sim.host.HostSettings;
 import org.mechservice.sim.host.SimHostProcess;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.Outcome;
 
 /** What becomes of runs on a host that an operator empties. */
 class DrainedHostTest {

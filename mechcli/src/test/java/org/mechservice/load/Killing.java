@@ -29,7 +29,7 @@ import org.mechservice.idl.ResultBlockHolder;
 import org.mechservice.idl.ResultCursor;
 import org.mechservice.idl.SimState;
 import org.mechservice.orb.ServiceOrb;
-import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.run.Outcome;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 import org.omg.CORBA.SystemException;
 

@@ -7,8 +7,8 @@ import java.util.List;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.client.run.PreparedRun;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
 
 /** The simulations of these tests, and their rows to the last bit. */
 final class Runs {

@@ -8,7 +8,7 @@ import java.util.Map;
 import org.mechservice.client.failure.ModelMessage;
 import org.mechservice.client.failure.RemoteCalls;
 import org.mechservice.idl.ModelInfo;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 
 /**
  * What the server says of a loaded model.

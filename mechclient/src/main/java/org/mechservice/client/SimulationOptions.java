@@ -30,7 +30,7 @@ import org.mechservice.idl.OPT_STRICT;
 import org.mechservice.idl.OPT_TUNABLE;
 import org.mechservice.idl.OPT_T_END;
 import org.mechservice.idl.OPT_T_STEP;
-import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.result.ColumnGroup;
 
 /**
  * How a model is to be simulated, where that differs from what its file says. Immutable: every

@@ -30,10 +30,10 @@ import org.mechservice.client.run.RunListener;
 import org.mechservice.client.run.RunProgress;
 import org.mechservice.client.run.RunResult;
 import org.mechservice.idl.SimState;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** What the client library promises, against a server whose answers are written down. */

@@ -2,8 +2,8 @@ package org.mechservice.client;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
 
 /** Keeps what a run puts out. */
 final class Rows implements ResultSink {

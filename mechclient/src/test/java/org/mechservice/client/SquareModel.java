@@ -5,7 +5,7 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 
 /** A model in name only. */
 public final class SquareModel implements Model {

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.client.failure.ServerLostException;
 import org.mechservice.client.jar.JarCache;
 import org.mechservice.client.run.RunResult;
-import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.run.Outcome;
 
 /** A client at servers of other versions of the contract. */
 class VersionsTest {

@@ -1,7 +1,7 @@
 package org.mechservice.mechml;
 
 import java.util.List;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.mechanism.Event;
 
 /**

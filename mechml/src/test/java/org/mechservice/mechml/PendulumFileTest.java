@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.mechservice.mechml.resolve.MechmlReader;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;

@@ -16,7 +16,7 @@ import org.mechservice.mechml.expression.ConstantEvaluation;
 import org.mechservice.mechml.expression.ExpressionParser;
 import org.mechservice.mechml.expression.Scope;
 import org.mechservice.mechml.resolve.MechmlReader;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;

@@ -38,9 +38,9 @@ import org.mechservice.report.method.MethodList;
 import org.mechservice.report.method.ModelProblem;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.report.page.ScenePage;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.run.RunSettings;
 
 /** Error against run time of one model: measures it and writes its page. */
 public final class ModelReport {

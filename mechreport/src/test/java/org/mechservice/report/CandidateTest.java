@@ -8,8 +8,8 @@ import org.junit.jupiter.api.Test;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.ModelEvents;
-import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.api.capability.ModelEvents;
+import org.mechservice.solver.api.capability.WatchedModel;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
 class CandidateTest {

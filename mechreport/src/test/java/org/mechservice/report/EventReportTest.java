@@ -28,8 +28,8 @@ import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.report.page.ReliabilityWarnings;
 import org.mechservice.report.page.ScenePage;
-import org.mechservice.solver.api.ModelEvents.Action;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.api.capability.ModelEvents.Action;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.simulation.RuntimeSolver;
 

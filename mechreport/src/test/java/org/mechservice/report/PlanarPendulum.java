@@ -1,11 +1,11 @@
 package org.mechservice.report;
 
 import java.util.List;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.run.RunSettings;
 
 /** q'' = −9.81 sin q − c q', from rest at one radian, for two seconds. */
 public final class PlanarPendulum implements ExplicitModel {

@@ -33,9 +33,9 @@ import org.mechservice.server.hosts.ServerTuning;
 import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.worker.WorkerMain;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.simulation.Simulation;
 import org.omg.CORBA.UserException;
 

@@ -1,8 +1,8 @@
 package org.mechservice.benchmarks.paper;
 
 import java.util.List;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
 
 /** A sink that discards the rows. */
 final class DiscardedRows implements ResultSink {

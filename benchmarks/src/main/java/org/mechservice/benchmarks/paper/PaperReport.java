@@ -28,7 +28,7 @@ import org.mechservice.report.measure.WarmUpRounds;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.MethodList;
 import org.mechservice.report.method.SimulationMethod;
-import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
 
 /** Measures the paper's tables again. */
 public final class PaperReport {

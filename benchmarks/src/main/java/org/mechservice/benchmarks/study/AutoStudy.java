@@ -19,8 +19,8 @@ import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.MethodList;
 import org.mechservice.report.method.ModelProblem;
 import org.mechservice.report.method.SimulationMethod;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.capability.ExplicitModel;
 
 /** Cost of the automatic choice beside that of the best fixed one, on stiff scenes and others. */
 final class AutoStudy implements Study {

@@ -5,9 +5,9 @@ import java.util.List;
 import org.mechservice.client.MechSession;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.report.page.SolverChart;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.ResidualModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.linear.SingularValues;
 
 /** Digits lost in accelerations against the condition of the mass matrix. */

@@ -9,7 +9,7 @@ import org.mechservice.client.MechSession;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.report.page.SolverChart;
-import org.mechservice.solver.api.ResidualModel;
+import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
 

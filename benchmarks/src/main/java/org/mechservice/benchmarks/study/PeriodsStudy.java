@@ -16,9 +16,9 @@ import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.MethodList;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.report.page.SolverChart;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.capability.Energies;
+import org.mechservice.solver.api.result.ColumnGroup;
 
 /** Energy, momentum and open loops over very many periods: bounded, linear or quadratic. */
 final class PeriodsStudy implements Study {

@@ -15,9 +15,9 @@ import org.mechservice.client.failure.ServiceException;
 import org.mechservice.client.run.PreparedRun;
 import org.mechservice.client.run.RunResult;
 import org.mechservice.report.stability.ExtremeCase;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.Outcome;
 
 /** The extreme scenes run on the server and here: the same bits, and the same words. */
 final class ServiceStudy implements Study {

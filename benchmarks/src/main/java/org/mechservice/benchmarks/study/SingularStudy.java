@@ -14,7 +14,7 @@ import org.mechservice.report.measure.StateDistance;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.report.page.SolverChart;
-import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
 
 /** Error against the distance at which a singular position is passed, for each closure. */
 final class SingularStudy implements Study {

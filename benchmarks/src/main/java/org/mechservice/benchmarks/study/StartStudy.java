@@ -13,9 +13,9 @@ import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.MethodList;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.report.page.SolverChart;
-import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.run.RunNotes;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**

@@ -19,16 +19,16 @@ import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.MethodList;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.report.stability.ExtremeCase;
-import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunReport;
-import org.mechservice.solver.api.RunRequest;
-import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.RunRequest;
+import org.mechservice.solver.api.run.RunSettings;
 
 /** Scenes built by the service and runs of them, shared by all studies. */
 public final class StudyContext {

@@ -10,7 +10,7 @@ import org.mechservice.report.measure.StateDistance;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 
 /** The reference of passages near a singular position. */
 class FourBarInLineTest {

@@ -8,7 +8,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.SimulationOptions;
-import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Option;
 

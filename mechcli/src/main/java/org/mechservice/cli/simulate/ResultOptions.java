@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.client.run.RunResult;
-import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.JsonText;
 import org.mechservice.solver.text.ReportText;

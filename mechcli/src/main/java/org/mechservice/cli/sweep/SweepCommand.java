@@ -39,7 +39,7 @@ import org.mechservice.client.sweep.SweepListener;
 import org.mechservice.client.sweep.SweepRow;
 import org.mechservice.client.sweep.UnknownParameterException;
 import org.mechservice.report.ProgressLine;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;

@@ -13,7 +13,7 @@ import java.util.stream.Collectors;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.sweep.SweepGrid;
 import org.mechservice.client.sweep.SweepRow;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.ShortestDecimal;
 

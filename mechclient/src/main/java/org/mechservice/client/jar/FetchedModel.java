@@ -9,11 +9,11 @@ import java.util.ServiceLoader;
 import java.util.Set;
 import org.mechservice.client.failure.JarRefusedException;
 import org.mechservice.client.run.LocalRun;
-import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
-import org.mechservice.solver.api.RunRequest;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.Sha256;
 

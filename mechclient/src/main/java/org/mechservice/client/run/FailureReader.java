@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.StepTried;
-import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** A failure as a server tells it, put together as a run here would tell it. */

@@ -10,17 +10,17 @@ import org.mechservice.client.failure.InvalidStateException;
 import org.mechservice.client.failure.JarRefusedException;
 import org.mechservice.client.failure.RunState;
 import org.mechservice.client.failure.ServiceException;
-import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.ModelSource;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunReport;
-import org.mechservice.solver.api.RunRequest;
-import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.TunableParameter;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.run.Checkpoints;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.RunRequest;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**

@@ -7,8 +7,8 @@ import org.mechservice.client.failure.InvalidOptionException;
 import org.mechservice.client.failure.InvalidStateException;
 import org.mechservice.client.failure.NotAvailableException;
 import org.mechservice.client.failure.ServiceException;
-import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.TunableParameter;
+import org.mechservice.solver.api.result.ResultSink;
 
 /** A run that is ready to start, at the server or on this machine. */
 public sealed interface PreparedRun extends AutoCloseable permits RemoteRun, LocalRun {

@@ -10,9 +10,9 @@ import org.mechservice.client.failure.RemoteCalls;
 import org.mechservice.client.failure.RunState;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.idl.IMechSimRemote;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.Outcome;
 
 /**
  * A run at the server that somebody else has started, or this client before it was lost. It is kept

@@ -19,11 +19,11 @@ import org.mechservice.client.failure.RunState;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.IMechSimRemoteOperations;
-import org.mechservice.solver.api.Failure;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.ResultSink;
 import org.mechservice.solver.api.TunableParameter;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.Failure;
+import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.UserException;
 

@@ -15,8 +15,8 @@ import org.mechservice.idl.MAX_WAIT_MILLIS;
 import org.mechservice.idl.ResultBlock;
 import org.mechservice.idl.ResultBlockHolder;
 import org.mechservice.idl.ResultCursor;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.UserException;
 

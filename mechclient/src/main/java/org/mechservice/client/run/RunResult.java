@@ -3,7 +3,7 @@ package org.mechservice.client.run;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.run.Outcome;
 
 /**
  * How a run ended and what it cost.

@@ -17,9 +17,9 @@ import org.mechservice.client.failure.ServerLostException;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.client.run.RemoteRun;
 import org.mechservice.client.run.RunResult;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** Runs points of a sweep, one after the other in one session; in another where it is lost. */

@@ -17,7 +17,7 @@ import org.mechservice.client.SimulationOptions;
 import org.mechservice.client.failure.ModelMessage;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.client.run.RemoteRun;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 
 /**
  * Runs a model at every point of a grid, as many at once as the hosts of the server have places.

@@ -3,7 +3,7 @@ package org.mechservice.client.sweep;
 import java.io.IOException;
 import java.util.List;
 import org.mechservice.client.failure.ModelMessage;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 
 /** Hears of a sweep as it goes on; no two calls at once. */
 public interface SweepListener {

@@ -8,7 +8,7 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.StepTried;
-import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.catalogue.MessageCode;
 
 class FailureReaderTest {

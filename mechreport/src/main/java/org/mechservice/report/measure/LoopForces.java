@@ -3,11 +3,11 @@ package org.mechservice.report.measure;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.ResultColumns;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.capability.ExtendedModel;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.result.ResultColumns;
+import org.mechservice.solver.api.result.Variable;
 
 /**
  * What states say of the closed loops of a model: how far they are open, and the forces that close

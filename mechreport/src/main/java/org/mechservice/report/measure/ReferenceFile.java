@@ -13,7 +13,7 @@ import java.util.StringJoiner;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 
 /**
  * The file a reference that was made is kept in, to every digit: a report that is taken up again

@@ -8,11 +8,11 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
 import org.mechservice.report.method.Candidate;
-import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunReport;
-import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.api.capability.ExtendedModel;
+import org.mechservice.solver.api.capability.WatchedModel;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunReport;
 
 /**
  * How a run's time divides: the model's methods are timed through a proxy, whose own cost per call

@@ -1,11 +1,11 @@
 package org.mechservice.report.method;
 
 import java.util.function.Supplier;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Solver;
-import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ExtendedModel;
+import org.mechservice.solver.api.capability.WatchedModel;
 
 /**
  * A method with the model built for it.

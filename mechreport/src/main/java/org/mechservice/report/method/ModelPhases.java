@@ -6,13 +6,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
 import org.mechservice.report.reference.Phases;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.ModelEvents;
-import org.mechservice.solver.api.ModelEvents.Action;
-import org.mechservice.solver.api.ModelEvents.Direction;
-import org.mechservice.solver.api.ModelEvents.Kind;
-import org.mechservice.solver.api.RunSettings;
-import org.mechservice.solver.api.StateJumps;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ModelEvents;
+import org.mechservice.solver.api.capability.ModelEvents.Action;
+import org.mechservice.solver.api.capability.ModelEvents.Direction;
+import org.mechservice.solver.api.capability.ModelEvents.Kind;
+import org.mechservice.solver.api.capability.StateJumps;
+import org.mechservice.solver.api.run.RunSettings;
 
 /**
  * A model's events as the reference codes see them: the model says where its functions are zero and

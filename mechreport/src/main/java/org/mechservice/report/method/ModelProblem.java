@@ -3,11 +3,11 @@ package org.mechservice.report.method;
 import java.util.Optional;
 import org.mechservice.report.reference.Phases;
 import org.mechservice.report.reference.Problem;
-import org.mechservice.solver.api.DependentStates;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.ModelEvents;
-import org.mechservice.solver.api.ProjectedStates;
+import org.mechservice.solver.api.capability.DependentStates;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ModelEvents;
+import org.mechservice.solver.api.capability.ProjectedStates;
 
 /**
  * A model's y' = f(t, y) for the reference codes and for differences. Components that follow from

@@ -25,8 +25,8 @@ import org.mechservice.report.measure.StateDistance;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.MethodList;
 import org.mechservice.report.method.ModelProblem;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.run.RunSettings;
 
 /** Runs the suite of stiff and extreme scenes with every method that fits, and writes its page. */
 public final class StabilityReport {

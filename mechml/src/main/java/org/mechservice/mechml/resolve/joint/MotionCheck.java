@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Tape;

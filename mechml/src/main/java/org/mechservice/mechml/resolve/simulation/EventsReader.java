@@ -18,7 +18,7 @@ import org.mechservice.mechml.resolve.value.AttributeText;
 import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Unit;
-import org.mechservice.solver.api.ModelEvents;
+import org.mechservice.solver.api.capability.ModelEvents;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Event;

@@ -137,7 +137,8 @@ final class IntegratorReader {
   }
 
   /**
-   * An integrator and its settings, as {@link org.mechservice.solver.api.RunSettings} defines them.
+   * An integrator and its settings, as {@link org.mechservice.solver.api.run.RunSettings} defines
+   * them.
    *
    * @param name as the file gives it
    * @param relativeTolerance between 0 and 1

@@ -14,7 +14,7 @@ import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.value.SettingReader;
 import org.mechservice.mechml.resolve.value.ValueReader;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.mechanism.Event;

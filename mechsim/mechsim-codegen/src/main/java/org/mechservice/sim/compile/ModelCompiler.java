@@ -27,6 +27,9 @@ public final class ModelCompiler {
       Set.of(
           "org.mechservice.solver.analysis",
           "org.mechservice.solver.api",
+          "org.mechservice.solver.api.capability",
+          "org.mechservice.solver.api.result",
+          "org.mechservice.solver.api.run",
           "org.mechservice.solver.catalogue",
           "org.mechservice.solver.closure",
           "org.mechservice.solver.closure.assembly",

@@ -2,8 +2,8 @@ package org.mechservice.sim.emit;
 
 import org.mechservice.sim.emit.bytes.ClassMethods;
 import org.mechservice.sim.emit.bytes.NumberInstructions;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.result.Variable;
 import org.objectweb.asm.ClassVisitor;
 import org.objectweb.asm.Label;
 import org.objectweb.asm.MethodVisitor;

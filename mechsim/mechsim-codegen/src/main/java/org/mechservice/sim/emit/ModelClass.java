@@ -8,7 +8,7 @@ import org.mechservice.sim.equations.derivatives.ResidualDerivatives;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.ForceElement;

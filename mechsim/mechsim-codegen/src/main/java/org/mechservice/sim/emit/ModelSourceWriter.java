@@ -8,10 +8,10 @@ import org.mechservice.sim.emit.method.NumberText;
 import org.mechservice.sim.emit.source.JavaText;
 import org.mechservice.sim.emit.source.ProgramPrinter;
 import org.mechservice.sim.emit.source.SourceLines;
-import org.mechservice.solver.api.BodyPoses;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.capability.BodyPoses;
+import org.mechservice.solver.api.run.RunSettings;
 
 /**
  * Writes the class of a model as Java source.
@@ -96,7 +96,7 @@ final class ModelSourceWriter {
     List<String> imports = new ArrayList<>();
     imports.add("java.util.Arrays");
     imports.add("org.mechservice.solver.api.ModelDescription");
-    imports.add("org.mechservice.solver.api.RunSettings");
+    imports.add("org.mechservice.solver.api.run.RunSettings");
     if (angles) {
       imports.add("org.mechservice.solver.spatial.SinCos");
     }
@@ -109,8 +109,8 @@ final class ModelSourceWriter {
     }
     if (plan.forces().isPresent()) {
       imports.add("java.util.ArrayList");
-      imports.add("org.mechservice.solver.api.ColumnGroup");
-      imports.add("org.mechservice.solver.api.Variable");
+      imports.add("org.mechservice.solver.api.result.ColumnGroup");
+      imports.add("org.mechservice.solver.api.result.Variable");
     }
     if (!plan.constants().isEmpty()) {
       imports.add(ConstantTable.READER.getName());

@@ -13,7 +13,7 @@ import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarMatrix;
 import org.mechservice.sim.symbolic.ScalarVector;
-import org.mechservice.solver.api.BodyPoses;
+import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.spatial.Rotation;
 
 /**

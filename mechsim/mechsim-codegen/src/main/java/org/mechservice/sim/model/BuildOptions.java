@@ -3,8 +3,8 @@ package org.mechservice.sim.model;
 import java.util.Optional;
 import java.util.Set;
 import org.mechservice.sim.emit.plan.CodeForm;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.run.RunSettings;
 
 /**
  * What a model is to be built for.

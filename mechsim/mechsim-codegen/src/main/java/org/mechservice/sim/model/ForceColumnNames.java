@@ -2,7 +2,7 @@ package org.mechservice.sim.model;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.ForceElement;

@@ -2,7 +2,7 @@ package org.mechservice.sim.model;
 
 import java.util.List;
 import java.util.Set;
-import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.result.ColumnGroup;
 
 /**
  * What is to be said of a generated model; small, while its plan holds every operation.

@@ -10,7 +10,7 @@ import java.util.stream.Stream;
 import org.mechservice.sim.emit.CompactClass;
 import org.mechservice.sim.emit.GeneratedClass;
 import org.mechservice.sim.emit.ModelClass;
-import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.result.ColumnGroup;
 
 /**
  * A model specialised to its scene: what its class computes, planned, ready to be written as Java

@@ -1,7 +1,7 @@
 package org.mechservice.sim.model;
 
 import org.mechservice.sim.scene.ModelBuildException;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Joint;

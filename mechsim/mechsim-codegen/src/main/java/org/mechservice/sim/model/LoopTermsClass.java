@@ -14,7 +14,7 @@ import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.loop.LoopCode;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.symbolic.Program;
-import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;

@@ -19,7 +19,7 @@ import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.sim.symbolic.Program;
-import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.ClosedMechanism;

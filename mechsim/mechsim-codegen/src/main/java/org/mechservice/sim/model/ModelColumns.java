@@ -8,7 +8,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.sim.scene.FormulationChoice;
-import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.compact.CompactModel;
 
 /**

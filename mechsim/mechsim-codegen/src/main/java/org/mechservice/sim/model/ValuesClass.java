@@ -8,7 +8,7 @@ import org.mechservice.sim.emit.ValuesPlan;
 import org.mechservice.sim.equations.PowerEquations;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.symbolic.Program;
-import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.dynamics.event.StateEvents;
 import org.mechservice.solver.expression.ClosureCoordinate;

@@ -7,7 +7,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.sim.compile.SolverClasses;
 import org.mechservice.sim.model.CompiledModel;
-import org.mechservice.solver.api.ColumnGroup;
+import org.mechservice.solver.api.result.ColumnGroup;
 
 /**
  * The classes of the solver that compute one group of further columns each. The class that makes

@@ -4,8 +4,8 @@ import java.util.List;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.RunSettings;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.text.ShortestDecimal;
 
 /** {@code META-INF/modelDescription.xml}: what a model JAR contains, for people and tools. */

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Call;

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.ClosureMethod;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.IntegrationMethod;

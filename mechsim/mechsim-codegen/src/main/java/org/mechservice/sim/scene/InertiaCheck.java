@@ -3,7 +3,7 @@ package org.mechservice.sim.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.kinematics.TreeGeometry;

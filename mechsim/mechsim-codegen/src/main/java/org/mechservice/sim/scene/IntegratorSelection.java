@@ -3,7 +3,7 @@ package org.mechservice.sim.scene;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.mechanism.Mechanism;

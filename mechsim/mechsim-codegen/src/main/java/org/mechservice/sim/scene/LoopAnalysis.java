@@ -2,7 +2,7 @@ package org.mechservice.sim.scene;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.closure.assembly.LoopFinding;

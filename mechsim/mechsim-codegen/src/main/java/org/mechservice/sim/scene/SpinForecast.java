@@ -3,7 +3,7 @@ package org.mechservice.sim.scene;
 import java.util.Locale;
 import java.util.Optional;
 import org.mechservice.solver.api.JointType;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;

@@ -26,7 +26,7 @@ import org.mechservice.sim.model.Omission;
 import org.mechservice.sim.model.RandomForces;
 import org.mechservice.sim.model.RandomTrees;
 import org.mechservice.sim.model.Scenes;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** What a person who knows Java would not write is not in the source of a model. */

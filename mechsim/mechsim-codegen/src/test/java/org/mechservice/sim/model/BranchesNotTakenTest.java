@@ -9,10 +9,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.resolve.MechmlReader;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.LinearisedModel;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.LinearisedModel;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.dynamics.LinearisedResidualModel;
 import org.mechservice.solver.force.user.UserForceSource;
 

@@ -10,8 +10,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.api.capability.ExplicitModel;
 
 /** Evaluates a model in a virtual machine that has done nothing else. */
 public final class FreshMachine {

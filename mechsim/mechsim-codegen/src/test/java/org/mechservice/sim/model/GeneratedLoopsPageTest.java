@@ -21,10 +21,10 @@ import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.equations.derivatives.ResidualDerivatives;
 import org.mechservice.sim.equations.links.Links;
-import org.mechservice.solver.api.DependentStates;
-import org.mechservice.solver.api.Energies;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.LinearisedModel;
+import org.mechservice.solver.api.capability.DependentStates;
+import org.mechservice.solver.api.capability.Energies;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.LinearisedModel;
 
 /** Agreement and speed of code for loops; the soak run writes them to a page of docs/reports. */
 @Tag("soak")

@@ -26,10 +26,10 @@ import org.mechservice.sim.compile.ModelCompiler;
 import org.mechservice.sim.equations.loop.GeneratedLoopsTest;
 import org.mechservice.sim.user.UserClasses;
 import org.mechservice.sim.user.UserFile;
-import org.mechservice.solver.api.Defects;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.ResidualModel;
+import org.mechservice.solver.api.capability.Defects;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** Code for loops that forces of users are put to, against the same closures driven by data. */

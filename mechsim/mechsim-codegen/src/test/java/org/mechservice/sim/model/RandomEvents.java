@@ -8,7 +8,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.solver.api.JointType;
-import org.mechservice.solver.api.ModelEvents;
+import org.mechservice.solver.api.capability.ModelEvents;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;

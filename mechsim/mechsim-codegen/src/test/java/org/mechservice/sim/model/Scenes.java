@@ -15,7 +15,7 @@ import java.util.Map;
 import java.util.Objects;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.SimulationSettings;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Joint;

@@ -18,17 +18,17 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
-import org.mechservice.solver.api.ColumnGroup;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunReport;
-import org.mechservice.solver.api.RunRequest;
-import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.TunableParameter;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.RunRequest;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
 /** A parameter set before the start does what the same value in the file does, to the last bit. */

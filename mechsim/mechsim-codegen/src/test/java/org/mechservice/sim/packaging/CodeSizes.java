@@ -25,8 +25,8 @@ import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.model.Omission;
 import org.mechservice.sim.model.StandaloneMain;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.run.RunSettings;
 
 /** Tables of the sizes of generated models and of what their generation takes. */
 final class CodeSizes {

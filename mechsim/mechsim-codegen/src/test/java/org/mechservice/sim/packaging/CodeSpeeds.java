@@ -16,8 +16,8 @@ import org.mechservice.sim.model.GeneratedModel;
 import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.model.RandomTrees;
 import org.mechservice.sim.model.Scenes;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.ResidualModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** Tables of what one evaluation by generated code takes, and of what its forms take. */

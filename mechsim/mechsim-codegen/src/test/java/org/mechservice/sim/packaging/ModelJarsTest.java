@@ -37,8 +37,8 @@ import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.model.Scenes;
 import org.mechservice.sim.user.PushedCart;
 import org.mechservice.sim.user.UserClasses;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.text.Sha256;
 
 class ModelJarsTest {
@@ -97,7 +97,9 @@ class ModelJarsTest {
     byte[] bytes = entries(ModelJars.model(pendulum("DE"), SHA)).get(MODEL);
     String constants = new String(bytes, StandardCharsets.ISO_8859_1);
     assertThat(constants)
-        .contains("org/mechservice/solver/spatial/SinCos", "org/mechservice/solver/api/Energies")
+        .contains(
+            "org/mechservice/solver/spatial/SinCos",
+            "org/mechservice/solver/api/capability/Energies")
         .doesNotContain("BodyPoses", "Quaternion", "EulerParameters", "poses", "sqrt", "List")
         .doesNotContain("StringConcatFactory", "LineNumberTable", "LocalVariableTable");
   }

@@ -6,7 +6,7 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
-import org.mechservice.solver.api.Checkpoints;
+import org.mechservice.solver.api.run.Checkpoints;
 
 /**
  * The checkpoints that a worker starts from and makes.

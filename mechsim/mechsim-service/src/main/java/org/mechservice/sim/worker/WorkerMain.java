@@ -13,13 +13,13 @@ import java.util.ServiceLoader;
 import java.util.concurrent.Semaphore;
 import org.mechservice.sim.compile.ModelClassLoader;
 import org.mechservice.sim.user.UserClasses;
-import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.ModelSource;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunReport;
 import org.mechservice.solver.api.Solver;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.Checkpoints;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunReport;
 
 /** Main class of a worker process: computes one run and ends. */
 public final class WorkerMain implements ResultSink {

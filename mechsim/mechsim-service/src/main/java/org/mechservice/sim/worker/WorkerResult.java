@@ -5,8 +5,8 @@ import java.io.DataOutputStream;
 import java.io.IOException;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import org.mechservice.solver.api.Failure;
-import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.run.Failure;
+import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**

@@ -1,5 +1,9 @@
 package org.mechservice.solver.api;
 
+import org.mechservice.solver.api.capability.BodyPoses;
+import org.mechservice.solver.api.capability.Energies;
+import org.mechservice.solver.api.capability.ExplicitModel;
+
 /**
  * A mechanism ready to be simulated: what it is called, how its state is laid out, where it starts.
  *

@@ -2,6 +2,8 @@ package org.mechservice.solver.api;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.RunSettings;
 
 /**
  * What a model says of itself.

@@ -1,6 +1,11 @@
 package org.mechservice.solver.api;
 
 import java.io.IOException;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.run.Checkpoints;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.RunRequest;
 
 /**
  * Runs models. The runtime JAR offers its implementation as a service ({@link

@@ -1,12 +1,20 @@
 /**
- * The interface between a generated model and the solver that runs it.
+ * The interface between a generated model, the forces that users write, and the solver that runs
+ * both.
  *
- * <p>{@link Model} is the main type. A model supplies its equations in explicit or residual form.
- * The other types describe the settings of a run, its control, its rows, its notes and its report.
+ * <p>{@link Model} is the main type: a name, a description and an initial state. {@link
+ * ModelSource} makes models from values of tunable parameters, and {@link Solver} runs one. What a
+ * model can compute beyond that, it says by the interfaces of {@code api.capability}. A run is
+ * requested, steered and reported by the types of {@code api.run}; its rows are described by those
+ * of {@code api.result}.
  *
- * <p>The package uses only types of java.base. A model JAR is compiled against this package alone.
- * In local mode the client and the fetched solver share this package and the form in which the
- * fetched classes are packed. {@link Model#API_VERSION} is the version of both: a JAR built for
- * another version is refused before it is unpacked.
+ * <p>{@link UserForce} is what users implement for a force of their own, with {@link
+ * ForceDeclaration}, {@link ForceState}, {@link ForceLoads} and {@link ForceBlocks}. Their sources
+ * are compiled against this package alone.
+ *
+ * <p>The packages below {@code solver.api} use only types of java.base and of {@code
+ * solver.catalogue}. A model JAR is compiled against them. In local mode the client and the fetched
+ * solver share them. {@link Model#API_VERSION} is their version: a JAR that was built for another
+ * version is refused.
  */
 package org.mechservice.solver.api;

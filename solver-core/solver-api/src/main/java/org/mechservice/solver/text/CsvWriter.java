@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
 
 /**
  * Writes rows as CSV (RFC 4180, UTF-8): one header line, then one line per row, every number as the

@@ -33,7 +33,7 @@ public final class ReportText {
   /**
    * Returns the report as text, ending with a line feed.
    *
-   * @param report entries as in {@link org.mechservice.solver.api.RunReport#asMap()}
+   * @param report entries as in {@link org.mechservice.solver.api.run.RunReport#asMap()}
    */
   public static String format(Map<String, Object> report) {
     int width = report.keySet().stream().mapToInt(key -> label(key).length()).max().orElse(0);

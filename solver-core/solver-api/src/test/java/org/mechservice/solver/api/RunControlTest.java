@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import org.junit.jupiter.api.Test;
+import org.mechservice.solver.api.run.RunControl;
 
 class RunControlTest {
   private static final long PATIENCE_MILLIS = 60_000;

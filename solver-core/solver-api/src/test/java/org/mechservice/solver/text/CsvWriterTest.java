@@ -8,7 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 
 class CsvWriterTest {
   private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();

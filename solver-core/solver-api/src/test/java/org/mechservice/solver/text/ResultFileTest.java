@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 
 class ResultFileTest {
   private static final List<Variable> COLUMNS = List.of(new Variable("t", "s"));

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.closure.assembly.Assembly;
 import org.mechservice.solver.closure.assembly.LoopFinding;
 import org.mechservice.solver.closure.assembly.RankAnalysis;

@@ -2,8 +2,8 @@ package org.mechservice.solver.closure;
 
 import java.util.Arrays;
 import java.util.Optional;
-import org.mechservice.solver.api.BodyPoses;
-import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.capability.BodyPoses;
+import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.closure.equations.LoopTerms;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;

@@ -2,7 +2,7 @@ package org.mechservice.solver.closure;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.solver.api.Defects.Defect;
+import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.closure.assembly.ScaledJacobian;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.dynamics.recursion.JointReactions;

@@ -2,7 +2,7 @@ package org.mechservice.solver.closure;
 
 import java.util.Arrays;
 import java.util.Optional;
-import org.mechservice.solver.api.Defects;
+import org.mechservice.solver.api.capability.Defects;
 import org.mechservice.solver.closure.equations.LoopTerms;
 import org.mechservice.solver.dynamics.UserForceSlopes;
 import org.mechservice.solver.dynamics.UserLoads;

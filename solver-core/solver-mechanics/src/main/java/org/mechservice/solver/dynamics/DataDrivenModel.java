@@ -1,6 +1,6 @@
 package org.mechservice.solver.dynamics;
 
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.dynamics.recursion.ArticulatedBody;
 import org.mechservice.solver.dynamics.tree.PivotCheck;

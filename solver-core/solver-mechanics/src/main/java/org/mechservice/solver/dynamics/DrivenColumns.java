@@ -3,7 +3,7 @@ package org.mechservice.solver.dynamics;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.JointType;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Joint;

@@ -2,8 +2,8 @@ package org.mechservice.solver.dynamics;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.solver.api.LinearisedModel;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.capability.LinearisedModel;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;

@@ -1,6 +1,6 @@
 package org.mechservice.solver.dynamics;
 
-import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.dynamics.tree.PivotCheck;
 import org.mechservice.solver.dynamics.tree.TreeMatrix;
 import org.mechservice.solver.kinematics.TreeMotion;

@@ -1,7 +1,7 @@
 package org.mechservice.solver.dynamics;
 
-import org.mechservice.solver.api.ResidualModel;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.capability.ResidualModel;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;

@@ -3,7 +3,7 @@ package org.mechservice.solver.dynamics;
 import static org.mechservice.solver.spatial.Blocks.dot;
 
 import java.util.Arrays;
-import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.dynamics.recursion.CompositeInertias;
 import org.mechservice.solver.dynamics.recursion.LinkInertias;
 import org.mechservice.solver.dynamics.recursion.MassiveRods;

@@ -1,6 +1,6 @@
 package org.mechservice.solver.dynamics;
 
-import org.mechservice.solver.api.ResidualModel;
+import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** A generated residual (RR) with forces that users have written as classes. */

@@ -2,8 +2,8 @@ package org.mechservice.solver.dynamics;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.solver.api.LinearisedModel;
-import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.api.capability.LinearisedModel;
+import org.mechservice.solver.api.run.RunNotes;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
 import org.mechservice.solver.dynamics.tree.TreePattern;

@@ -2,8 +2,8 @@ package org.mechservice.solver.dynamics;
 
 import java.util.List;
 import java.util.Optional;
-import org.mechservice.solver.api.Defects;
-import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.capability.Defects;
+import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.user.UserForceSource;

@@ -2,8 +2,8 @@ package org.mechservice.solver.dynamics;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.dynamics.tree.PivotCheck;
 

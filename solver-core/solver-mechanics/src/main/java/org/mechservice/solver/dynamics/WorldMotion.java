@@ -56,8 +56,8 @@ public final class WorldMotion {
   }
 
   /**
-   * Writes pose and velocity of every body frame, as {@link org.mechservice.solver.api.BodyPoses}
-   * says.
+   * Writes pose and velocity of every body frame, as {@link
+   * org.mechservice.solver.api.capability.BodyPoses} says.
    *
    * @param poses 13 numbers per body in file order; overwritten
    */

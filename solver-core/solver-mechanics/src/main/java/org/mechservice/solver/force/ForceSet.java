@@ -2,8 +2,8 @@ package org.mechservice.solver.force;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.solver.api.Defects.Defect;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.capability.Defects.Defect;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.force.applied.AppliedForce;
 import org.mechservice.solver.force.applied.Couplings;
 import org.mechservice.solver.force.applied.ForceJacobian;

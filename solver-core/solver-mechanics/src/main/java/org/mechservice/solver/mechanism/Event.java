@@ -1,7 +1,7 @@
 package org.mechservice.solver.mechanism;
 
 import java.util.List;
-import org.mechservice.solver.api.ModelEvents;
+import org.mechservice.solver.api.capability.ModelEvents;
 import org.mechservice.solver.expression.Expression;
 
 /**

@@ -1,7 +1,7 @@
 package org.mechservice.solver.analysis;
 
 import java.util.List;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 
 /** One group of result columns, read from equations of motion that have been balanced. */
 interface ColumnValues {

@@ -2,7 +2,7 @@ package org.mechservice.solver.analysis;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.closure.equations.LoopEquations;
 
 /**

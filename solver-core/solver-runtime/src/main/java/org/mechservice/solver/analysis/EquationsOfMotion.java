@@ -1,7 +1,7 @@
 package org.mechservice.solver.analysis;
 
 import java.util.Arrays;
-import org.mechservice.solver.api.Defects.Defect;
+import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.closure.assembly.ScaledJacobian;
 import org.mechservice.solver.closure.equations.CoordinateUnits;
 import org.mechservice.solver.closure.equations.LoopEquations;

@@ -1,11 +1,11 @@
 package org.mechservice.solver.analysis;
 
 import java.util.Set;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ExtendedModel;
+import org.mechservice.solver.api.capability.WatchedModel;
+import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.compact.CompactSource;
 

@@ -2,7 +2,7 @@ package org.mechservice.solver.analysis;
 
 import java.util.Arrays;
 import java.util.Optional;
-import org.mechservice.solver.api.Defects.Defect;
+import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.linear.SingularValues;

@@ -2,7 +2,7 @@ package org.mechservice.solver.analysis;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.solver.api.Defects.Defect;
+import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.recursion.MassiveRods;
 import org.mechservice.solver.dynamics.tree.TreePattern;

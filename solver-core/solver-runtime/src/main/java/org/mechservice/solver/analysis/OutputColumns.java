@@ -1,7 +1,7 @@
 package org.mechservice.solver.analysis;
 
 import java.util.List;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.force.formula.ExpressionInputs;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Output;

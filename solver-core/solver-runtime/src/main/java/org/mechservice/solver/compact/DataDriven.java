@@ -1,7 +1,7 @@
 package org.mechservice.solver.compact;
 
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.ClosedMechanism;

@@ -4,21 +4,21 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
-import org.mechservice.solver.api.AlgebraicModel;
-import org.mechservice.solver.api.Defects;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.ResultTable;
-import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunNotes;
-import org.mechservice.solver.api.RunReport;
-import org.mechservice.solver.api.RunRequest;
-import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.capability.AlgebraicModel;
+import org.mechservice.solver.api.capability.Defects;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ExtendedModel;
+import org.mechservice.solver.api.capability.ResultTable;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunNotes;
+import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.RunRequest;
+import org.mechservice.solver.api.run.RunSettings;
 
 /** Runs models that need no integration: one state after the other, or one table. */
 public final class AnalysisSolver implements Solver {

@@ -2,11 +2,11 @@ package org.mechservice.solver.simulation;
 
 import java.io.IOException;
 import java.util.Optional;
-import org.mechservice.solver.api.Checkpoints;
-import org.mechservice.solver.api.DependentStates;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.ModelState;
-import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.capability.DependentStates;
+import org.mechservice.solver.api.capability.ModelState;
+import org.mechservice.solver.api.run.Checkpoints;
+import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.SavedState;
 

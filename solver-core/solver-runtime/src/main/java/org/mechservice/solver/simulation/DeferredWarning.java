@@ -2,9 +2,9 @@ package org.mechservice.solver.simulation;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.RunNotes.Note;
-import org.mechservice.solver.api.RunReport;
+import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.api.run.RunNotes.Note;
+import org.mechservice.solver.api.run.RunReport;
 
 /** A warning that can be decided only at the end of a run. */
 final class DeferredWarning {

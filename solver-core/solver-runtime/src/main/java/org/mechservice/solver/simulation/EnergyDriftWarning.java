@@ -1,13 +1,13 @@
 package org.mechservice.solver.simulation;
 
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.ExtendedModel;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.PowerInput;
-import org.mechservice.solver.api.RunNotes.Note;
-import org.mechservice.solver.api.RunReport;
-import org.mechservice.solver.api.RunRequest;
-import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.api.capability.ExtendedModel;
+import org.mechservice.solver.api.capability.PowerInput;
+import org.mechservice.solver.api.capability.WatchedModel;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.run.RunNotes.Note;
+import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** Warns if the energy balance of a run shows that its motion is wrong. */

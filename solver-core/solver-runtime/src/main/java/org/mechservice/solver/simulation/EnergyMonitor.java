@@ -1,9 +1,9 @@
 package org.mechservice.solver.simulation;
 
 import java.util.OptionalDouble;
-import org.mechservice.solver.api.Energies;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.PowerInput;
+import org.mechservice.solver.api.capability.Energies;
+import org.mechservice.solver.api.capability.PowerInput;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.SavedState;
 

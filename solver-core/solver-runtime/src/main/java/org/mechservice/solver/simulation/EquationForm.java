@@ -1,7 +1,7 @@
 package org.mechservice.solver.simulation;
 
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 
 /**
  * How a model's equations are handed to an integrator. A JAR for one scene carries one form, so

@@ -2,8 +2,8 @@ package org.mechservice.solver.simulation;
 
 import java.util.Locale;
 import java.util.Optional;
-import org.mechservice.solver.api.Defects;
-import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.capability.Defects;
+import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** Says why a run could not go on after an event. */

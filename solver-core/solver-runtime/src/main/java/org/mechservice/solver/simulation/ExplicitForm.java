@@ -1,7 +1,7 @@
 package org.mechservice.solver.simulation;
 
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** y' = f(t, y) of open chains. */

@@ -1,9 +1,9 @@
 package org.mechservice.solver.simulation;
 
-import org.mechservice.solver.api.DependentStates;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.ProjectedStates;
+import org.mechservice.solver.api.capability.DependentStates;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ProjectedStates;
 import org.mechservice.solver.ode.ProjectedSystem;
 
 /** y' = f(t, y) of mechanisms with closed loops. */

@@ -1,6 +1,6 @@
 package org.mechservice.solver.simulation;
 
-import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.StepResult;

@@ -1,9 +1,9 @@
 package org.mechservice.solver.simulation;
 
 import java.util.Arrays;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.capability.ExplicitModel;
 
 /**
  * Motion of one velocity coordinate with its own position while the other independent ones stand

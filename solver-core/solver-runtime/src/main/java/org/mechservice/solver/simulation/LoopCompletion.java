@@ -1,6 +1,6 @@
 package org.mechservice.solver.simulation;
 
-import org.mechservice.solver.api.DependentStates;
+import org.mechservice.solver.api.capability.DependentStates;
 import org.mechservice.solver.ode.CompletedSystem;
 
 /** What a model knows of its dependent states, in the integrator's words. */

@@ -2,7 +2,7 @@ package org.mechservice.solver.simulation;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.api.run.RunNotes;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.MethodChange;

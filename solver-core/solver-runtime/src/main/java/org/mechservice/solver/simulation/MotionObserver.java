@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.RunNotes.Note;
-import org.mechservice.solver.api.RunReport;
-import org.mechservice.solver.api.RunSettings;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.RunNotes.Note;
+import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**

@@ -1,6 +1,6 @@
 package org.mechservice.solver.simulation;
 
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**

@@ -1,10 +1,10 @@
 package org.mechservice.solver.simulation;
 
-import org.mechservice.solver.api.DependentStates;
-import org.mechservice.solver.api.LinearisedModel;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.ProjectedStates;
-import org.mechservice.solver.api.ResidualModel;
+import org.mechservice.solver.api.capability.DependentStates;
+import org.mechservice.solver.api.capability.LinearisedModel;
+import org.mechservice.solver.api.capability.ProjectedStates;
+import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.LinearisedSystem;
 import org.mechservice.solver.ode.ProjectedSystem;

@@ -1,9 +1,9 @@
 package org.mechservice.solver.simulation;
 
 import java.util.Optional;
-import org.mechservice.solver.api.Defects;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.ResidualModel;
+import org.mechservice.solver.api.capability.Defects;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.ResidualIntegrator;

@@ -6,13 +6,13 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.mechservice.solver.api.BodyPoses;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.Energies;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.ResultColumns;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.capability.BodyPoses;
+import org.mechservice.solver.api.capability.Energies;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.result.ResultColumns;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** Which columns a row has, and where each group begins. */

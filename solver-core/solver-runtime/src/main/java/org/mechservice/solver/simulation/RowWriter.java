@@ -2,15 +2,15 @@ package org.mechservice.solver.simulation;
 
 import java.io.IOException;
 import java.util.List;
-import org.mechservice.solver.api.BodyPoses;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.Energies;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.PowerInput;
-import org.mechservice.solver.api.ResultColumns;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.RunNotes.Note;
-import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.capability.BodyPoses;
+import org.mechservice.solver.api.capability.Energies;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.PowerInput;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.result.ResultColumns;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.run.RunNotes.Note;
+import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.ode.SavedState;
 
 /** Completes states to rows and hands them to the sink. */

@@ -2,9 +2,9 @@ package org.mechservice.solver.simulation;
 
 import java.util.List;
 import java.util.Optional;
-import org.mechservice.solver.api.Failure;
-import org.mechservice.solver.api.MomentumBalance;
-import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.api.capability.MomentumBalance;
+import org.mechservice.solver.api.run.Failure;
+import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.ode.Integrator;
 
 /** What happens along a run besides its equations: here, nothing. */

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.EulerParameters;
 

@@ -1,9 +1,9 @@
 package org.mechservice.solver.simulation;
 
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.ModelEvents;
-import org.mechservice.solver.api.RunSettings;
-import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.api.capability.ModelEvents;
+import org.mechservice.solver.api.capability.WatchedModel;
+import org.mechservice.solver.api.run.RunSettings;
 
 /**
  * The equations of models along whose runs something happens. Apart from the other forms, so that a

@@ -2,8 +2,8 @@ package org.mechservice.solver.simulation;
 
 import java.util.Optional;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.MomentumBalance;
-import org.mechservice.solver.api.PowerInput;
+import org.mechservice.solver.api.capability.MomentumBalance;
+import org.mechservice.solver.api.capability.PowerInput;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.SavedState;
 

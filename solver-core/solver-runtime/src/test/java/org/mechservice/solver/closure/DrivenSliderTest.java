@@ -8,7 +8,7 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.solver.api.JointType;
-import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.closure.Linkages.Hinge;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Body;

@@ -1,7 +1,7 @@
 package org.mechservice.solver.closure;
 
 import java.util.List;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.closure.JumpingLoops.Law;
 import org.mechservice.solver.closure.JumpingLoops.Side;
 import org.mechservice.solver.closure.model.ProjectionModel;

@@ -1,6 +1,6 @@
 package org.mechservice.solver.closure;
 
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.closure.model.LinearisedProjectionModel;
 import org.mechservice.solver.closure.model.LoopModel;
 import org.mechservice.solver.closure.model.PenaltyModel;

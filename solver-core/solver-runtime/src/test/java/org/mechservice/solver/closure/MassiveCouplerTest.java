@@ -8,7 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.api.JointType;
-import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.closure.Linkages.Hinge;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.mechanism.Attachment;

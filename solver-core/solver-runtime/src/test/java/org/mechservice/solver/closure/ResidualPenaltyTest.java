@@ -8,8 +8,8 @@ import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.closure.model.ResidualPenaltyModel;
 import org.mechservice.solver.scenes.SharedScene;
 

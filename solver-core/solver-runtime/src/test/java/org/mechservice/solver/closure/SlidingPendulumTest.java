@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.closure.model.ProjectionModel;
 import org.mechservice.solver.force.user.UserForceSource;
 

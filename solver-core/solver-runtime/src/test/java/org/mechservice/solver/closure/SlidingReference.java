@@ -1,8 +1,8 @@
 package org.mechservice.solver.closure;
 
 import java.util.Arrays;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.closure.JumpingLoops.Law;
 import org.mechservice.solver.closure.JumpingLoops.Side;
 import org.mechservice.solver.closure.model.ProjectionModel;

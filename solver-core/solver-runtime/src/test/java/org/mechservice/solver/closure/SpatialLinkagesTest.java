@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.api.JointType;
-import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.closure.Linkages.Hinge;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;

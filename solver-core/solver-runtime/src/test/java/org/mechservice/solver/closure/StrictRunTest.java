@@ -3,8 +3,8 @@ package org.mechservice.solver.closure;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.model.LoopModel;
 import org.mechservice.solver.mechanism.Mechanism;

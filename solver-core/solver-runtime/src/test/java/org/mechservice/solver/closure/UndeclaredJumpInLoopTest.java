@@ -11,8 +11,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.closure.JumpingLoops.Law;
 import org.mechservice.solver.closure.JumpingLoops.Side;
 

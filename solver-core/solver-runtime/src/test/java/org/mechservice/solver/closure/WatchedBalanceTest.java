@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
-import org.mechservice.solver.api.Outcome;
+import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.model.LoopModel;
 import org.mechservice.solver.scenes.SharedScene;

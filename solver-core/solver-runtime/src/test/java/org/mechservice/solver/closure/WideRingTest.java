@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.api.run.RunSettings;
 
 /** Rings of many bodies: their equations have arms as long as the ring is wide. */
 class WideRingTest {

@@ -12,18 +12,18 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.mechservice.solver.api.Checkpoints;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.DependentStates;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.ModelState;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.ResidualModel;
-import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunReport;
-import org.mechservice.solver.api.RunRequest;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.capability.DependentStates;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ModelState;
+import org.mechservice.solver.api.capability.ResidualModel;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.run.Checkpoints;
+import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.RunRequest;
+import org.mechservice.solver.api.run.RunSettings;
 
 /** A run taken up from a checkpoint has the rows and the report of one never interrupted. */
 class CheckpointTest {

@@ -6,13 +6,13 @@ import java.io.IOException;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import org.mechservice.solver.api.Failure;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.PowerInput;
-import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunReport;
-import org.mechservice.solver.api.RunRequest;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.capability.PowerInput;
+import org.mechservice.solver.api.run.Failure;
+import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.RunRequest;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** An energy balance that is far off tells of a motion that is wrong. */

@@ -1,12 +1,12 @@
 package org.mechservice.solver.simulation;
 
 import java.util.List;
-import org.mechservice.solver.api.Energies;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.capability.Energies;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.run.RunSettings;
 
 /** A unit mass on a unit spring, displaced by 1: q = cos t. */
 class HarmonicOscillator implements ExplicitModel, Energies {

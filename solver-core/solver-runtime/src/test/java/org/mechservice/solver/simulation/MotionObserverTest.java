@@ -6,11 +6,11 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunNotes.Note;
-import org.mechservice.solver.api.RunReport;
-import org.mechservice.solver.api.RunRequest;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunNotes.Note;
+import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.RunRequest;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** A mass on a spring, displaced by so little, or so loosely followed, that no test sees it. */

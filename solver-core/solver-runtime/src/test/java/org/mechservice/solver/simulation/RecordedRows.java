@@ -2,8 +2,8 @@ package org.mechservice.solver.simulation;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
 
 /** Keeps the rows of a run. */
 final class RecordedRows implements ResultSink {

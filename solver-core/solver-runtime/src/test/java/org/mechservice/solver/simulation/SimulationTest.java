@@ -14,17 +14,17 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.Failure;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunReport;
-import org.mechservice.solver.api.RunRequest;
-import org.mechservice.solver.api.RunSettings;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.Failure;
+import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.RunRequest;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 
 class SimulationTest {

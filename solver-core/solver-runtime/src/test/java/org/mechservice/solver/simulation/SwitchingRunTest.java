@@ -7,14 +7,14 @@ import java.io.IOException;
 import java.util.EnumSet;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.PowerInput;
-import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunNotes;
-import org.mechservice.solver.api.RunReport;
-import org.mechservice.solver.api.RunRequest;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.capability.PowerInput;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunNotes;
+import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.RunRequest;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** A run that changes its method where the motion gets stiff says so, and when. */

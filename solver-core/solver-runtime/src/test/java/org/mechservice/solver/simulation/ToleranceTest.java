@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;

@@ -8,12 +8,12 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.PowerInput;
-import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunReport;
-import org.mechservice.solver.api.RunRequest;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.capability.PowerInput;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.RunRequest;
+import org.mechservice.solver.api.run.RunSettings;
 
 /** Work of what has no energy of its own. */
 class WorkMeterTest {

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.mechanism.FiveBarPendulum;
 import org.mechservice.solver.ode.adams.De;

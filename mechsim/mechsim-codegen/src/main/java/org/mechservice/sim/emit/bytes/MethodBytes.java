@@ -12,7 +12,7 @@ import org.mechservice.sim.emit.method.ValueLocation;
 import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
-import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
 import org.objectweb.asm.Label;
 import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;

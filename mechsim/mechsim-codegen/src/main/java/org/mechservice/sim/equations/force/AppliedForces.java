@@ -22,7 +22,7 @@ import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.sim.symbolic.Substitution;
-import org.mechservice.solver.api.DirectedForces;
+import org.mechservice.solver.api.capability.DirectedForces;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;

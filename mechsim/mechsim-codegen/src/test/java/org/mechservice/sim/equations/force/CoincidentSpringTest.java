@@ -15,9 +15,9 @@ import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.scene.ModelBuildException;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.ExplicitModel;
-import org.mechservice.solver.api.WatchedModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.WatchedModel;
+import org.mechservice.solver.api.result.ColumnGroup;
 
 /** A spring whose points coincide wherever the joints are, in generated code. */
 class CoincidentSpringTest {

@@ -18,12 +18,12 @@ import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.model.RandomForces;
 import org.mechservice.sim.model.RandomTrees;
 import org.mechservice.sim.model.Scenes;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.Energies;
-import org.mechservice.solver.api.ExplicitModel;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.PowerInput;
-import org.mechservice.solver.api.ResultColumns;
+import org.mechservice.solver.api.capability.Energies;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.PowerInput;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.result.ResultColumns;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.mechanism.Mechanism;
 

@@ -8,8 +8,8 @@ import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.Severity;
 import org.mechservice.idl.StepTried;
-import org.mechservice.solver.api.Failure;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** Converts diagnostics, columns, failures and maps to the types of the contract. */

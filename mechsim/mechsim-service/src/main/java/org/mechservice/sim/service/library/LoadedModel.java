@@ -27,7 +27,7 @@ import org.mechservice.sim.user.UserClasses;
 import org.mechservice.sim.user.UserFile;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.text.Sha256;
 

@@ -11,7 +11,7 @@ import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.sim.scene.Finding;
 import org.mechservice.sim.scene.RunForecast;
 import org.mechservice.sim.scene.SceneAnalysis;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Severity;
 
 /** The warnings of a model and of its runs that are known before a run begins. */

@@ -11,8 +11,8 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.mechservice.idl.NotFound;
 import org.mechservice.sim.service.contract.ContractErrors;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.result.Variable;
 
 /**
  * The columns of a run.

@@ -17,7 +17,7 @@ import org.mechservice.idl.SimEvent;
 import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.idl.StepTried;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 
 /**
  * The record of a run: all that is kept of it besides its rows.

@@ -9,13 +9,13 @@ import org.mechservice.sim.worker.WorkerResult;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.ModelSource;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunReport;
-import org.mechservice.solver.api.RunRequest;
-import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.TunableParameter;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.RunRequest;
+import org.mechservice.solver.api.run.RunSettings;
 
 /**
  * Computes in this process.

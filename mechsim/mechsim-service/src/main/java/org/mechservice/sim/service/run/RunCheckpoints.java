@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
-import org.mechservice.solver.api.Checkpoints;
 import org.mechservice.solver.api.TunableParameter;
+import org.mechservice.solver.api.run.Checkpoints;
 
 /**
  * The checkpoints of one run: the one it starts from, and the latest it has made, when a client

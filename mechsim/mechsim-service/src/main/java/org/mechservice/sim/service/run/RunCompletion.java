@@ -15,7 +15,7 @@ import org.mechservice.sim.service.results.ResultSpool;
 import org.mechservice.sim.service.results.RunFiles;
 import org.mechservice.sim.service.results.RunRecord;
 import org.mechservice.sim.service.results.RunStore;
-import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.run.RunControl;
 
 /**
  * Ends a run exactly once and stores its outcome.

@@ -9,9 +9,9 @@ import org.mechservice.sim.service.results.RunColumns;
 import org.mechservice.sim.service.results.RunStore;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
-import org.mechservice.solver.api.RunRequest;
-import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.api.run.RunRequest;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.simulation.Simulation;
 
 /** Makes simulations that a host's queue runs. */

@@ -3,7 +3,7 @@ package org.mechservice.sim.service.run;
 import org.mechservice.idl.InvalidState;
 import org.mechservice.idl.SimState;
 import org.mechservice.sim.service.contract.ContractErrors;
-import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.run.RunControl;
 
 /**
  * The state machine of one run, with the times at which it begins and ends.

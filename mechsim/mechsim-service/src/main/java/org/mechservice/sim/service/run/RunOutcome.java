@@ -9,9 +9,9 @@ import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.LimitReachedException;
 import org.mechservice.sim.worker.WorkerLostException;
 import org.mechservice.sim.worker.WorkerResult;
-import org.mechservice.solver.api.Failure;
-import org.mechservice.solver.api.Outcome;
-import org.mechservice.solver.api.RunControl;
+import org.mechservice.solver.api.run.Failure;
+import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**

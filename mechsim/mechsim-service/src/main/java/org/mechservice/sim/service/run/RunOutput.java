@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.mechservice.sim.service.results.ResultSpool;
 import org.mechservice.sim.service.results.RunColumns;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.RunControl;
 
 /**
  * Takes the rows of a run, and knows the state it has reached, its energy drift and its constraint

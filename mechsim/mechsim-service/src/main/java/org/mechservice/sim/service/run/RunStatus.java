@@ -16,8 +16,8 @@ import org.mechservice.orb.ServiceVersion;
 import org.mechservice.sim.service.contract.ContractTypes;
 import org.mechservice.sim.service.results.RunIdentity;
 import org.mechservice.sim.service.results.RunRecord;
-import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunSettings;
 
 /**
  * The views of one run: its progress for its client, its summary and curves for administrators, its

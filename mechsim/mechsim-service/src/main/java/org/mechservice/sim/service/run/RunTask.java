@@ -8,10 +8,10 @@ import org.mechservice.sim.worker.WorkerLostException;
 import org.mechservice.sim.worker.WorkerResult;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.TunableParameter;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunSettings;
 
 /** The computation of one run, in this process or in one of its own; runs once. */
 public interface RunTask {

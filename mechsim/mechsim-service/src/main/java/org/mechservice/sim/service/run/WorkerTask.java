@@ -10,11 +10,11 @@ import org.mechservice.sim.worker.WorkerProcess;
 import org.mechservice.sim.worker.WorkerResult;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.ResultSink;
-import org.mechservice.solver.api.RunControl;
-import org.mechservice.solver.api.RunRequest;
-import org.mechservice.solver.api.RunSettings;
 import org.mechservice.solver.api.TunableParameter;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunRequest;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.simulation.Simulation;
 
 /** Computes in a process of its own, the only place where classes of users are loaded. */

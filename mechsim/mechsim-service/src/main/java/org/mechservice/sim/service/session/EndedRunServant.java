@@ -15,7 +15,7 @@ import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.contract.ContractTypes;
 import org.mechservice.sim.service.results.ResultCursors;
 import org.mechservice.sim.service.results.RunStore;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 import org.omg.CORBA.DoubleHolder;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 

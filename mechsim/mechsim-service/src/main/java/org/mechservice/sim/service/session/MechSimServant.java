@@ -60,7 +60,7 @@ import org.mechservice.sim.service.run.RunPlan;
 import org.mechservice.sim.service.run.RunTask;
 import org.mechservice.sim.service.run.SimulationRun;
 import org.mechservice.sim.user.UserFile;
-import org.mechservice.solver.api.RunRequest;
+import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.simulation.SolverVersion;
 import org.slf4j.Logger;

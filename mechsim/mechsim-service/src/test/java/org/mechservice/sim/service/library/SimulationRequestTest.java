@@ -12,8 +12,8 @@ import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.NameValue;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.sim.emit.plan.CodeForm;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.RunSettings;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.run.RunSettings;
 
 class SimulationRequestTest {
   private static final SimulationSettings FILE =

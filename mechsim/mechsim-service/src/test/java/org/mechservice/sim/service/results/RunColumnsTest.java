@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.NotFound;
-import org.mechservice.solver.api.ColumnGroup;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.result.Variable;
 
 class RunColumnsTest {
   private static final RunColumns ALL =

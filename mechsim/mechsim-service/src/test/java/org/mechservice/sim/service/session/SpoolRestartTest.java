@@ -36,7 +36,7 @@ import org.mechservice.sim.service.results.RunRecord;
 import org.mechservice.sim.service.results.RunStore;
 import org.mechservice.sim.service.testing.PacedSolver;
 import org.mechservice.solver.api.Solver;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 import org.omg.CORBA.DoubleHolder;
 
 /** What a host with a spool folder has written outlives its process. */

@@ -1,7 +1,7 @@
 package org.mechservice.solver.closure.assembly;
 
 import java.util.Locale;
-import org.mechservice.solver.api.Defects.Defect;
+import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** Says why loops cannot go on. */

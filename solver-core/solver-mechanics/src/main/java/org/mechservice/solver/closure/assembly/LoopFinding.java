@@ -1,7 +1,7 @@
 package org.mechservice.solver.closure.assembly;
 
 import java.util.Locale;
-import org.mechservice.solver.api.RunNotes.Note;
+import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**

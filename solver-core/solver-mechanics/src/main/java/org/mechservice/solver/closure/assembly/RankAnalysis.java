@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.closure.equations.CoordinateUnits;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.dynamics.OpenTree;

@@ -1,8 +1,8 @@
 package org.mechservice.solver.closure.equations;
 
 import java.util.Optional;
-import org.mechservice.solver.api.BodyPoses;
-import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.capability.BodyPoses;
+import org.mechservice.solver.api.capability.ExplicitModel;
 
 /**
  * The terms of the equations of one mechanism with loops, M v' + b + Jᵀ λ = τ and Φ(q, t) = 0, as
@@ -75,7 +75,7 @@ public interface LoopTerms {
    * @param y state [q; v] and counted angles; not modified
    * @param terms overwritten
    * @return {@link #REGULAR}, or what a force returns that has no direction ({@link
-   *     org.mechservice.solver.api.DirectedForces})
+   *     org.mechservice.solver.api.capability.DirectedForces})
    */
   int equations(double t, double[] y, double[] terms);
 

@@ -1,7 +1,7 @@
 package org.mechservice.solver.closure.model;
 
 import java.util.Arrays;
-import org.mechservice.solver.api.LinearisedModel;
+import org.mechservice.solver.api.capability.LinearisedModel;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;

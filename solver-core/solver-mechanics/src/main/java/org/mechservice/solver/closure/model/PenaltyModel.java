@@ -2,8 +2,8 @@ package org.mechservice.solver.closure.model;
 
 import java.util.Arrays;
 import java.util.Optional;
-import org.mechservice.solver.api.ModelState;
-import org.mechservice.solver.api.ProjectedStates;
+import org.mechservice.solver.api.capability.ModelState;
+import org.mechservice.solver.api.capability.ProjectedStates;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.closure.LoopProjection;

@@ -1,6 +1,6 @@
 package org.mechservice.solver.closure.model;
 
-import org.mechservice.solver.api.ResidualModel;
+import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.force.user.UserForceSource;
 

@@ -2,7 +2,7 @@ package org.mechservice.solver.closure.model;
 
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.mechservice.solver.api.Defects.Defect;
+import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.closure.assembly.LoopDefect;
 import org.mechservice.solver.closure.assembly.LoopFinding;
 import org.mechservice.solver.closure.equations.LoopEquations;

@@ -1,7 +1,7 @@
 package org.mechservice.solver.dynamics.derivative;
 
 import java.util.List;
-import org.mechservice.solver.api.RunNotes;
+import org.mechservice.solver.api.run.RunNotes;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.dynamics.tree.BallColumns;
 import org.mechservice.solver.dynamics.tree.TreeElements;

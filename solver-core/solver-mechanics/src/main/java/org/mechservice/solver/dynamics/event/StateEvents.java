@@ -3,7 +3,7 @@ package org.mechservice.solver.dynamics.event;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.mechservice.solver.api.ModelEvents;
+import org.mechservice.solver.api.capability.ModelEvents;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;

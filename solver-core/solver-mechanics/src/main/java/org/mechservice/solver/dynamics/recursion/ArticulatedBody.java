@@ -5,7 +5,7 @@ import static org.mechservice.solver.spatial.Blocks.applyTransposed;
 import static org.mechservice.solver.spatial.Blocks.dot;
 
 import java.util.Arrays;
-import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.dynamics.tree.PivotCheck;
 import org.mechservice.solver.kinematics.LinkKind;

@@ -1,6 +1,6 @@
 package org.mechservice.solver.dynamics.tree;
 
-import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
 
 /**
  * Judges the pivots of a joint-space inertia, one per velocity, against the rigid body beyond the

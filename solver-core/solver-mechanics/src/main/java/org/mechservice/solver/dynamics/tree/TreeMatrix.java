@@ -1,7 +1,7 @@
 package org.mechservice.solver.dynamics.tree;
 
 import java.util.Arrays;
-import org.mechservice.solver.api.ExplicitModel;
+import org.mechservice.solver.api.capability.ExplicitModel;
 
 /**
  * A symmetric matrix over the velocities of the state that holds just the elements of a {@link

@@ -1,8 +1,8 @@
 package org.mechservice.solver.force.applied;
 
 import java.util.List;
-import org.mechservice.solver.api.Defects.Defect;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.capability.Defects.Defect;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.ForceElement;

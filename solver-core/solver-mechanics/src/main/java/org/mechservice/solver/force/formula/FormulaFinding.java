@@ -2,7 +2,7 @@ package org.mechservice.solver.force.formula;
 
 import java.util.List;
 import java.util.Optional;
-import org.mechservice.solver.api.Defects.Defect;
+import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** Says in words which part of which force's formula has no finite value. */

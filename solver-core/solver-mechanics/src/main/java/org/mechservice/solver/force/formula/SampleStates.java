@@ -2,8 +2,8 @@ package org.mechservice.solver.force.formula;
 
 import java.util.List;
 import java.util.Optional;
-import org.mechservice.solver.api.Defects.Defect;
-import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.capability.Defects.Defect;
+import org.mechservice.solver.api.run.Failure;
 
 /** Looks after a failure for the force that caused it, where the last steps tried to go. */
 public final class SampleStates {

@@ -2,8 +2,8 @@ package org.mechservice.solver.force.formula;
 
 import java.util.List;
 import java.util.Optional;
-import org.mechservice.solver.api.Defects;
-import org.mechservice.solver.api.Failure;
+import org.mechservice.solver.api.capability.Defects;
+import org.mechservice.solver.api.run.Failure;
 
 /** Generated code that evaluates the parts of its forces' formulas. */
 public interface WrittenFormulas extends Defects {

@@ -8,7 +8,7 @@ import java.util.Map;
 import org.mechservice.solver.api.ForceBlocks;
 import org.mechservice.solver.api.ForceDeclaration.Reads;
 import org.mechservice.solver.api.UserForce;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.force.applied.AppliedForce;
 import org.mechservice.solver.force.applied.Couplings;

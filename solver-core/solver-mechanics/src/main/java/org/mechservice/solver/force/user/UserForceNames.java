@@ -5,7 +5,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import org.mechservice.solver.api.ForceDeclaration;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.JointCoordinate;

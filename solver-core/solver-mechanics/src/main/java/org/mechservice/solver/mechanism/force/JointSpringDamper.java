@@ -3,7 +3,7 @@ package org.mechservice.solver.mechanism.force;
 import java.util.List;
 import java.util.function.Function;
 import org.mechservice.solver.api.JointType;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Joint;

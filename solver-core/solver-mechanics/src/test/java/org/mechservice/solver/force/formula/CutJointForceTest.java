@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.solver.api.JointType;
-import org.mechservice.solver.api.Variable;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;

@@ -1,0 +1,20 @@
+package org.mechservice.solver.api.capability;
+
+/**
+ * A model that computes each state from algebraic equations, without integration: positions that
+ * follow prescribed motions, equilibria.
+ */
+public interface AlgebraicModel extends ExplicitModel, Defects {
+  /**
+   * Finds the state at an output time.
+   *
+   * @param t time, s; not before that of the last call
+   * @param y overwritten with the state [q; v]; {@link #derivative} holds for it until the next
+   *     call
+   * @return {@link #REGULAR}, or {@link Defects#DEFECT} if there is none
+   */
+  int find(double t, double[] y);
+
+  /** Returns how many corrections were made in all. */
+  long iterations();
+}

@@ -1,0 +1,24 @@
+package org.mechservice.solver.api.capability;
+
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelDescription;
+
+/** A model in explicit form, y' = f(t, y). */
+public interface ExplicitModel extends Model {
+  /** What {@link #derivative} returns when every articulated inertia is regular. */
+  int REGULAR = -1;
+
+  /**
+   * Evaluates y' = [N(q) v; a(t, q, v)].
+   *
+   * @param t time, s
+   * @param y state [q; v], rad, m, rad/s, m/s; not modified
+   * @param yDot derivative of the state, same layout; overwritten
+   * @return {@link #REGULAR}; or the index in {@link ModelDescription#joints()} of the joint beyond
+   *     which there is no inertia (its block of the joint-space inertia is singular); or {@link
+   *     Defects#DEFECT} if the model implements {@link Defects} and can say more; or what {@link
+   *     DirectedForces} returns if the model implements that. Unless regular, {@code yDot} is
+   *     meaningless
+   */
+  int derivative(double t, double[] y, double[] yDot);
+}

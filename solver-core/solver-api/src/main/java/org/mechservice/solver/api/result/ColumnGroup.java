@@ -1,0 +1,53 @@
+package org.mechservice.solver.api.result;
+
+import java.util.EnumSet;
+import java.util.Locale;
+import java.util.Set;
+import org.mechservice.solver.api.capability.BodyPoses;
+import org.mechservice.solver.api.capability.MomentumBalance;
+
+/**
+ * Groups of result columns that can be asked for; time and the joints' positions and velocities
+ * always come first.
+ */
+public enum ColumnGroup {
+  /** Joint positions and velocities; always present. */
+  JOINTS,
+  /** Joint accelerations. */
+  ACCELERATIONS,
+  /**
+   * Pose and velocity of every body; the model must have been built with it ({@link BodyPoses}).
+   */
+  BODIES,
+  /** Kinetic and potential energy and the work of non-conservative forces. */
+  ENERGY,
+  /** Largest residuals of the constraints, and each one's multipliers ({@link ResultColumns}). */
+  CONSTRAINTS,
+  /** Force and moment in every joint ({@link ResultColumns}). */
+  REACTIONS,
+  /** Values of the applied forces ({@link ResultColumns}). */
+  FORCES,
+  /** What the user asked for by expression ({@link ResultColumns}). */
+  OUTPUTS,
+  /** Momentum of the whole and the impulse that has acted on it ({@link MomentumBalance}). */
+  MOMENTUM;
+
+  /** Returns the group's name on the command line. */
+  public String label() {
+    return name().toLowerCase(Locale.ROOT);
+  }
+
+  /**
+   * Returns the groups of some labels, and that of the joints.
+   *
+   * @param labels separated by commas
+   * @throws IllegalArgumentException if one is the label of no group
+   */
+  public static Set<ColumnGroup> of(String labels) {
+    Set<ColumnGroup> groups = EnumSet.of(JOINTS);
+    for (String label : labels.split(",", -1)) {
+      groups.add(valueOf(label.toUpperCase(Locale.ROOT)));
+    }
+    return groups;
+  }
+}

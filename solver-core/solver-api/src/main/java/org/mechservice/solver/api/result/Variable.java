@@ -1,0 +1,9 @@
+package org.mechservice.solver.api.result;
+
+/**
+ * A quantity that is put out: one column of the results.
+ *
+ * @param name column name, such as {@code j1.q}
+ * @param unit SI unit, {@code 1} for a pure number
+ */
+public record Variable(String name, String unit) {}

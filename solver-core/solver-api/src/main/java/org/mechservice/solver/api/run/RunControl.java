@@ -1,0 +1,238 @@
+package org.mechservice.solver.api.run;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * Steers and watches one run from other threads: stop, pause, go on to a time, take a single step,
+ * see how far it is.
+ *
+ * <p>The solver calls {@link #proceed} after every accepted step and {@link #stopRequested} at
+ * every evaluation; all other methods are for the watchers. A run that is watched from another
+ * process overrides {@link #holdsAt} and {@link #proceed} to ask there.
+ */
+public class RunControl {
+  /** Gives the state of a run between two steps, in the thread of the run. */
+  public interface StateSource {
+    /**
+     * Copies the state at the time reached.
+     *
+     * @param state as in the rows, without time; overwritten
+     */
+    void copyState(double[] state);
+  }
+
+  private volatile boolean stopRequested;
+  private volatile double time = Double.NaN;
+  private volatile double stepSize;
+  private volatile int order;
+  private volatile long steps;
+
+  private boolean held;
+  // Read by the solver at every step without the lock: who stops a run must not wait for a solver
+  // that has lost its processor while it held it.
+  private volatile double holdAt = Double.POSITIVE_INFINITY;
+  private volatile long stepsAllowed = Long.MAX_VALUE;
+  private Optional<StateSource> states = Optional.empty();
+  private volatile boolean stateAsked;
+  private double[] stateAskedFor = {};
+  private double stateTime;
+
+  /** Asks the run to stop; it does so within one evaluation, also while it is paused. */
+  public final void stop() {
+    stopRequested = true;
+    synchronized (this) {
+      notifyAll();
+    }
+  }
+
+  /** Returns whether the run was asked to stop. */
+  public final boolean stopRequested() {
+    return stopRequested;
+  }
+
+  /** Holds the run after its current step. */
+  public synchronized void pause() {
+    stepsAllowed = steps;
+    notifyAll();
+  }
+
+  // A run that may go on is no longer held, even before its thread has woken up: who asks for a
+  // step and waits until the run is held again must not be answered by the hold before the step.
+  private void letGo() {
+    held = held && mustHold();
+    notifyAll();
+  }
+
+  /** Lets the run go on to its end. */
+  public synchronized void resume() {
+    stepsAllowed = Long.MAX_VALUE;
+    holdAt = Double.POSITIVE_INFINITY;
+    letGo();
+  }
+
+  /**
+   * Lets the run go on until a step reaches a time, then holds it.
+   *
+   * @param until simulated time, s
+   */
+  public synchronized void resumeTo(double until) {
+    stepsAllowed = Long.MAX_VALUE;
+    holdAt = until;
+    letGo();
+  }
+
+  /** Lets the run take one accepted step, then holds it. */
+  public synchronized void step() {
+    holdAt = Double.POSITIVE_INFINITY;
+    stepsAllowed = steps + 1;
+    letGo();
+  }
+
+  /** Returns whether the run is waiting for {@link #resume}, {@link #resumeTo} or {@link #step}. */
+  public synchronized boolean held() {
+    return held;
+  }
+
+  /**
+   * Waits until the run is held, or the time is over.
+   *
+   * @param millis longest wait, ms
+   * @return whether the run is held
+   */
+  public synchronized boolean awaitHeld(long millis) throws InterruptedException {
+    long deadline = System.nanoTime() + millis * 1_000_000;
+    while (!held) {
+      long left = (deadline - System.nanoTime()) / 1_000_000;
+      if (left <= 0) {
+        return false;
+      }
+      wait(left);
+    }
+    return true;
+  }
+
+  /**
+   * For the solver: says who gives the state from now on.
+   *
+   * @param source asked in the thread of the run alone, between two steps; empty: nobody any more
+   */
+  public final synchronized void giveStates(Optional<StateSource> source) {
+    states = source;
+    notifyAll();
+  }
+
+  /**
+   * Asks for the state at the step reached, also while the run is held. Only one watcher at a time.
+   *
+   * @param state overwritten if it is given
+   * @param millis longest wait for the end of a step, ms
+   * @return the time of the state, s; empty if the run gives none, or no step has ended so soon
+   */
+  public final synchronized OptionalDouble state(double[] state, long millis)
+      throws InterruptedException {
+    long deadline = System.nanoTime() + millis * 1_000_000;
+    stateAskedFor = state;
+    stateAsked = true;
+    notifyAll();
+    while (states.isPresent() && stateAsked) {
+      long left = (deadline - System.nanoTime()) / 1_000_000;
+      if (left <= 0) {
+        break;
+      }
+      wait(left);
+    }
+    boolean given = !stateAsked;
+    stateAsked = false;
+    return given ? OptionalDouble.of(stateTime) : OptionalDouble.empty();
+  }
+
+  private synchronized void answerState() {
+    if (stateAsked && states.isPresent()) {
+      states.get().copyState(stateAskedFor);
+      stateTime = time;
+      stateAsked = false;
+      notifyAll();
+    }
+  }
+
+  /** Returns the simulated time reached, s; NaN before the start. */
+  public double time() {
+    return time;
+  }
+
+  /** Returns the size of the last accepted step, s. */
+  public double stepSize() {
+    return stepSize;
+  }
+
+  /** Returns the order of the last accepted step. */
+  public int order() {
+    return order;
+  }
+
+  /** Returns how many steps were accepted. */
+  public long steps() {
+    return steps;
+  }
+
+  /**
+   * For the solver: notes where the run is and holds it while that was asked for.
+   *
+   * @param time time reached, s
+   * @param stepSize last accepted step, s; 0 at the start
+   * @param order its order; 0 at the start
+   * @param steps accepted steps so far
+   * @return whether the run shall go on; false after {@link #stop} or an interrupt
+   */
+  public boolean proceed(double time, double stepSize, int order, long steps) {
+    this.stepSize = stepSize;
+    this.order = order;
+    this.steps = steps;
+    this.time = time;
+    if (stateAsked) {
+      answerState();
+    }
+    if (mustHold()) {
+      hold();
+    }
+    return !stopRequested;
+  }
+
+  /**
+   * For the solver: returns whether {@link #proceed}, which is called next with the same arguments,
+   * would hold the run.
+   *
+   * @param time time reached, s
+   * @param stepSize last accepted step, s
+   * @param order its order
+   * @param steps accepted steps so far
+   */
+  public boolean holdsAt(double time, double stepSize, int order, long steps) {
+    return mustHold(time, steps);
+  }
+
+  private boolean mustHold() {
+    return mustHold(time, steps);
+  }
+
+  private boolean mustHold(double time, long steps) {
+    return !stopRequested && (steps >= stepsAllowed || time >= holdAt);
+  }
+
+  private synchronized void hold() {
+    held = true;
+    notifyAll();
+    try {
+      while (mustHold()) {
+        answerState();
+        wait();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      stopRequested = true;
+    } finally {
+      held = false;
+    }
+  }
+}

@@ -1,0 +1,170 @@
+package org.mechservice.solver.api.run;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+
+/**
+ * What a run did and what it cost.
+ *
+ * @param outcome how it ended
+ * @param model name of the model
+ * @param formulation formulation of the equations, such as {@code DTR}
+ * @param settings the settings used, with nothing left automatic
+ * @param steps accepted steps
+ * @param rejectedSteps steps that failed the error test
+ * @param evaluations evaluations of the right-hand side
+ * @param rows result rows put out
+ * @param timeReached simulated time at the end of the run, s
+ * @param wallTime wall-clock time of the run, s
+ * @param energyDrift largest |E(t) − E(0)| at the output times, J; empty if the energy is not
+ *     constant by nature or not known
+ * @param energyScale the largest of kinetic energy, change of potential energy, and the mean of
+ *     what was put in and taken out, J; what the drift is judged by
+ * @param stiffnessSuspected whether the integrator took a long run of steps that only its
+ *     stability, not its accuracy, kept small
+ * @param jacobians Jacobians formed; 0, like the next, for integrators that solve no equations
+ * @param factorisations matrices factored
+ * @param limits states that made steps be rejected, most often first
+ * @param notes what the model had to say about the run
+ * @param solverVersion version of the solver that ran
+ */
+public record RunReport(
+    Outcome outcome,
+    String model,
+    String formulation,
+    RunSettings settings,
+    long steps,
+    long rejectedSteps,
+    long evaluations,
+    long rows,
+    double timeReached,
+    double wallTime,
+    OptionalDouble energyDrift,
+    OptionalDouble energyScale,
+    boolean stiffnessSuspected,
+    long jacobians,
+    long factorisations,
+    List<Limit> limits,
+    List<RunNotes.Note> notes,
+    String solverVersion) {
+
+  /** States named in the report; the others limit it less. */
+  private static final int MOST_LIMITS = 5;
+
+  public RunReport {
+    limits = List.copyOf(limits);
+    notes = List.copyOf(notes);
+  }
+
+  /**
+   * How often a state made a step be rejected.
+   *
+   * @param state its name
+   * @param inaccurate how often its error was the largest
+   * @param unsolved how often the equations of an implicit step failed by it, or it was not finite
+   */
+  public record Limit(String state, long inaccurate, long unsolved) {
+    @Override
+    public String toString() {
+      String error = inaccurate == 0 ? "" : " error " + inaccurate;
+      return state + error + (unsolved == 0 ? "" : " equations " + unsolved);
+    }
+  }
+
+  /** A run that solved no equations and of which nothing is noted. */
+  public RunReport(
+      Outcome outcome,
+      String model,
+      String formulation,
+      RunSettings settings,
+      long steps,
+      long rejectedSteps,
+      long evaluations,
+      long rows,
+      double timeReached,
+      double wallTime,
+      OptionalDouble energyDrift,
+      OptionalDouble energyScale,
+      boolean stiffnessSuspected,
+      String solverVersion) {
+    this(
+        outcome,
+        model,
+        formulation,
+        settings,
+        steps,
+        rejectedSteps,
+        evaluations,
+        rows,
+        timeReached,
+        wallTime,
+        energyDrift,
+        energyScale,
+        stiffnessSuspected,
+        0,
+        0,
+        List.of(),
+        List.of(),
+        solverVersion);
+  }
+
+  /**
+   * Returns the report as ordered key and value pairs, values being {@link String}, {@link Long} or
+   * {@link Double}; what does not apply to the run is absent; notes are one a line. Times in s,
+   * energies in J. This is the content of the report's JSON form.
+   */
+  public Map<String, Object> asMap() {
+    Map<String, Object> map = new LinkedHashMap<>();
+    map.put("scene", model);
+    if (outcome instanceof Outcome.Failed failed) {
+      map.put("outcome", "failed");
+      map.put("failure", failed.failure().message());
+      List<Failure.Step> steps = failed.failure().lastSteps();
+      if (!steps.isEmpty()) {
+        map.put(
+            "lastSteps", String.join("\n", steps.stream().map(Failure.Step::toString).toList()));
+      }
+    } else {
+      map.put("outcome", outcome instanceof Outcome.Stopped ? "stopped" : "completed");
+    }
+    map.put("formulation", formulation);
+    map.put("integrator", settings.integrator());
+    map.put("relativeTolerance", settings.relativeTolerance());
+    map.put("absoluteTolerance", settings.absoluteTolerance());
+    if (!settings.hasOneTolerance()) {
+      map.put("angleTolerance", settings.angleTolerance());
+      map.put("velocityTolerance", settings.velocityTolerance());
+      map.put("angularVelocityTolerance", settings.angularVelocityTolerance());
+    }
+    map.put("steps", steps);
+    map.put("rejectedSteps", rejectedSteps);
+    map.put("evaluations", evaluations);
+    if (factorisations > 0) {
+      map.put("jacobians", jacobians);
+      map.put("factorisations", factorisations);
+    }
+    map.put("rows", rows);
+    map.put("simulatedTime", timeReached - settings.tStart());
+    map.put("wallTime", wallTime);
+    if (wallTime > 0) {
+      map.put("realTimeFactor", (timeReached - settings.tStart()) / wallTime);
+    }
+    energyDrift.ifPresent(drift -> map.put("energyDrift", drift));
+    energyScale.ifPresent(scale -> map.put("energyScale", scale));
+    if (stiffnessSuspected) {
+      map.put("stiffness", "suspected");
+    }
+    if (!limits.isEmpty()) {
+      map.put(
+          "rejectedBy",
+          String.join(", ", limits.stream().limit(MOST_LIMITS).map(Limit::toString).toList()));
+    }
+    if (!notes.isEmpty()) {
+      map.put("notes", String.join("\n", notes.stream().map(RunNotes.Note::message).toList()));
+    }
+    map.put("solverVersion", solverVersion);
+    return map;
+  }
+}

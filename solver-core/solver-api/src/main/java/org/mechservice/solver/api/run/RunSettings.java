@@ -1,0 +1,126 @@
+package org.mechservice.solver.api.run;
+
+import java.util.List;
+
+/**
+ * When a run starts and ends, which rows it puts out, and how it is integrated.
+ *
+ * @param tStart start, s
+ * @param tEnd end, s; at or after the start
+ * @param tStep distance of the output rows, s; positive. The end is a row even where the distance
+ *     does not divide the interval
+ * @param integrator {@code ode113}, {@code DE}, {@code ode15s}, {@code ode15sR} or {@code
+ *     switching}, which is ode113 and, where the motion is stiff, ode15s
+ * @param relativeTolerance local error relative to the state
+ * @param absoluteTolerance local error below which a displacement does not matter, m
+ * @param maxStep largest step, s; infinite: the integrator's own bound
+ * @param initialStep first step tried, s; 0: the integrator's own choice
+ * @param maxOrder highest order used; 0: the method's own highest
+ * @param angleTolerance as {@code absoluteTolerance} of angles, rad, and of Euler parameters
+ * @param velocityTolerance of rates of displacements, m/s
+ * @param angularVelocityTolerance of angular velocities, rad/s
+ */
+public record RunSettings(
+    double tStart,
+    double tEnd,
+    double tStep,
+    String integrator,
+    double relativeTolerance,
+    double absoluteTolerance,
+    double maxStep,
+    double initialStep,
+    int maxOrder,
+    double angleTolerance,
+    double velocityTolerance,
+    double angularVelocityTolerance) {
+
+  /** Settings with one absolute tolerance for all states. */
+  public RunSettings(
+      double tStart,
+      double tEnd,
+      double tStep,
+      String integrator,
+      double relativeTolerance,
+      double absoluteTolerance,
+      double maxStep,
+      double initialStep,
+      int maxOrder) {
+    this(
+        tStart,
+        tEnd,
+        tStep,
+        integrator,
+        relativeTolerance,
+        absoluteTolerance,
+        maxStep,
+        initialStep,
+        maxOrder,
+        absoluteTolerance,
+        absoluteTolerance,
+        absoluteTolerance);
+  }
+
+  /** Settings that leave the step sizes and the order to the integrator. */
+  public RunSettings(
+      double tStart,
+      double tEnd,
+      double tStep,
+      String integrator,
+      double relativeTolerance,
+      double absoluteTolerance) {
+    this(
+        tStart,
+        tEnd,
+        tStep,
+        integrator,
+        relativeTolerance,
+        absoluteTolerance,
+        Double.POSITIVE_INFINITY,
+        0,
+        0);
+  }
+
+  /** Returns whether one absolute tolerance holds for all states. */
+  public boolean hasOneTolerance() {
+    return angleTolerance == absoluteTolerance
+        && velocityTolerance == absoluteTolerance
+        && angularVelocityTolerance == absoluteTolerance;
+  }
+
+  /**
+   * Returns the absolute tolerance of a state.
+   *
+   * @param unit its SI unit
+   */
+  public double absoluteTolerance(String unit) {
+    return switch (unit) {
+      case "m" -> absoluteTolerance;
+      case "m/s" -> velocityTolerance;
+      case "rad/s" -> angularVelocityTolerance;
+      default -> angleTolerance;
+    };
+  }
+
+  /**
+   * Returns settings with other absolute tolerances.
+   *
+   * @param tolerances one for all states, or four: of displacements, angles, velocities, angular
+   *     velocities
+   */
+  public RunSettings withTolerances(List<Double> tolerances) {
+    int last = tolerances.size() - 1;
+    return new RunSettings(
+        tStart,
+        tEnd,
+        tStep,
+        integrator,
+        relativeTolerance,
+        tolerances.get(0),
+        maxStep,
+        initialStep,
+        maxOrder,
+        tolerances.get(Math.min(1, last)),
+        tolerances.get(Math.min(2, last)),
+        tolerances.get(last));
+  }
+}
