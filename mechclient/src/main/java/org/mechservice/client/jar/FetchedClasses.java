@@ -11,7 +11,6 @@ import java.util.Collections;
 import java.util.Enumeration;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.catalogue.MessageCode;
@@ -23,9 +22,9 @@ import org.mechservice.solver.text.Sha256;
  * bit.
  */
 final class FetchedClasses extends ClassLoader {
-  /** The packages of artifact {@code solver-api}. */
-  private static final Set<String> SHARED_PACKAGES =
-      Set.of(
+  /** The packages of artifact {@code solver-api}; the ones below them belong to it too. */
+  private static final List<String> SHARED_PACKAGES =
+      List.of(
           Model.class.getPackageName(),
           MessageCode.class.getPackageName(),
           Sha256.class.getPackageName());
@@ -79,8 +78,7 @@ final class FetchedClasses extends ClassLoader {
 
     @Override
     protected Class<?> findClass(String name) throws ClassNotFoundException {
-      int dot = name.lastIndexOf('.');
-      if (dot < 0 || !SHARED_PACKAGES.contains(name.substring(0, dot))) {
+      if (SHARED_PACKAGES.stream().noneMatch(shared -> name.startsWith(shared + "."))) {
         throw new ClassNotFoundException(name);
       }
       return Class.forName(name, false, Model.class.getClassLoader());
