@@ -316,10 +316,10 @@ void useHost(ms::MechSimHost_ptr host, const ms::ModelFile& model) {
   ms::HostLoad_var load = CALL(MechSimHost, getLoad, host);
   ms::MechSim_var session = CALL(MechSimHost, createSession, host, "cpp", ms::IMechClient::_nil());
   CORBA::String_var sessionId = session->sessionId();
-  ms::MechSim_var same = CALL(MechSimHost, findSession, host, sessionId);
+  ms::MechSim_var same = CALL(MechSimHost, findSession, host, sessionId, "");
   ms::IMechSimRemote_var run = endless(session, model, ms::IMechClient::_nil());
   CORBA::String_var id = run->simId();
-  ms::IMechSimRemote_var found = CALL(MechSimHost, findSimulation, host, id);
+  ms::IMechSimRemote_var found = CALL(MechSimHost, findSimulation, host, id, "");
   ms::SimSummarySeq_var all = CALL(MechSimHost, listSimulations, host);
   require(all->length() > 0, "simulations");
   ms::SimDetail_var detail = CALL(MechSimHost, showSimulation, host, id);

@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.ServerFailure;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.omg.CORBA.CompletionStatus;
 import org.omg.CORBA.INTERNAL;
 import org.omg.CORBA.NO_PERMISSION;
 import org.omg.CORBA.SystemException;
@@ -26,6 +27,9 @@ import org.slf4j.LoggerFactory;
 public final class GuardedServant implements InvocationHandler {
   private static final Logger LOG = LoggerFactory.getLogger(GuardedServant.class);
   private static final Object[] NONE = {};
+
+  /** Minor codes of refusals: "MS" in the upper half, the number of the message in the lower. */
+  private static final int MINOR_CODES = 0x4D530000;
 
   /** Runs before every call. */
   public interface Before {
@@ -130,7 +134,17 @@ public final class GuardedServant implements InvocationHandler {
     if (Arrays.asList(method.getExceptionTypes()).contains(NotAuthorized.class)) {
       return refusal;
     }
-    throw new NO_PERMISSION(refusal.code);
+    throw new NO_PERMISSION(refusal.code, minor(refusal.code), CompletionStatus.COMPLETED_NO);
+  }
+
+  /** The number of a code, marked as ours: the text of a system exception does not travel. */
+  private static int minor(String code) {
+    return MINOR_CODES | Integer.parseInt(code.substring(code.indexOf('-') + 1));
+  }
+
+  /** Returns whether a refusal was made by this class for a reason of the message catalogue. */
+  public static boolean isRefusal(NO_PERMISSION refusal, MessageCode reason) {
+    return refusal.minor == minor(reason.code());
   }
 
   private static UserException incident(Method method, Throwable thrown) {

@@ -15,9 +15,7 @@ import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.ListenAddress;
 import org.mechservice.orb.ServiceKey;
 import org.mechservice.orb.ServiceOrb;
-import org.mechservice.server.admin.AccessRights;
 import org.mechservice.server.admin.AuditLog;
-import org.mechservice.server.admin.DenialLog;
 import org.mechservice.server.admin.MechAdminServant;
 import org.mechservice.server.admin.Metrics;
 import org.mechservice.server.admin.MetricsEndpoint;
@@ -29,6 +27,8 @@ import org.mechservice.server.hosts.Placement;
 import org.mechservice.server.hosts.RegisteredHost;
 import org.mechservice.server.hosts.ServerTuning;
 import org.mechservice.sim.host.SimHost;
+import org.mechservice.sim.service.contract.AccessRights;
+import org.mechservice.sim.service.contract.DenialLog;
 import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.sim.service.contract.JournalEntry;
 import org.mechservice.sim.service.limits.CurrentLimits;
@@ -70,10 +70,11 @@ public final class MechServerProcess implements AutoCloseable {
                     true,
                     orb.endpoint())));
     FarmLimits farmLimits = new FarmLimits(limits, directory);
+    DenialLog denials = new DenialLog(journal);
     publish(
         new MechAdminServant(server, directory, placement, farmLimits, journal, this::shutDown),
-        new HostRegistryServant(orb, directory, farmLimits),
-        new DenialLog(journal));
+        new HostRegistryServant(orb, directory, farmLimits, denials),
+        denials);
     Metrics figures = new Metrics(directory, server);
     metrics =
         settings

@@ -36,7 +36,6 @@ import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.HostSettings;
 import org.mechservice.sim.host.SimHostProcess;
 import org.omg.CORBA.IntHolder;
-import org.omg.CORBA.NO_PERMISSION;
 import org.omg.CORBA.UserException;
 
 /**
@@ -174,7 +173,8 @@ class RightsTest {
               () -> watcher.connect(server.url()).createSession("watcher", "", null));
       assertThat(refused.text).contains("\"watcher\" is no client's");
       assertThatThrownBy(() -> watcher.connect(server.url()).findSimulation("x"))
-          .isInstanceOf(NO_PERMISSION.class);
+          .isInstanceOfSatisfying(
+              NotAuthorized.class, denied -> assertThat(denied.code).isEqualTo("S-153"));
     }
   }
 

@@ -49,6 +49,35 @@ public record Caller(Optional<X509Certificate> certificate, String address) {
   }
 
   /**
+   * Returns whose objects the caller may use: the name in its certificate; empty, anybody's: an
+   * administrator, or a caller without a certificate, for whom there are no owners.
+   */
+  public Optional<String> confinedTo() {
+    return certificate.filter(shown -> !may(Role.ADMIN)).map(TlsIdentity::nameOf);
+  }
+
+  /**
+   * Makes sure that the caller may use what belongs to a user.
+   *
+   * @param owner the user's name
+   * @throws NotAuthorized with code S-167 if it may not
+   */
+  public void requireOwner(String owner) throws NotAuthorized {
+    if (confinedTo().filter(name -> !name.equals(owner)).isPresent()) {
+      throw notTheOwner(name(""));
+    }
+  }
+
+  /** Returns the refusal of a caller who does not own what it wants to use. */
+  public static NotAuthorized notTheOwner(String caller) {
+    return new NotAuthorized(
+        MessageCode.NOT_THE_OWNER.code(),
+        "this belongs to another user than \""
+            + caller
+            + "\"; use the identity that opened the session, or an administrator's");
+  }
+
+  /**
    * Makes sure that the caller may act in a role.
    *
    * @throws NotAuthorized with code S-153 if the caller may not

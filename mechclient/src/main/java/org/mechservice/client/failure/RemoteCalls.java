@@ -11,6 +11,7 @@ import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServerFailure;
+import org.mechservice.orb.GuardedServant;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.COMM_FAILURE;
 import org.omg.CORBA.NO_PERMISSION;
@@ -154,6 +155,14 @@ public record RemoteCalls(String address) {
               "the server at "
                   + address
                   + " no longer knows this session: its lease ran out or the server was restarted");
+    } else if (said instanceof NO_PERMISSION refusal
+        && GuardedServant.isRefusal(refusal, MessageCode.NOT_THE_OWNER)) {
+      failure =
+          new NotAuthorizedException(
+              MessageCode.NOT_THE_OWNER.code(),
+              "the session or simulation on the server at "
+                  + address
+                  + " belongs to another user; use the identity that opened it");
     } else if (said instanceof NO_PERMISSION) {
       failure =
           new NotAuthorizedException(

@@ -13,6 +13,7 @@ import org.mechservice.idl.MAX_WAIT_MILLIS;
 import org.mechservice.idl.MechAdminOperations;
 import org.mechservice.idl.MechSimHostOperations;
 import org.mechservice.idl.NameValue;
+import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServerStatus;
 import org.mechservice.idl.ServiceEvent;
@@ -109,7 +110,7 @@ public final class MechAdminServant implements MechAdminOperations {
 
   /** Shows the last known state of hosts that are gone or do not answer. */
   @Override
-  public SimDetail showSimulation(String simId) throws NotFound {
+  public SimDetail showSimulation(String simId) throws NotAuthorized, NotFound {
     Optional<SimDetail> now = askHostOf(simId, host -> host.showSimulation(simId));
     now.ifPresent(directory.runs()::read);
     return now.or(() -> lastKnown(simId)).orElseThrow(() -> noSimulation(simId));
@@ -137,7 +138,8 @@ public final class MechAdminServant implements MechAdminOperations {
   }
 
   /** Asks the host that has a run; if it is not known which one has, all that answer. */
-  private <T> Optional<T> askHostOf(String simId, HostCalls.Question<T> question) {
+  private <T> Optional<T> askHostOf(String simId, HostCalls.Question<T> question)
+      throws NotAuthorized {
     Optional<RegisteredHost> known = directory.runs().hostOf(simId).flatMap(directory::find);
     if (known.isEmpty()) {
       return directory.search(question);
@@ -185,7 +187,7 @@ public final class MechAdminServant implements MechAdminOperations {
   }
 
   @Override
-  public void killSimulation(String simId, String reason) throws NotFound {
+  public void killSimulation(String simId, String reason) throws NotAuthorized, NotFound {
     Optional<Boolean> killed =
         askHostOf(
             simId,

@@ -15,6 +15,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.MechSimHostOperations;
+import org.mechservice.idl.NotAuthorized;
 import org.omg.CORBA.COMM_FAILURE;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 import org.omg.CORBA.SystemException;
@@ -113,11 +114,14 @@ public final class HostCalls implements AutoCloseable {
    * Asks many hosts at once until one has an answer.
    *
    * @param failed receives the hosts that gave no answer
+   * @throws NotAuthorized if none has, and one refuses it to the user
    */
   <T> Optional<T> firstAnswer(
       List<RegisteredHost> hosts,
       Question<T> question,
-      BiConsumer<RegisteredHost, Answer<T>> failed) {
+      BiConsumer<RegisteredHost, Answer<T>> failed)
+      throws NotAuthorized {
+    Optional<NotAuthorized> refusal = Optional.empty();
     BlockingQueue<Answered<T>> answers = new LinkedBlockingQueue<>();
     for (RegisteredHost host : hosts) {
       Future<?> unused =
@@ -133,10 +137,15 @@ public final class HostCalls implements AutoCloseable {
           return next.answer().value();
         } else if (!next.answer().failure().isEmpty()) {
           failed.accept(next.host(), next.answer());
+        } else if (next.answer().refusal().orElseThrow() instanceof NotAuthorized refused) {
+          refusal = Optional.of(refused);
         }
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+    }
+    if (refusal.isPresent()) {
+      throw refusal.get();
     }
     return Optional.empty();
   }

@@ -17,6 +17,7 @@ import java.util.concurrent.TimeoutException;
 import org.mechservice.idl.HostLoad;
 import org.mechservice.idl.HostStatus;
 import org.mechservice.idl.MechSimHostOperations;
+import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServiceEvent;
 import org.mechservice.idl.SimSummary;
@@ -202,8 +203,12 @@ public final class HostDirectory implements AutoCloseable {
     }
   }
 
-  /** Asks all hosts that are not silent at once, until one has an answer. */
-  public <T> Optional<T> search(HostCalls.Question<T> question) {
+  /**
+   * Asks all hosts that are not silent at once, until one has an answer.
+   *
+   * @throws NotAuthorized if none has, and one refuses it to the user
+   */
+  public <T> Optional<T> search(HostCalls.Question<T> question) throws NotAuthorized {
     return calls.firstAnswer(
         all().stream().filter(RegisteredHost::reachable).toList(),
         question,

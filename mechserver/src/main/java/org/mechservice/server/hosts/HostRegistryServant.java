@@ -19,6 +19,8 @@ import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.connection.Endpoint;
 import org.mechservice.orb.tls.Caller;
+import org.mechservice.sim.service.contract.AccessRights;
+import org.mechservice.sim.service.contract.DenialLog;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 
@@ -35,8 +37,11 @@ public final class HostRegistryServant implements HostRegistryOperations {
   private final ServiceOrb orb;
   private final HostDirectory directory;
   private final FarmLimits limits;
+  private final DenialLog denials;
 
-  public HostRegistryServant(ServiceOrb orb, HostDirectory directory, FarmLimits limits) {
+  public HostRegistryServant(
+      ServiceOrb orb, HostDirectory directory, FarmLimits limits, DenialLog denials) {
+    this.denials = denials;
     this.limits = limits;
     this.orb = orb;
     this.directory = directory;
@@ -163,7 +168,9 @@ public final class HostRegistryServant implements HostRegistryOperations {
         orb.activate(
             new HostRegistrationPOATie(
                 GuardedServant.of(
-                    HostRegistrationOperations.class, registration, registration::called)));
+                    HostRegistrationOperations.class,
+                    registration,
+                    AccessRights.toServe(denials))));
     // A host that is killed never calls again; its registration must not stay for ever.
     host.whenGone(object::close);
     return HostRegistrationHelper.unchecked_narrow(object.reference());
@@ -178,7 +185,7 @@ public final class HostRegistryServant implements HostRegistryOperations {
     }
 
     /** A host that was dropped, or replaced by another of its name, must register anew. */
-    void called() {
+    private void requirePresent() {
       if (directory.find(host.name()).filter(present -> present == host).isEmpty()) {
         throw new OBJECT_NOT_EXIST("not registered any more");
       }
@@ -187,11 +194,13 @@ public final class HostRegistryServant implements HostRegistryOperations {
 
     @Override
     public int renewLease() {
+      requirePresent();
       return (int) Math.max(1, directory.tuning().hostLease().toSeconds());
     }
 
     @Override
     public void destroy() {
+      requirePresent();
       directory.signOff(host);
     }
   }

@@ -13,6 +13,7 @@ import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MechServerOperations;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
+import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServerFailure;
@@ -93,9 +94,10 @@ public final class MechServerServant implements MechServerOperations {
   }
 
   @Override
-  public MechSim findSession(String sessionId) throws NotFound {
+  public MechSim findSession(String sessionId) throws NotAuthorized, NotFound {
+    String user = Caller.current().confinedTo().orElse("");
     return directory
-        .search(host -> host.findSession(sessionId))
+        .search(host -> host.findSession(sessionId, user))
         .orElseThrow(
             () ->
                 ContractErrors.notFound(
@@ -103,9 +105,10 @@ public final class MechServerServant implements MechServerOperations {
   }
 
   @Override
-  public IMechSimRemote findSimulation(String simId) throws NotFound {
+  public IMechSimRemote findSimulation(String simId) throws NotAuthorized, NotFound {
+    String user = Caller.current().confinedTo().orElse("");
     return directory
-        .search(host -> host.findSimulation(simId))
+        .search(host -> host.findSimulation(simId, user))
         .orElseThrow(() -> ContractErrors.notFound(whatBecameOf(simId)));
   }
 

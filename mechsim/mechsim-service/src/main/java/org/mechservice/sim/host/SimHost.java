@@ -16,14 +16,18 @@ import org.mechservice.idl.LogLine;
 import org.mechservice.idl.MAX_WAIT_MILLIS;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.MechSimHostOperations;
+import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServiceEvent;
 import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
+import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.ServiceVersion;
+import org.mechservice.sim.service.contract.AccessRights;
 import org.mechservice.sim.service.contract.ContractErrors;
+import org.mechservice.sim.service.contract.DenialLog;
 import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.sim.service.contract.JournalEntry;
 import org.mechservice.sim.service.limits.CurrentLimits;
@@ -43,6 +47,7 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   private final CurrentLimits limits;
   private final SessionTable sessions;
   private final Journal journal;
+  private final DenialLog denials;
   private final WarmUp warmUp;
   private final Runnable shutdown;
   private final long startedAt = System.currentTimeMillis();
@@ -72,6 +77,7 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
     this.limits = limits;
     this.shutdown = shutdown;
     journal = new Journal(options.name());
+    denials = new DenialLog(journal);
     warmUp = new WarmUp(orb, solver);
     sessions =
         new SessionTable(
@@ -82,7 +88,13 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
             options.spool(),
             solver,
             journal,
+            denials,
             options.userCode());
+  }
+
+  /** Returns the host as servers call it; without TLS anybody on this machine may. */
+  MechSimHostOperations forServers() {
+    return GuardedServant.of(MechSimHostOperations.class, this, AccessRights.toServe(denials));
   }
 
   /** Begins to load classes for the first client; clients are served meanwhile. */
@@ -141,15 +153,16 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   }
 
   @Override
-  public MechSim findSession(String sessionId) throws NotFound {
+  public MechSim findSession(String sessionId, String user) throws NotFound, NotAuthorized {
     return sessions
-        .find(sessionId)
+        .find(sessionId, user)
         .orElseThrow(() -> ContractErrors.notFound("there is no session " + sessionId));
   }
 
   @Override
-  public IMechSimRemote findSimulation(String simId) throws NotFound, LimitExceeded {
-    return sessions.findSimulation(simId);
+  public IMechSimRemote findSimulation(String simId, String user)
+      throws NotFound, NotAuthorized, LimitExceeded {
+    return sessions.findSimulation(simId, user);
   }
 
   @Override

@@ -7,9 +7,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.mechservice.idl.MechSimHost;
 import org.mechservice.idl.MechSimHostHelper;
-import org.mechservice.idl.MechSimHostOperations;
 import org.mechservice.idl.MechSimHostPOATie;
-import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.ListenAddress;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.ServiceUnreachableException;
@@ -22,6 +20,7 @@ import org.mechservice.solver.api.Solver;
 public final class SimHostProcess implements AutoCloseable {
   private final ServiceOrb orb;
   private final SimHost host;
+  private final MechSimHost reference;
   private final List<ServerRegistration> registrations = new ArrayList<>();
   private final CountDownLatch closed = new CountDownLatch(1);
   private final AtomicBoolean closing = new AtomicBoolean();
@@ -30,13 +29,10 @@ public final class SimHostProcess implements AutoCloseable {
     this.orb = orb;
     host = new SimHost(orb, settings.host(), solver, this::close);
     try {
-      MechSimHost reference =
+      reference =
           MechSimHostHelper.unchecked_narrow(
-              orb.activate(
-                      new MechSimHostPOATie(
-                          GuardedServant.of(MechSimHostOperations.class, host, () -> {})))
-                  .reference());
-      register(settings.serverUrls(), reference);
+              orb.activate(new MechSimHostPOATie(host.forServers())).reference());
+      register(settings.serverUrls());
     } catch (RuntimeException e) {
       registrations.forEach(ServerRegistration::close);
       host.close();
@@ -45,7 +41,7 @@ public final class SimHostProcess implements AutoCloseable {
   }
 
   /** One server must be there; the others are tried again until they are. */
-  private void register(List<String> serverUrls, MechSimHost reference) {
+  private void register(List<String> serverUrls) {
     Optional<ServiceUnreachableException> unreachable = Optional.empty();
     boolean registered = false;
     for (String url : serverUrls) {
@@ -93,6 +89,11 @@ public final class SimHostProcess implements AutoCloseable {
   /** Returns {@code host:port} its MechSims are reached at. */
   public String address() {
     return orb.endpoint().toString();
+  }
+
+  /** Returns the reference that servers call. */
+  public MechSimHost reference() {
+    return reference;
   }
 
   /** Begins to load classes for the first client. */

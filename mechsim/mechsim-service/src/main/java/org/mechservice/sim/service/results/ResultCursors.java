@@ -21,6 +21,7 @@ import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.connection.ReplyMemory;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.contract.ContractTypes;
+import org.mechservice.sim.service.contract.OwnersOnly;
 import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
@@ -39,8 +40,8 @@ public final class ResultCursors {
     /** Makes a cursor callable until it is closed or the session ends. */
     ActiveObject activate(Servant servant);
 
-    /** Begins the lease anew. */
-    void renew();
+    /** Returns what decides who may call its objects. */
+    OwnersOnly gate();
   }
 
   private final Owner owner;
@@ -81,7 +82,7 @@ public final class ResultCursors {
       ActiveObject object =
           owner.activate(
               new ResultCursorPOATie(
-                  GuardedServant.of(ResultCursorOperations.class, cursor, owner::renew)));
+                  GuardedServant.of(ResultCursorOperations.class, cursor, owner.gate())));
       open.put(cursor, object);
       return ResultCursorHelper.unchecked_narrow(object.reference());
     }

@@ -2,6 +2,7 @@ package org.mechservice.sim.service.session;
 
 import java.util.concurrent.Executor;
 import org.mechservice.orb.ServiceOrb;
+import org.mechservice.sim.service.contract.DenialLog;
 import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.results.RunStore;
@@ -13,6 +14,7 @@ import org.mechservice.sim.service.results.RunStore;
  * @param hostName the host's name at its server
  * @param limits what the host allows now
  * @param journal where what happens is written down
+ * @param denials where refused calls are written down
  * @param store where ended runs go
  * @param callbacks threads that call clients back
  * @param userCode whether classes of users may be compiled and run here
@@ -22,6 +24,7 @@ record HostServices(
     String hostName,
     CurrentLimits limits,
     Journal journal,
+    DenialLog denials,
     RunStore store,
     Executor callbacks,
     boolean userCode) {}

@@ -26,6 +26,7 @@ import org.mechservice.orb.connection.ReplyMemory;
 import org.mechservice.sim.service.contract.ClientNotifier;
 import org.mechservice.sim.service.contract.ContractTypes;
 import org.mechservice.sim.service.contract.JournalEntry;
+import org.mechservice.sim.service.contract.OwnersOnly;
 import org.mechservice.sim.service.contract.SessionEvents;
 import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
@@ -61,6 +62,7 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
   private final Map<SimulationRun, Hosted> simulations = new HashMap<>();
   private final List<ActiveObject> own = new ArrayList<>();
   private final List<EndedRunServant> reopened = new ArrayList<>();
+  private final OwnersOnly gate;
   private volatile long renewedAt = System.nanoTime();
   private boolean ended;
 
@@ -76,6 +78,7 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
     this.client = client;
     this.host = host;
     notifier = new ClientNotifier(host.callbacks());
+    gate = new OwnersOnly(owner, this::renew, host.denials());
   }
 
   String id() {
@@ -100,7 +103,11 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
   }
 
   @Override
-  public void renew() {
+  public OwnersOnly gate() {
+    return gate;
+  }
+
+  void renew() {
     renewedAt = System.nanoTime();
   }
 
@@ -152,7 +159,7 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
 
   private IMechSimRemotePOATie guarded(IMechSimRemoteOperations servant) {
     return new IMechSimRemotePOATie(
-        GuardedServant.of(IMechSimRemoteOperations.class, servant, this::renew));
+        GuardedServant.of(IMechSimRemoteOperations.class, servant, gate));
   }
 
   /**

@@ -25,6 +25,7 @@ import org.mechservice.idl.MechSimHelper;
 import org.mechservice.idl.MechSimOperations;
 import org.mechservice.idl.MechSimPOATie;
 import org.mechservice.idl.NameValue;
+import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimEvent;
@@ -33,8 +34,10 @@ import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.ActiveObject;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.ServiceOrb;
+import org.mechservice.orb.tls.Caller;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.contract.ContractTypes;
+import org.mechservice.sim.service.contract.DenialLog;
 import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.sim.service.contract.JournalEntry;
 import org.mechservice.sim.service.library.ModelLibrary;
@@ -92,6 +95,7 @@ public final class SessionTable implements AutoCloseable {
    * @param spool folder in which ended runs outlive the process; empty: they do not
    * @param solver runs them
    * @param journal logs the sessions
+   * @param denials logs refused calls
    * @param userCode whether classes of users may be compiled and run here
    * @throws IllegalArgumentException with code S-114 if the folder cannot be used
    */
@@ -103,10 +107,11 @@ public final class SessionTable implements AutoCloseable {
       Optional<Path> spool,
       Solver solver,
       Journal journal,
+      DenialLog denials,
       boolean userCode) {
     RunStore store = new RunStore(spool, limits);
     callbacks = Executors.newCachedThreadPool(named("callback"));
-    host = new HostServices(orb, hostName, limits, journal, store, callbacks, userCode);
+    host = new HostServices(orb, hostName, limits, journal, denials, store, callbacks, userCode);
     queue = new RunQueue(capacity, limits);
     runs =
         new RunFactory(
@@ -171,7 +176,7 @@ public final class SessionTable implements AutoCloseable {
       ActiveObject object =
           session.activateSelf(
               new MechSimPOATie(
-                  GuardedServant.of(MechSimOperations.class, servant, session::renew)));
+                  GuardedServant.of(MechSimOperations.class, servant, session.gate())));
       MechSim reference = MechSimHelper.unchecked_narrow(object.reference());
       sessions.put(session.id(), new Entry(session, Optional.of(reference)));
       opened.incrementAndGet();
@@ -208,34 +213,58 @@ public final class SessionTable implements AutoCloseable {
     }
   }
 
-  /** Returns a session that is alive. */
-  public Optional<MechSim> find(String sessionId) {
+  /**
+   * Returns a session that is alive.
+   *
+   * @param user whose it must be; empty: anybody's
+   * @throws NotAuthorized if it is another user's
+   */
+  public Optional<MechSim> find(String sessionId, String user) throws NotAuthorized {
     Entry found = sessions.get(sessionId);
     if (found == null) {
       return Optional.empty();
     }
+    requireOwner(found.session().owner(), user);
     found.session().renew();
     return found.reference();
   }
 
+  private static boolean owns(String owner, String user) {
+    return user.isEmpty() || user.equals(owner);
+  }
+
+  private static void requireOwner(String owner, String user) throws NotAuthorized {
+    if (!owns(owner, user)) {
+      throw Caller.notTheOwner(user);
+    }
+  }
+
   /**
-   * Returns a simulation, of a session that is alive or one that has ended and is kept.
+   * Returns a simulation, of a session that is alive or one that has ended and is kept. A run that
+   * another user claims to have begun under the same id is passed over.
    *
+   * @param user whose it must be; empty: anybody's
    * @throws NotFound if there is no such simulation, or no longer
+   * @throws NotAuthorized if there are only other users'
    * @throws LimitExceeded if there are too many sessions to reopen it
    */
-  public IMechSimRemote findSimulation(String simId) throws NotFound, LimitExceeded {
+  public IMechSimRemote findSimulation(String simId, String user)
+      throws NotFound, NotAuthorized, LimitExceeded {
+    boolean anothers = false;
     for (Session session : allSessions()) {
       Optional<IMechSimRemote> found = session.find(simId);
-      if (found.isPresent()) {
+      if (found.isPresent() && owns(session.owner(), user)) {
         session.renew();
         return found.get();
       }
+      anothers |= found.isPresent();
     }
-    RunStore.Kept kept =
-        host.store()
-            .find(simId)
-            .orElseThrow(() -> ContractErrors.notFound("there is no simulation " + simId));
+    Optional<RunStore.Kept> ended = host.store().find(simId);
+    if (ended.isEmpty() && !anothers) {
+      throw ContractErrors.notFound("there is no simulation " + simId);
+    }
+    RunStore.Kept kept = ended.orElseThrow(() -> Caller.notTheOwner(user));
+    requireOwner(kept.run().identity().owner(), user);
     synchronized (sessions) {
       Session session = admitted(kept.run().identity().owner(), null);
       IMechSimRemote reference =

@@ -29,6 +29,7 @@ import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.sim.model.BuildOptions;
+import org.mechservice.sim.service.contract.DenialLog;
 import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.sim.service.library.LoadedModel;
 import org.mechservice.sim.service.library.ModelLibrary;
@@ -107,8 +108,10 @@ public final class WarmUp implements AutoCloseable {
     try (RunQueue queue = new RunQueue(1, limits);
         RunStore store = new RunStore(Optional.empty(), limits);
         ModelLibrary library = new ModelLibrary()) {
+      Journal journal = Journal.unlogged();
       HostServices host =
-          new HostServices(orb, "warm-up", limits, Journal.unlogged(), store, Runnable::run, false);
+          new HostServices(
+              orb, "warm-up", limits, journal, new DenialLog(journal), store, Runnable::run, false);
       Session session = new Session("warm-up", client, host);
       try {
         RunFactory runs =
@@ -130,7 +133,7 @@ public final class WarmUp implements AutoCloseable {
         session
             .activateSelf(
                 new MechSimPOATie(
-                    GuardedServant.of(MechSimOperations.class, servant, session::renew)))
+                    GuardedServant.of(MechSimOperations.class, servant, session.gate())))
             .reference());
   }
 

@@ -211,7 +211,7 @@ class CancelContractTest {
 
   private static IMechSimRemote found(HostedClient there, String simId) throws Exception {
     return IMechSimRemoteHelper.unchecked_narrow(
-        there.clientOrb.fromIor(there.hostOrb.toIor(there.host.findSimulation(simId))));
+        there.clientOrb.fromIor(there.hostOrb.toIor(there.host.findSimulation(simId, ""))));
   }
 
   @Test
@@ -223,7 +223,7 @@ class CancelContractTest {
       run.start();
       Eventually.holds(() -> run.getProgress().rowsReady > 0);
       run.destroy();
-      assertThatThrownBy(() -> there.host.findSimulation(simId)).isInstanceOf(NotFound.class);
+      assertThatThrownBy(() -> there.host.findSimulation(simId, "")).isInstanceOf(NotFound.class);
     }
     assertThat(endingsInFolder()).containsExactly("lock");
   }

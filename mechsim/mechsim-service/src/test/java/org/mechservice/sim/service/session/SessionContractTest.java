@@ -206,9 +206,9 @@ class SessionContractTest {
     try (HostedClient there = HostedClient.with(PacedSolver.endless())) {
       MechSim session = there.session();
       String id = session.sessionId();
-      assertThat(there.seenByClient(there.host.findSession(id)).sessionId()).isEqualTo(id);
+      assertThat(there.seenByClient(there.host.findSession(id, "")).sessionId()).isEqualTo(id);
       session.destroy();
-      assertThatThrownBy(() -> there.host.findSession(id)).isInstanceOf(NotFound.class);
+      assertThatThrownBy(() -> there.host.findSession(id, "")).isInstanceOf(NotFound.class);
     }
   }
 

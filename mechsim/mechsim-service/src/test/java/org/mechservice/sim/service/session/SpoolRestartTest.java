@@ -50,7 +50,7 @@ class SpoolRestartTest {
 
   private static IMechSimRemote found(HostedClient there, String simId) throws Exception {
     return IMechSimRemoteHelper.unchecked_narrow(
-        there.clientOrb.fromIor(there.hostOrb.toIor(there.host.findSimulation(simId))));
+        there.clientOrb.fromIor(there.hostOrb.toIor(there.host.findSimulation(simId, ""))));
   }
 
   @Test
@@ -183,7 +183,7 @@ class SpoolRestartTest {
       run.destroy();
     }
     try (HostedClient after = on(folder, SimHost.installedSolver())) {
-      assertThatThrownBy(() -> after.host.findSimulation(simId)).isInstanceOf(NotFound.class);
+      assertThatThrownBy(() -> after.host.findSimulation(simId, "")).isInstanceOf(NotFound.class);
     }
     assertThat(filesIn(folder)).containsExactly("lock");
   }

@@ -1,4 +1,4 @@
-package org.mechservice.server.admin;
+package org.mechservice.sim.service.contract;
 
 import java.time.Duration;
 import java.util.ArrayList;
@@ -9,8 +9,6 @@ import org.mechservice.idl.HostInfo;
 import org.mechservice.idl.Limit;
 import org.mechservice.idl.NotAuthorized;
 import org.mechservice.orb.tls.Caller;
-import org.mechservice.sim.service.contract.Journal;
-import org.mechservice.sim.service.contract.JournalEntry;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**

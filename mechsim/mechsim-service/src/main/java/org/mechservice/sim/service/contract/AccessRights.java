@@ -1,4 +1,4 @@
-package org.mechservice.server.admin;
+package org.mechservice.sim.service.contract;
 
 import java.lang.reflect.Method;
 import java.util.Optional;
@@ -7,6 +7,7 @@ import org.mechservice.idl.NotAuthorized;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.tls.Caller;
 import org.mechservice.orb.tls.Role;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** The role that each operation requires. A caller without it is refused and logged. */
 public final class AccessRights implements GuardedServant.Gate {
@@ -48,7 +49,7 @@ public final class AccessRights implements GuardedServant.Gate {
     return new AccessRights(ASKING, Optional.empty(), Role.CLIENT, denials);
   }
 
-  /** Only machines register as hosts. */
+  /** Only machines register as hosts, call hosts, and renew registrations. */
   public static AccessRights toServe(DenialLog denials) {
     return new AccessRights(Set.of(), Optional.empty(), Role.SERVER, denials);
   }
@@ -65,6 +66,9 @@ public final class AccessRights implements GuardedServant.Gate {
   @Override
   public void refused(Method operation, Object[] arguments, NotAuthorized refusal) {
     String name = operation.getName();
+    if (otherwise == Role.SERVER && refusal.code.equals(MessageCode.NOT_THE_OWNER.code())) {
+      return; // the server called for a user, and records the refusal with the user's name
+    }
     if (lesser.contains(name)) {
       denials.ofQuestion(Caller.current(), name, refusal);
     } else {
