@@ -4,6 +4,8 @@ import java.util.Collections;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
+import org.objectweb.asm.Handle;
+import org.objectweb.asm.Opcodes;
 
 /**
  * The allow-list of Java classes and members for user classes: numbers, texts and collections.
@@ -74,12 +76,16 @@ final class AllowedJava {
           "java/lang/Boolean.getBoolean",
           "java/lang/Throwable.printStackTrace");
 
-  /** Members that the compiler itself calls for lambdas, string concatenation and records. */
+  /** Classes whose objects may be handed on, although few or none of their members may be used. */
+  private static final Set<String> OPAQUE =
+      Set.of("java/lang/Class", "java/util/Locale", "java/util/Spliterator");
+
+  /** What the compiler links lambdas, string concatenation and records to. */
   private static final Set<String> BOOTSTRAPS =
       Set.of(
-          "java/lang/invoke/LambdaMetafactory",
-          "java/lang/invoke/StringConcatFactory",
-          "java/lang/runtime/ObjectMethods");
+          "java/lang/invoke/LambdaMetafactory.metafactory",
+          "java/lang/invoke/StringConcatFactory.makeConcatWithConstants",
+          "java/lang/runtime/ObjectMethods.bootstrap");
 
   private AllowedJava() {}
 
@@ -111,7 +117,14 @@ final class AllowedJava {
         || (CLASSES.contains(owner) && !FORBIDDEN.contains(member) && !inherited);
   }
 
-  static boolean isBootstrap(String owner) {
-    return BOOTSTRAPS.contains(owner);
+  /** Returns whether an object of a class may occur among the arguments or as result of a call. */
+  static boolean isHandedOn(String internalName) {
+    return CLASSES.contains(internalName) || OPAQUE.contains(internalName);
+  }
+
+  /** Returns whether an {@code invokedynamic} may be linked by this method. */
+  static boolean isBootstrap(Handle method) {
+    return method.getTag() == Opcodes.H_INVOKESTATIC
+        && BOOTSTRAPS.contains(method.getOwner() + "." + method.getName());
   }
 }

@@ -5,19 +5,28 @@ import java.util.SortedMap;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.solver.api.UserForce;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.objectweb.asm.AnnotationVisitor;
+import org.objectweb.asm.Attribute;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.ClassVisitor;
-import org.objectweb.asm.ConstantDynamic;
 import org.objectweb.asm.FieldVisitor;
 import org.objectweb.asm.Handle;
 import org.objectweb.asm.Label;
 import org.objectweb.asm.MethodVisitor;
+import org.objectweb.asm.ModuleVisitor;
 import org.objectweb.asm.Opcodes;
+import org.objectweb.asm.RecordComponentVisitor;
 import org.objectweb.asm.Type;
+import org.objectweb.asm.TypePath;
 
 /**
  * Verifies, without loading them, that user classes use nothing but each other, the force interface
  * and {@link AllowedJava}: no files, network, reflection, threads or processes.
+ *
+ * <p>Every part of a class file that can name a class, a member or a constant is visited, and what
+ * is not known to be harmless is refused: also attributes, kinds of constants and ways of linking
+ * that later versions of Java may bring. Two parts are left out, because a running class never
+ * follows them: generic signatures and the list of inner classes, which only reflection reads.
  */
 final class BytecodeVerifier extends ClassVisitor {
   private static final String INTERFACE = UserForce.class.getPackageName().replace('.', '/') + "/";
@@ -58,14 +67,133 @@ final class BytecodeVerifier extends ClassVisitor {
   }
 
   @Override
-  public @Nullable FieldVisitor visitField(
+  public void visitNestHost(String host) {
+    requireOwn(host, "its nest host is");
+  }
+
+  @Override
+  public void visitNestMember(String member) {
+    requireOwn(member, "its nest has the member");
+  }
+
+  @Override
+  public void visitPermittedSubclass(String subclass) {
+    requireOwn(subclass, "it permits the subclass");
+  }
+
+  @Override
+  public void visitOuterClass(String owner, @Nullable String name, @Nullable String descriptor) {
+    requireOwn(owner, "it is enclosed by");
+  }
+
+  private void requireOwn(String internalName, String how) {
+    if (!own.contains(internalName.replace('/', '.'))) {
+      refuse(how + " " + internalName.replace('/', '.') + ", which did not come with it", "", 0);
+    }
+  }
+
+  @Override
+  public @Nullable ModuleVisitor visitModule(String name, int access, @Nullable String version) {
+    refuse("it is a module", "", 0);
+    return null;
+  }
+
+  @Override
+  public void visitAttribute(Attribute attribute) {
+    requireKnown(attribute, "", 0);
+  }
+
+  @Override
+  public AnnotationVisitor visitAnnotation(String descriptor, boolean visible) {
+    return annotation(descriptor, "", 0);
+  }
+
+  @Override
+  public AnnotationVisitor visitTypeAnnotation(
+      int typeRef, @Nullable TypePath typePath, String descriptor, boolean visible) {
+    return annotation(descriptor, "", 0);
+  }
+
+  @Override
+  public RecordComponentVisitor visitRecordComponent(
+      String name, String descriptor, @Nullable String signature) {
+    requireType(Type.getType(descriptor), "component " + name + " is a", "", 0);
+    return new RecordComponentVisitor(Opcodes.ASM9) {
+      @Override
+      public AnnotationVisitor visitAnnotation(String type, boolean visible) {
+        return annotation(type, "", 0);
+      }
+
+      @Override
+      public AnnotationVisitor visitTypeAnnotation(
+          int typeRef, @Nullable TypePath typePath, String type, boolean visible) {
+        return annotation(type, "", 0);
+      }
+
+      @Override
+      public void visitAttribute(Attribute attribute) {
+        requireKnown(attribute, "", 0);
+      }
+    };
+  }
+
+  @Override
+  public FieldVisitor visitField(
       int access,
       String name,
       String descriptor,
       @Nullable String signature,
       @Nullable Object value) {
     requireType(Type.getType(descriptor), "field " + name + " is a", "", 0);
-    return null;
+    return new FieldVisitor(Opcodes.ASM9) {
+      @Override
+      public AnnotationVisitor visitAnnotation(String type, boolean visible) {
+        return annotation(type, "", 0);
+      }
+
+      @Override
+      public AnnotationVisitor visitTypeAnnotation(
+          int typeRef, @Nullable TypePath typePath, String type, boolean visible) {
+        return annotation(type, "", 0);
+      }
+
+      @Override
+      public void visitAttribute(Attribute attribute) {
+        requireKnown(attribute, "", 0);
+      }
+    };
+  }
+
+  /** Checks an annotation and its values. */
+  private AnnotationVisitor annotation(String descriptor, String method, int line) {
+    requireType(Type.getType(descriptor), "it is annotated with", method, line);
+    return new AnnotationVisitor(Opcodes.ASM9) {
+      @Override
+      public void visit(String name, Object value) {
+        if (value instanceof Type type) {
+          requireType(type, "an annotation names", method, line);
+        }
+      }
+
+      @Override
+      public void visitEnum(String name, String type, String value) {
+        requireType(Type.getType(type), "an annotation names", method, line);
+      }
+
+      @Override
+      public AnnotationVisitor visitAnnotation(String name, String nested) {
+        return annotation(nested, method, line);
+      }
+
+      @Override
+      public AnnotationVisitor visitArray(String name) {
+        return this;
+      }
+    };
+  }
+
+  private void requireKnown(Attribute attribute, String method, int line) {
+    refuse("it has the unknown attribute " + attribute.type, method, line);
   }
 
   @Override
@@ -79,6 +207,12 @@ final class BytecodeVerifier extends ClassVisitor {
       refuse("it is native", name, 0);
     } else if (name.equals("finalize")) {
       refuse("it would run in a thread of Java's own", name, 0);
+    }
+    requireSignature(descriptor, "it takes or returns a", name, 0);
+    if (exceptions != null) {
+      for (String exception : exceptions) {
+        requireClass(exception, "it throws", name, 0);
+      }
     }
     return new Code(name);
   }
@@ -99,6 +233,21 @@ final class BytecodeVerifier extends ClassVisitor {
     Type element = type.getSort() == Type.ARRAY ? type.getElementType() : type;
     if (element.getSort() == Type.OBJECT && !allowed(element.getInternalName())) {
       refuse(how + " " + element.getClassName(), method, line);
+    }
+  }
+
+  /** Checks the types of arguments and of the result; their objects may at least be handed on. */
+  private void requireSignature(String descriptor, String how, String method, int line) {
+    for (Type argument : Type.getArgumentTypes(descriptor)) {
+      requireHandedOn(argument, how, method, line);
+    }
+    requireHandedOn(Type.getReturnType(descriptor), how, method, line);
+  }
+
+  private void requireHandedOn(Type type, String how, String method, int line) {
+    Type element = type.getSort() == Type.ARRAY ? type.getElementType() : type;
+    if (element.getSort() != Type.OBJECT || !AllowedJava.isHandedOn(element.getInternalName())) {
+      requireType(element, how, method, line);
     }
   }
 
@@ -136,21 +285,28 @@ final class BytecodeVerifier extends ClassVisitor {
     @Override
     public void visitMethodInsn(
         int opcode, String owner, String name, String descriptor, boolean isInterface) {
-      requireMember(owner, name, "it calls");
+      if (requireMember(owner, name, "it calls")) {
+        requireSignature(descriptor, "it calls " + name + " with a", method, line);
+      }
     }
 
     @Override
     public void visitFieldInsn(int opcode, String owner, String name, String descriptor) {
-      requireMember(owner, name, "it uses");
+      if (requireMember(owner, name, "it uses")) {
+        requireHandedOn(Type.getType(descriptor), "it uses a", method, line);
+      }
     }
 
-    private void requireMember(String owner, String name, String how) {
+    /** Returns whether the member may be used. */
+    private boolean requireMember(String owner, String name, String how) {
       boolean arrays = owner.startsWith("["); // clone()
       boolean foreign = !own.contains(owner.replace('/', '.')) && !owner.startsWith(INTERFACE);
       boolean inherited = !foreign && !AllowedJava.isMember("java/lang/Object", name);
-      if (!arrays && (foreign ? !AllowedJava.isMember(owner, name) : inherited)) {
+      boolean refused = !arrays && (foreign ? !AllowedJava.isMember(owner, name) : inherited);
+      if (refused) {
         refuse(how + " " + owner.replace('/', '.') + "." + name, method, line);
       }
+      return !refused;
     }
 
     @Override
@@ -170,25 +326,112 @@ final class BytecodeVerifier extends ClassVisitor {
 
     @Override
     public void visitLdcInsn(Object value) {
-      if (value instanceof Handle || value instanceof ConstantDynamic) {
-        refuse("it uses a method handle", method, line);
-      } else if (value instanceof Type type && type.getSort() != Type.METHOD) {
+      if (value instanceof Type type && type.getSort() != Type.METHOD) {
         requireType(type, "it uses", method, line);
+      } else if (!isPlain(value)) {
+        refuse("it uses " + kindOf(value), method, line);
       }
     }
 
     @Override
     public void visitInvokeDynamicInsn(
         String name, String descriptor, Handle bootstrap, Object... arguments) {
-      if (!AllowedJava.isBootstrap(bootstrap.getOwner())) {
-        refuse("it links to " + bootstrap.getOwner().replace('/', '.'), method, line);
+      if (!AllowedJava.isBootstrap(bootstrap)) {
+        String linked = bootstrap.getOwner().replace('/', '.') + "." + bootstrap.getName();
+        refuse("it links to " + linked, method, line);
       }
       requireType(Type.getReturnType(descriptor), "it makes a", method, line);
+      requireSignature(descriptor, "it makes something of a", method, line);
       for (Object argument : arguments) {
         if (argument instanceof Handle handle) {
-          requireMember(handle.getOwner(), handle.getName(), "it refers to");
+          if (requireMember(handle.getOwner(), handle.getName(), "it refers to")) {
+            requireLinked(handle);
+          }
+        } else if (argument instanceof Type type && type.getSort() == Type.METHOD) {
+          requireSignature(type.getDescriptor(), "it refers to a", method, line);
+        } else if (argument instanceof Type type) {
+          requireType(type, "it refers to", method, line);
+        } else if (!isPlain(argument)) {
+          refuse("it is linked with " + kindOf(argument), method, line);
         }
       }
+    }
+
+    private void requireLinked(Handle handle) {
+      if (handle.getDesc().startsWith("(")) {
+        requireSignature(handle.getDesc(), "it refers to a method with a", method, line);
+      } else {
+        requireType(Type.getType(handle.getDesc()), "it refers to a", method, line);
+      }
+    }
+
+    /** Returns whether a constant is a number or a text, which nothing is computed for. */
+    private boolean isPlain(Object constant) {
+      return constant instanceof String
+          || constant instanceof Integer
+          || constant instanceof Long
+          || constant instanceof Float
+          || constant instanceof Double;
+    }
+
+    private String kindOf(Object constant) {
+      if (constant instanceof Handle) {
+        return "a method handle";
+      } else if (constant instanceof Type) {
+        return "a method type";
+      }
+      return "a constant that is computed when it is first used";
+    }
+
+    @Override
+    public void visitAttribute(Attribute attribute) {
+      requireKnown(attribute, method, line);
+    }
+
+    @Override
+    public AnnotationVisitor visitAnnotation(String descriptor, boolean visible) {
+      return annotation(descriptor, method, line);
+    }
+
+    @Override
+    public AnnotationVisitor visitTypeAnnotation(
+        int typeRef, @Nullable TypePath typePath, String descriptor, boolean visible) {
+      return annotation(descriptor, method, line);
+    }
+
+    @Override
+    public AnnotationVisitor visitInsnAnnotation(
+        int typeRef, @Nullable TypePath typePath, String descriptor, boolean visible) {
+      return annotation(descriptor, method, line);
+    }
+
+    @Override
+    public AnnotationVisitor visitTryCatchAnnotation(
+        int typeRef, @Nullable TypePath typePath, String descriptor, boolean visible) {
+      return annotation(descriptor, method, line);
+    }
+
+    @Override
+    public AnnotationVisitor visitLocalVariableAnnotation(
+        int typeRef,
+        @Nullable TypePath typePath,
+        Label[] start,
+        Label[] end,
+        int[] index,
+        String descriptor,
+        boolean visible) {
+      return annotation(descriptor, method, line);
+    }
+
+    @Override
+    public AnnotationVisitor visitParameterAnnotation(
+        int parameter, String descriptor, boolean visible) {
+      return annotation(descriptor, method, line);
+    }
+
+    @Override
+    public @Nullable AnnotationVisitor visitAnnotationDefault() {
+      return null; // values of an annotation type that came with the model
     }
   }
 }

@@ -1,12 +1,15 @@
 package org.mechservice.sim.user;
 
+import java.lang.module.ModuleFinder;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.Opcodes;
@@ -14,9 +17,27 @@ import org.objectweb.asm.tree.ClassNode;
 
 /** Reads the class files, and compiles the sources, that came with a model. */
 final class UserClassFiles {
-  /** Packages of Java and of the product, closed to user classes. */
+  /** Packages of any Java, of its past modules and of the product, closed to user classes. */
   private static final List<String> RESERVED =
-      List.of("java.", "javax.", "jdk.", "sun.", "com.sun.", "org.mechservice.");
+      List.of(
+          "java.",
+          "javax.",
+          "jdk.",
+          "sun.",
+          "com.sun.",
+          "netscape.",
+          "org.ietf.",
+          "org.jcp.",
+          "org.omg.",
+          "org.w3c.",
+          "org.xml.",
+          "org.mechservice.");
+
+  /** Packages of the modules of this Java. */
+  private static final Set<String> PLATFORM =
+      ModuleFinder.ofSystem().findAll().stream()
+          .flatMap(module -> module.descriptor().packages().stream())
+          .collect(Collectors.toUnmodifiableSet());
 
   /** A class file's version less this number is the version of Java. */
   private static final int JAVA_ZERO = 44;
@@ -66,6 +87,13 @@ final class UserClassFiles {
           MessageCode.USER_CLASS_FILE_UNUSABLE,
           file.name(),
           "this is no class file; compile the class again");
+    } else if (version < Opcodes.V1_8) {
+      findings.add(
+          MessageCode.USER_CLASS_FILE_UNUSABLE,
+          file.name(),
+          "this was compiled for Java "
+              + (version - JAVA_ZERO)
+              + ", whose class files are not verified here; compile it with javac --release 17");
     } else if (version > Opcodes.V17) {
       findings.add(
           MessageCode.USER_CLASS_FILE_UNUSABLE,
@@ -107,7 +135,7 @@ final class UserClassFiles {
           MessageCode.USER_CLASS_FILE_UNUSABLE,
           file,
           "this holds the class " + name + ", and so does " + other + "; keep one");
-    } else if (RESERVED.stream().anyMatch(name::startsWith)) {
+    } else if (isReserved(name)) {
       findings.add(
           MessageCode.USER_CLASS_FILE_UNUSABLE,
           file,
@@ -115,6 +143,13 @@ final class UserClassFiles {
     } else {
       classes.put(name, content);
     }
+  }
+
+  /** Returns whether Java or the product has, or may have, a class of this name. */
+  private static boolean isReserved(String name) {
+    int dot = name.lastIndexOf('.');
+    return RESERVED.stream().anyMatch(name::startsWith)
+        || (dot > 0 && PLATFORM.contains(name.substring(0, dot)));
   }
 
   private void refuse(List<UserFile> sources) {

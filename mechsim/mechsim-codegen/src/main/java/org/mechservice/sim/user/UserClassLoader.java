@@ -3,7 +3,11 @@ package org.mechservice.sim.user;
 import java.util.SortedMap;
 import org.mechservice.solver.api.UserForce;
 
-/** Loads classes of users. They see Java and the force interface, not what else runs here. */
+/**
+ * Loads classes of users. They see each other, the packages {@code java.*} and the force interface,
+ * not what else runs here. A class among the given ones is always the given one, and a name that is
+ * neither given nor in those packages is found nowhere, also if the platform has such a class.
+ */
 final class UserClassLoader extends ClassLoader {
   private static final String INTERFACE = UserForce.class.getPackageName();
 
@@ -12,6 +16,21 @@ final class UserClassLoader extends ClassLoader {
   UserClassLoader(SortedMap<String, byte[]> classFiles) {
     super("user-forces", ClassLoader.getPlatformClassLoader());
     this.classFiles = classFiles;
+  }
+
+  @Override
+  protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+    if (name.startsWith("java.")) {
+      return super.loadClass(name, resolve);
+    }
+    synchronized (getClassLoadingLock(name)) {
+      Class<?> loaded = findLoadedClass(name);
+      Class<?> found = loaded == null ? findClass(name) : loaded;
+      if (resolve) {
+        resolveClass(found);
+      }
+      return found;
+    }
   }
 
   @Override
