@@ -13,6 +13,7 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
+import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.Set;
 import java.util.jar.JarEntry;
@@ -63,6 +64,32 @@ class WholeWayTest {
     assertThat(folder.resolve("local.csv"))
         .isNotEmptyFile()
         .hasSameBinaryContentAs(folder.resolve("remote.csv"));
+  }
+
+  @Test
+  void strictAccuracyReachesRemoteAndLocalRunsAlike() throws IOException {
+    mech("simulate", MODEL, "--quiet", "--out", file("standard.csv"));
+    String[] asked = {"simulate", MODEL, "--accuracy", "strict", "--json", "--out"};
+    for (String mode : new String[] {"remote", "local"}) {
+      out.getBuffer().setLength(0);
+      String[] words = Arrays.copyOf(asked, asked.length + 3);
+      words[asked.length] = file(mode + ".csv");
+      words[asked.length + 1] = "--mode";
+      words[asked.length + 2] = mode;
+      assertThat(mech(words)).as(err.toString()).isZero();
+      assertThat(JsonParser.parseString(out.toString()).getAsJsonObject().get("accuracy"))
+          .as(mode)
+          .hasToString("\"strict\"");
+    }
+    assertThat(folder.resolve("local.csv")).hasSameBinaryContentAs(folder.resolve("remote.csv"));
+    assertThat(Files.readString(folder.resolve("standard.csv")))
+        .isNotEqualTo(Files.readString(folder.resolve("remote.csv")));
+  }
+
+  @Test
+  void unknownAccuracyIsRefusedByName() {
+    assertThat(mech("simulate", MODEL, "--accuracy", "sharp")).isEqualTo(2);
+    assertThat(err.toString()).contains("accuracy is \"sharp\"; it must be standard or strict");
   }
 
   @Test

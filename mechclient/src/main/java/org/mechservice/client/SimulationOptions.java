@@ -31,6 +31,7 @@ import org.mechservice.idl.OPT_TUNABLE;
 import org.mechservice.idl.OPT_T_END;
 import org.mechservice.idl.OPT_T_STEP;
 import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.catalogue.Accuracy;
 
 /**
  * How a model is to be simulated, where that differs from what its file says. Immutable: every
@@ -145,6 +146,14 @@ public final class SimulationOptions {
    */
   public SimulationOptions absoluteTolerances(String tolerances) {
     return with(OPT_ABS_TOL.value, tolerances);
+  }
+
+  /**
+   * Chooses how closely the error at the end keeps to the tolerances: {@code standard}, or {@code
+   * strict}, which makes errors smaller at the same tolerances and costs more evaluations.
+   */
+  public SimulationOptions accuracy(String name) {
+    return with(Accuracy.OPTION, name);
   }
 
   /** Sets the end of the run, s. */

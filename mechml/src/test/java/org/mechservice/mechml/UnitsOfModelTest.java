@@ -17,6 +17,7 @@ import org.mechservice.mechml.expression.ExpressionParser;
 import org.mechservice.mechml.expression.Scope;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.Accuracy;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -157,6 +158,23 @@ class UnitsOfModelTest {
         .isEqualTo(
             new SimulationSettings(
                 new RunSettings(0, 0.5, 0.001, "ode113", 1e-6, 1e-8, 0.1, 1e-4, 5), "DTR"));
+  }
+
+  @Test
+  void accuracyIsStandardUnlessTheIntegratorNamesOne() throws MechmlException {
+    String time = "<timeSet tini='0' tend='5' tstep='1'/>";
+    String integrator = "<integrator name='ode113' relTol='1e-6' absTol='1e-8'";
+    assertThat(ModelText.of("R").withSimulation(time + integrator + "/>").read().settings().run())
+        .extracting(RunSettings::accuracy)
+        .isEqualTo(Accuracy.STANDARD);
+    assertThat(
+            ModelText.of("R")
+                .withSimulation(time + integrator + " accuracy='strict'/>")
+                .read()
+                .settings()
+                .run())
+        .extracting(RunSettings::accuracy)
+        .isEqualTo(Accuracy.STRICT);
   }
 
   @Test

@@ -17,6 +17,14 @@ public final class ToleranceOptions {
               + " velocities.")
   private Optional<String> absoluteTolerance = Optional.empty();
 
+  @Option(
+      names = "--accuracy",
+      paramLabel = "standard|strict",
+      hideParamSyntax = true,
+      description =
+          "Accuracy: standard, or strict, which makes errors smaller at the same tolerances.")
+  private Optional<String> accuracy = Optional.empty();
+
   @Option(names = "--t-end", paramLabel = "T", description = "End of the run, s.")
   private Optional<Double> endTime = Optional.empty();
 
@@ -27,6 +35,7 @@ public final class ToleranceOptions {
   public SimulationOptions addTo(SimulationOptions options) {
     SimulationOptions all = relativeTolerance.map(options::relativeTolerance).orElse(options);
     all = absoluteTolerance.map(all::absoluteTolerances).orElse(all);
+    all = accuracy.map(all::accuracy).orElse(all);
     all = endTime.map(all::endTime).orElse(all);
     return outputStep.map(all::outputStep).orElse(all);
   }

@@ -142,9 +142,13 @@ public final class MethodRunner implements AutoCloseable {
         TimeUnit.MILLISECONDS);
   }
 
-  /** The largest step is the scene's: without it a method may step over a short force. */
+  /**
+   * Accuracy and largest step are the scene's: without a largest step a method may step over a
+   * short force.
+   */
   private RunSettings settings(Candidate candidate, Model model, double tolerance) {
     double absolute = tolerance * absolutePart;
+    RunSettings defaults = model.description().defaults();
     return new RunSettings(
         grid.start(),
         reference.end(),
@@ -152,12 +156,13 @@ public final class MethodRunner implements AutoCloseable {
         candidate.method().integrator(),
         tolerance,
         absolute,
-        model.description().defaults().maxStep(),
+        defaults.maxStep(),
         0,
         0,
         absolute,
         absolute,
-        absolute);
+        absolute,
+        defaults.accuracy());
   }
 
   private MeasuredRun measured(

@@ -15,6 +15,7 @@ import org.mechservice.mechml.resolve.value.AttributeText;
 import org.mechservice.mechml.resolve.value.SettingReader;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Unit;
+import org.mechservice.solver.catalogue.Accuracy;
 import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.IntegratorSettings;
@@ -65,7 +66,8 @@ final class IntegratorReader {
                 absolute.get(),
                 maxStep.getAsDouble(),
                 initialStep.getAsDouble(),
-                (int) maxOrder.getAsDouble()))
+                (int) maxOrder.getAsDouble(),
+                element.attribute(Accuracy.OPTION).map(Accuracy::of).orElse(Accuracy.STANDARD)))
         : Optional.empty();
   }
 
@@ -146,6 +148,7 @@ final class IntegratorReader {
    * @param maxStep s; infinite if not given
    * @param initialStep s; 0 if not given
    * @param maxOrder 0 if not given
+   * @param accuracy standard if not given
    */
   record Choice(
       String name,
@@ -153,5 +156,6 @@ final class IntegratorReader {
       AbsoluteTolerances absoluteTolerances,
       double maxStep,
       double initialStep,
-      int maxOrder) {}
+      int maxOrder,
+      Accuracy accuracy) {}
 }

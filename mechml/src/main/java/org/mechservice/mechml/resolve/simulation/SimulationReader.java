@@ -15,6 +15,7 @@ import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.value.SettingReader;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.Accuracy;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.mechanism.Event;
@@ -27,7 +28,13 @@ final class SimulationReader {
   /** Placeholder in the settings of a task that is not integrated. */
   private static final IntegratorReader.Choice NO_INTEGRATOR =
       new IntegratorReader.Choice(
-          AUTO, 1e-5, AbsoluteTolerances.uniform(1e-5), Double.POSITIVE_INFINITY, 0, 0);
+          AUTO,
+          1e-5,
+          AbsoluteTolerances.uniform(1e-5),
+          Double.POSITIVE_INFINITY,
+          0,
+          0,
+          Accuracy.STANDARD);
 
   private static final TimeSetReader.TimeSet THE_START = new TimeSetReader.TimeSet(0, 0, 1);
 
@@ -123,7 +130,8 @@ final class SimulationReader {
         integrator.maxOrder(),
         tolerances.angle(),
         tolerances.velocity(),
-        tolerances.angularVelocity());
+        tolerances.angularVelocity(),
+        integrator.accuracy());
   }
 
   private Optional<SimulationTask> task(Element asked) {

@@ -11,6 +11,7 @@ import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.Accuracy;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.objectweb.asm.ClassTooLargeException;
 import org.objectweb.asm.ClassWriter;
@@ -28,6 +29,7 @@ final class ModelBytesWriter {
   private static final String STRING = "Ljava/lang/String;";
   private static final String DESCRIPTION = Type.getInternalName(ModelDescription.class);
   private static final String SETTINGS = Type.getInternalName(RunSettings.class);
+  private static final String ACCURACY = Type.getInternalName(Accuracy.class);
   private static final String SIX_SETTINGS = "DDD" + STRING + "DD";
 
   private final ModelPlan plan;
@@ -167,6 +169,9 @@ final class ModelBytesWriter {
     settings(code, description.defaults());
     code.visitMethodInsn(
         Opcodes.INVOKESPECIAL, SETTINGS, "<init>", "(" + SIX_SETTINGS + rest + ")V", false);
+    if (!plan.isStandardAccuracy()) {
+      accuracy(code, description.defaults().accuracy());
+    }
     code.visitMethodInsn(
         Opcodes.INVOKESTATIC,
         DESCRIPTION,
@@ -174,6 +179,17 @@ final class ModelBytesWriter {
         "(" + STRING.repeat(4) + "L" + SETTINGS + ";)L" + DESCRIPTION + ";",
         false);
     ClassMethods.end(code, Opcodes.ARETURN);
+  }
+
+  /** {@code .withAccuracy(Accuracy.STRICT)}. */
+  private static void accuracy(MethodVisitor code, Accuracy accuracy) {
+    code.visitFieldInsn(Opcodes.GETSTATIC, ACCURACY, accuracy.name(), "L" + ACCURACY + ";");
+    code.visitMethodInsn(
+        Opcodes.INVOKEVIRTUAL,
+        SETTINGS,
+        "withAccuracy",
+        "(L" + ACCURACY + ";)L" + SETTINGS + ";",
+        false);
   }
 
   private void settings(MethodVisitor code, RunSettings settings) {

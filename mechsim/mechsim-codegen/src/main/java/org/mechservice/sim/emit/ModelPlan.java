@@ -27,6 +27,7 @@ import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.api.result.ResultColumns;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.Accuracy;
 import org.mechservice.solver.dynamics.TreeStepModel;
 import org.mechservice.solver.force.formula.WrittenFormulas;
 import org.mechservice.solver.mechanism.Body;
@@ -381,6 +382,11 @@ public final class ModelPlan implements GeneratedClass {
   /** Returns whether the settings have one absolute tolerance for all states. */
   boolean hasOneTolerance() {
     return content.description().defaults().hasOneTolerance();
+  }
+
+  /** Returns whether the settings leave the accuracy as it is without them. */
+  boolean isStandardAccuracy() {
+    return content.description().defaults().accuracy() == Accuracy.STANDARD;
   }
 
   /**

@@ -97,6 +97,9 @@ final class ModelSourceWriter {
     imports.add("java.util.Arrays");
     imports.add("org.mechservice.solver.api.ModelDescription");
     imports.add("org.mechservice.solver.api.run.RunSettings");
+    if (!plan.isStandardAccuracy()) {
+      imports.add("org.mechservice.solver.catalogue.Accuracy");
+    }
     if (angles) {
       imports.add("org.mechservice.solver.spatial.SinCos");
     }
@@ -186,7 +189,7 @@ final class ModelSourceWriter {
     source.line("    " + JavaText.literal(description.formulation()) + ",");
     source.line("    " + JavaText.literal(plan.jointTypes()) + ",");
     source.line("    " + JavaText.literal(plan.jointNames()) + ",");
-    source.line("    new RunSettings(" + settings(description.defaults()) + "));");
+    source.line("    " + settings(description.defaults()) + ");");
     source.close();
   }
 
@@ -208,7 +211,11 @@ final class ModelSourceWriter {
       values.add(number(settings.velocityTolerance()));
       values.add(number(settings.angularVelocityTolerance()));
     }
-    return String.join(", ", values);
+    String accuracy =
+        plan.isStandardAccuracy()
+            ? ""
+            : ".withAccuracy(Accuracy." + settings.accuracy().name() + ")";
+    return "new RunSettings(" + String.join(", ", values) + ")" + accuracy;
   }
 
   private static String number(double value) {

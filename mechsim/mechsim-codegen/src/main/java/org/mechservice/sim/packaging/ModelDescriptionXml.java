@@ -6,6 +6,7 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.Accuracy;
 import org.mechservice.solver.text.ShortestDecimal;
 
 /** {@code META-INF/modelDescription.xml}: what a model JAR contains, for people and tools. */
@@ -50,6 +51,9 @@ public final class ModelDescriptionXml {
     }
     if (settings.maxOrder() != 0) {
       attribute("maxOrder", Integer.toString(settings.maxOrder()));
+    }
+    if (settings.accuracy() != Accuracy.STANDARD) {
+      attribute(Accuracy.OPTION, settings.accuracy().label());
     }
     close();
   }

@@ -25,6 +25,7 @@ import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.Accuracy;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
@@ -215,12 +216,16 @@ class GeneratedSourceTest {
     RunSettings all = new RunSettings(1, 2, 0.5, "ode113", 1e-7, 1e-9, 0.25, 1e-3, 5);
     RunSettings bounded =
         new RunSettings(1, 2, 0.5, "DE", 1e-7, 1e-9, Double.POSITIVE_INFINITY, 1e-3, 0);
-    for (RunSettings settings : List.of(all, bounded)) {
+    RunSettings strict = bounded.withAccuracy(Accuracy.STRICT);
+    for (RunSettings settings : List.of(all, bounded, strict)) {
       BuildOptions options = new BuildOptions("auto", Set.of(), settings);
       MechmlModel model = Scenes.model(Scenes.pendulum());
       CompiledModel compiled =
           ModelFactory.compile(model, options, ModelFactory.generate(model, options));
       assertThat(compiled.newInstance().description().defaults()).isEqualTo(settings);
+      CompiledModel ofSource =
+          ModelFactory.compileSource(model, options, ModelFactory.generate(model, options));
+      assertThat(ofSource.newInstance().description().defaults()).isEqualTo(settings);
     }
   }
 

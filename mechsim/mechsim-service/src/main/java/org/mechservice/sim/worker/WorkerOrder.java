@@ -14,6 +14,7 @@ import java.util.TreeMap;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.Accuracy;
 
 /**
  * The run that a worker computes.
@@ -74,6 +75,7 @@ public record WorkerOrder(
     out.writeDouble(settings.angleTolerance());
     out.writeDouble(settings.velocityTolerance());
     out.writeDouble(settings.angularVelocityTolerance());
+    out.writeUTF(settings.accuracy().name());
   }
 
   static WorkerOrder read(DataInputStream in) throws IOException {
@@ -125,6 +127,7 @@ public record WorkerOrder(
         in.readInt(),
         in.readDouble(),
         in.readDouble(),
-        in.readDouble());
+        in.readDouble(),
+        Accuracy.valueOf(in.readUTF()));
   }
 }

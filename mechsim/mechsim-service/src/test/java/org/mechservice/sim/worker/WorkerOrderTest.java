@@ -16,11 +16,13 @@ import org.junit.jupiter.api.Test;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.Accuracy;
 
 /** What a worker is asked for arrives as it was sent. */
 class WorkerOrderTest {
   private static RunRequest received(boolean strict, OptionalDouble maxDrift) throws IOException {
-    RunSettings settings = new RunSettings(0, 2, 0.25, "ode113", 1e-10, 1e-12);
+    RunSettings settings =
+        new RunSettings(0, 2, 0.25, "ode113", 1e-10, 1e-12).withAccuracy(Accuracy.STRICT);
     RunRequest request = new RunRequest(settings, Set.of(ColumnGroup.ENERGY), strict, maxDrift);
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     new WorkerOrder("A", new TreeMap<>(), new TreeMap<>(), Map.of("p", "1"), request)

@@ -10,7 +10,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Formulations, closures and integrators are found by their published names, and documented. */
+/**
+ * Formulations, closures, integrators and accuracies are found by their published names, and
+ * documented.
+ */
 class MethodNamesTest {
   private static final Path LANGUAGE = Path.of("..", "..", "docs", "mechml.md");
 
@@ -38,6 +41,14 @@ class MethodNamesTest {
     assertThat(Files.readString(LANGUAGE)).contains(method.label());
   }
 
+  @ParameterizedTest
+  @EnumSource(Accuracy.class)
+  void accuracyIsFoundByItsNameAndDocumented(Accuracy accuracy) throws IOException {
+    assertThat(Accuracy.of(accuracy.label())).isSameAs(accuracy);
+    assertThat(accuracy).hasToString(accuracy.label());
+    assertThat(Files.readString(LANGUAGE)).contains("`" + accuracy.label() + "`");
+  }
+
   @Test
   void unknownNamesAreRefusedWithTheKnownOnes() {
     assertThatThrownBy(() -> Formulation.of("rr"))
@@ -51,6 +62,9 @@ class MethodNamesTest {
         .hasMessage(
             "S-063 integrator \"ode45\" is unknown; there are ode113, DE, ode15s, ode15sR and"
                 + " switching");
+    assertThatThrownBy(() -> Accuracy.of("sharp"))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("accuracy is \"sharp\"; it must be standard or strict");
   }
 
   @Test

@@ -182,11 +182,19 @@ public final class Simulation implements Solver {
                 settings.initialStep(),
                 settings.maxOrder(),
                 Long.MAX_VALUE,
-                control::stopRequested));
+                control::stopRequested,
+                mode()));
       } catch (IllegalArgumentException e) {
         throw new IllegalArgumentException(
             MessageCode.INTEGRATOR_SETTINGS + " " + e.getMessage(), e);
       }
+    }
+
+    private IntegratorSettings.Mode mode() {
+      return switch (settings.accuracy()) {
+        case STANDARD -> IntegratorSettings.Mode.STANDARD;
+        case STRICT -> IntegratorSettings.Mode.STRICT;
+      };
     }
 
     RunReport toEnd() throws IOException {

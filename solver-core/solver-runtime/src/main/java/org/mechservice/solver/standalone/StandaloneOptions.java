@@ -5,12 +5,14 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeMap;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.Accuracy;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
@@ -39,6 +41,7 @@ record StandaloneOptions(
         --rtol R       relative tolerance
         --atol A       absolute tolerance, SI: one, or four A;B;C;D for positions, angles,
                        velocities, angular velocities
+        --accuracy A   standard, or strict: smaller errors at the same tolerances
         --set P=V      value of a tunable parameter, in its unit; once for each
         --out FILE     write the rows as CSV, and their units beside it
         --columns C    column groups besides joints, separated by commas, or all
@@ -69,19 +72,10 @@ record StandaloneOptions(
       parser.take(args[parser.next++]);
     }
     RunSettings settings =
-        new RunSettings(
-            defaults.tStart(),
-            parser.tEnd.orElse(defaults.tEnd()),
-            parser.tStep.orElse(defaults.tStep()),
-            defaults.integrator(),
-            parser.rtol.orElse(defaults.relativeTolerance()),
-            defaults.absoluteTolerance(),
-            defaults.maxStep(),
-            defaults.initialStep(),
-            defaults.maxOrder(),
-            defaults.angleTolerance(),
-            defaults.velocityTolerance(),
-            defaults.angularVelocityTolerance());
+        defaults
+            .withOutput(parser.tEnd.orElse(defaults.tEnd()), parser.tStep.orElse(defaults.tStep()))
+            .withRelativeTolerance(parser.rtol.orElse(defaults.relativeTolerance()))
+            .withAccuracy(parser.accuracy.orElse(defaults.accuracy()));
     return new StandaloneOptions(
         new RunRequest(
             parser.atol.isEmpty() ? settings : settings.withTolerances(parser.atol),
@@ -103,6 +97,7 @@ record StandaloneOptions(
     private OptionalDouble tStep = OptionalDouble.empty();
     private OptionalDouble rtol = OptionalDouble.empty();
     private List<Double> atol = List.of();
+    private Optional<Accuracy> accuracy = Optional.empty();
     private Set<ColumnGroup> columns;
     private final Map<String, String> parameters = new TreeMap<>();
     private String out = "";
@@ -127,6 +122,7 @@ record StandaloneOptions(
         case "--t-step" -> tStep = OptionalDouble.of(number(option, inline));
         case "--rtol" -> rtol = OptionalDouble.of(number(option, inline));
         case "--atol" -> atol = tolerances(value(option, inline));
+        case "--accuracy" -> accuracy = Optional.of(accuracy(value(option, inline)));
         case "--set" -> set(value(option, inline));
         case "--out" -> out = value(option, inline);
         case "--columns" -> columns = groups(value(option, inline));
@@ -180,6 +176,14 @@ record StandaloneOptions(
                 + "\"");
       }
       return tolerances;
+    }
+
+    private static Accuracy accuracy(String label) throws OptionException {
+      try {
+        return Accuracy.of(label);
+      } catch (IllegalArgumentException e) {
+        throw new OptionException(MessageCode.STANDALONE_USAGE + " --" + e.getMessage());
+      }
     }
 
     private double number(String option, String inline) throws OptionException {

@@ -24,6 +24,7 @@ import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.Accuracy;
 
 /** A run taken up from a checkpoint has the rows and the report of one never interrupted. */
 class CheckpointTest {
@@ -191,6 +192,26 @@ class CheckpointTest {
         .withMessage(
             "S-071 the run has other settings than the saved state, integrator=DE instead of"
                 + " integrator=ode113");
+  }
+
+  @Test
+  void checkpointOfAStrictRunGoesOnStrictlyAndInNoOtherWay() throws IOException {
+    RunRequest standard = request("ode113");
+    RunRequest strict =
+        new RunRequest(standard.settings().withAccuracy(Accuracy.STRICT), standard.columns());
+    RecordedRows all = new RecordedRows();
+    Kept kept = afterEveryStep();
+    run(new HarmonicOscillator(), strict, all, kept);
+    byte[] saved = kept.checkpoints.get(10);
+    RecordedRows rest = new RecordedRows();
+    run(new HarmonicOscillator(), strict, rest, goingOnFrom(saved));
+    assertThat(rest.rows.get(rest.rows.size() - 1)).isEqualTo(all.rows.get(all.rows.size() - 1));
+    assertThatIllegalArgumentException()
+        .isThrownBy(
+            () -> run(new HarmonicOscillator(), standard, new RecordedRows(), goingOnFrom(saved)))
+        .withMessage(
+            "S-071 the run has other settings than the saved state, accuracy=standard instead of"
+                + " accuracy=strict");
   }
 
   @Test

@@ -8,6 +8,8 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -59,12 +61,31 @@ class StandaloneTest {
     assertThat(text(err)).contains("N-016 t=", "at most 1.0E-12 is allowed");
   }
 
+  @Test
+  void strictAccuracyIsSaidInTheReportAndTakesMoreEvaluations() {
+    assertThat(run("--json")).isZero();
+    String standard = text(out);
+    out.reset();
+    assertThat(run("--json", "--accuracy", "strict")).isZero();
+    String strict = text(out);
+    assertThat(standard).doesNotContain("accuracy");
+    assertThat(strict).contains("\"accuracy\": \"strict\"");
+    assertThat(evaluations(strict)).isGreaterThan(evaluations(standard));
+  }
+
+  private static int evaluations(String report) {
+    Matcher number = Pattern.compile("\"evaluations\": (\\d+)").matcher(report);
+    assertThat(number.find()).isTrue();
+    return Integer.parseInt(number.group(1));
+  }
+
   @CsvSource({
     "--frobnicate, unknown option",
     "--rtol=abc, not \"abc\"",
     "--rtol=NaN, not \"NaN\"",
     "--max-drift=0, must be positive",
     "--out, lacks its value",
+    "--accuracy=sharp, --accuracy is",
     "--columns=wheels, no column group",
     "--columns=reactions, --columns reactions",
     "--t-end=-5, end time",

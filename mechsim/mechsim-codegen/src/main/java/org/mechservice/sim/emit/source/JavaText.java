@@ -12,6 +12,7 @@ public final class JavaText {
   /** Simple names the generated source uses, or that are imported everywhere. */
   private static final Set<String> TAKEN =
       Set.of(
+          "Accuracy",
           "ArrayList",
           "Arrays",
           "BodyPoses",

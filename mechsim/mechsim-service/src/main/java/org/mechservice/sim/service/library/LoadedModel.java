@@ -28,6 +28,7 @@ import org.mechservice.sim.user.UserFile;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.Accuracy;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.text.Sha256;
 
@@ -126,6 +127,9 @@ public record LoadedModel(
     map.put(OPT_INTEGRATOR.value, run.integrator());
     map.put(OPT_REL_TOL.value, Double.toString(run.relativeTolerance()));
     map.put(OPT_ABS_TOL.value, Double.toString(run.absoluteTolerance()));
+    if (run.accuracy() != Accuracy.STANDARD) {
+      map.put(Accuracy.OPTION, run.accuracy().label());
+    }
     map.put(OPT_T_END.value, Double.toString(run.tEnd()));
     map.put(OPT_T_STEP.value, Double.toString(run.tStep()));
     return map;

@@ -28,6 +28,7 @@ import org.mechservice.idl.OPT_T_END;
 import org.mechservice.idl.OPT_T_STEP;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.sim.service.contract.ContractErrors;
+import org.mechservice.solver.catalogue.Accuracy;
 
 /**
  * The options of a request: the values of those that concern the run, by name, and how the model
@@ -43,6 +44,7 @@ public final class RequestOptions {
               OPT_INTEGRATOR.value,
               OPT_REL_TOL.value,
               OPT_ABS_TOL.value,
+              Accuracy.OPTION,
               OPT_T_END.value,
               OPT_T_STEP.value,
               OPT_COLUMNS.value,

@@ -36,6 +36,7 @@ import org.mechservice.sim.scene.IntegratorSelection;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.Accuracy;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -162,7 +163,7 @@ public record SimulationRequest(
         compact,
         code,
         columns,
-        withIntegrator(settings, choice.integrator()),
+        settings.withIntegrator(choice.integrator()),
         standalone,
         strict,
         true,
@@ -181,6 +182,7 @@ public record SimulationRequest(
             OPT_INTEGRATOR.value,
             OPT_REL_TOL.value,
             OPT_ABS_TOL.value,
+            Accuracy.OPTION,
             OPT_MAX_DRIFT.value)) {
       if (given.has(method)) {
         throw ContractErrors.option(
@@ -250,22 +252,6 @@ public record SimulationRequest(
             + " and all");
   }
 
-  private static RunSettings withIntegrator(RunSettings run, String integrator) {
-    return new RunSettings(
-        run.tStart(),
-        run.tEnd(),
-        run.tStep(),
-        integrator,
-        run.relativeTolerance(),
-        run.absoluteTolerance(),
-        run.maxStep(),
-        run.initialStep(),
-        run.maxOrder(),
-        run.angleTolerance(),
-        run.velocityTolerance(),
-        run.angularVelocityTolerance());
-  }
-
   private static String automatic(String formulation) {
     return Formulation.find(formulation.toUpperCase(Locale.ROOT))
             .filter(Formulation::isResidual)
@@ -286,24 +272,25 @@ public record SimulationRequest(
           "t-end is " + end + " s, before the start of the run at " + ofFile.tStart() + " s");
     }
     RunSettings settings =
-        new RunSettings(
-            ofFile.tStart(),
-            end,
-            given.positive(OPT_T_STEP.value, ofFile.tStep(), "s"),
-            !(file.task() instanceof SimulationTask.Dynamic)
-                ? NO_INTEGRATOR
-                : integrator.equals(AUTO) ? automatic(formulation) : integrator,
-            given.belowOne(OPT_REL_TOL.value, ofFile.relativeTolerance()),
-            ofFile.absoluteTolerance(),
-            ofFile.maxStep(),
-            ofFile.initialStep(),
-            ofFile.maxOrder(),
-            ofFile.angleTolerance(),
-            ofFile.velocityTolerance(),
-            ofFile.angularVelocityTolerance());
+        ofFile
+            .withOutput(end, given.positive(OPT_T_STEP.value, ofFile.tStep(), "s"))
+            .withIntegrator(
+                !(file.task() instanceof SimulationTask.Dynamic)
+                    ? NO_INTEGRATOR
+                    : integrator.equals(AUTO) ? automatic(formulation) : integrator)
+            .withRelativeTolerance(given.belowOne(OPT_REL_TOL.value, ofFile.relativeTolerance()))
+            .withAccuracy(accuracy(given, ofFile));
     return given.has(OPT_ABS_TOL.value)
         ? settings.withTolerances(tolerances(given.text(OPT_ABS_TOL.value, "")))
         : settings;
+  }
+
+  private static Accuracy accuracy(RequestOptions given, RunSettings ofFile) throws InvalidOption {
+    try {
+      return Accuracy.of(given.text(Accuracy.OPTION, ofFile.accuracy().label()));
+    } catch (IllegalArgumentException e) {
+      throw ContractErrors.option(Accuracy.OPTION, String.valueOf(e.getMessage()));
+    }
   }
 
   /** Reads one tolerance, or four separated by semicolons. */
@@ -341,7 +328,7 @@ public record SimulationRequest(
         compact,
         code,
         columns,
-        withIntegrator(ofFile.run(), settings.integrator()),
+        ofFile.run().withIntegrator(settings.integrator()),
         integratorReason);
   }
 }

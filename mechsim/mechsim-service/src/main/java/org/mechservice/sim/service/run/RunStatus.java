@@ -18,6 +18,7 @@ import org.mechservice.sim.service.results.RunIdentity;
 import org.mechservice.sim.service.results.RunRecord;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.Accuracy;
 
 /**
  * The views of one run: its progress for its client, its summary and curves for administrators, its
@@ -191,6 +192,9 @@ final class RunStatus {
     entries.put("integrator", settings.integrator());
     entries.put("relativeTolerance", settings.relativeTolerance());
     entries.put("absoluteTolerance", settings.absoluteTolerance());
+    if (settings.accuracy() != Accuracy.STANDARD) {
+      entries.put(Accuracy.OPTION, settings.accuracy().label());
+    }
     entries.put("steps", control.steps());
     entries.put("rows", output.spool().rows());
     entries.put("simulatedTime", timeReached() - settings.tStart());

@@ -14,6 +14,7 @@ import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.Accuracy;
 
 class SimulationRequestTest {
   private static final SimulationSettings FILE =
@@ -71,6 +72,22 @@ class SimulationRequestTest {
   }
 
   @Test
+  void accuracyIsThatOfTheFileUnlessTheRequestNamesOne() throws Exception {
+    assertThat(parse().settings().accuracy()).isEqualTo(Accuracy.STANDARD);
+    RunSettings strict =
+        parse("accuracy=strict", "rtol=1e-9", "atol=1e-3;1e-4;1e-5;1e-6").settings();
+    assertThat(strict.accuracy()).isEqualTo(Accuracy.STRICT);
+    SimulationSettings file =
+        new SimulationSettings(FILE.run().withAccuracy(Accuracy.STRICT), "auto");
+    RequestOptions none = RequestOptions.of(new NameValue[0]);
+    assertThat(SimulationRequest.parse(none, file).settings().accuracy())
+        .isEqualTo(Accuracy.STRICT);
+    NameValue[] asked = {new NameValue("accuracy", "standard")};
+    assertThat(SimulationRequest.parse(RequestOptions.of(asked), file).settings().accuracy())
+        .isEqualTo(Accuracy.STANDARD);
+  }
+
+  @Test
   void automaticIntegratorIsResolved() throws Exception {
     assertThat(parse("integrator=auto").settings().integrator()).isEqualTo("switching");
   }
@@ -123,7 +140,9 @@ class SimulationRequestTest {
     "atol=1e-3;1e-4;1e-5;x, atol",
     "'columns=joints,velocity', columns",
     "standalone=yes, standalone",
-    "tolerance=1, tolerance"
+    "tolerance=1, tolerance",
+    "accuracy=sharp, accuracy",
+    "'accuracy=', accuracy"
   })
   void whatCannotBeUsedIsRefusedByName(String option, String name) {
     InvalidOption refusal = catchThrowableOfType(InvalidOption.class, () -> parse(option));

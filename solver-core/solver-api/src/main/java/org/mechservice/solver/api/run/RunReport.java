@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import org.mechservice.solver.catalogue.Accuracy;
 
 /**
  * What a run did and what it cost.
@@ -137,6 +138,9 @@ public record RunReport(
       map.put("angleTolerance", settings.angleTolerance());
       map.put("velocityTolerance", settings.velocityTolerance());
       map.put("angularVelocityTolerance", settings.angularVelocityTolerance());
+    }
+    if (settings.accuracy() != Accuracy.STANDARD) {
+      map.put(Accuracy.OPTION, settings.accuracy().label());
     }
     map.put("steps", steps);
     map.put("rejectedSteps", rejectedSteps);

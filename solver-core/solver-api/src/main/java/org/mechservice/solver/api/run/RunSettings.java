@@ -1,6 +1,7 @@
 package org.mechservice.solver.api.run;
 
 import java.util.List;
+import org.mechservice.solver.catalogue.Accuracy;
 
 /**
  * When a run starts and ends, which rows it puts out, and how it is integrated.
@@ -19,6 +20,7 @@ import java.util.List;
  * @param angleTolerance as {@code absoluteTolerance} of angles, rad, and of Euler parameters
  * @param velocityTolerance of rates of displacements, m/s
  * @param angularVelocityTolerance of angular velocities, rad/s
+ * @param accuracy how closely the error at the end keeps to the tolerances
  */
 public record RunSettings(
     double tStart,
@@ -32,9 +34,40 @@ public record RunSettings(
     int maxOrder,
     double angleTolerance,
     double velocityTolerance,
-    double angularVelocityTolerance) {
+    double angularVelocityTolerance,
+    Accuracy accuracy) {
 
-  /** Settings with one absolute tolerance for all states. */
+  /** Settings of standard accuracy. */
+  public RunSettings(
+      double tStart,
+      double tEnd,
+      double tStep,
+      String integrator,
+      double relativeTolerance,
+      double absoluteTolerance,
+      double maxStep,
+      double initialStep,
+      int maxOrder,
+      double angleTolerance,
+      double velocityTolerance,
+      double angularVelocityTolerance) {
+    this(
+        tStart,
+        tEnd,
+        tStep,
+        integrator,
+        relativeTolerance,
+        absoluteTolerance,
+        maxStep,
+        initialStep,
+        maxOrder,
+        angleTolerance,
+        velocityTolerance,
+        angularVelocityTolerance,
+        Accuracy.STANDARD);
+  }
+
+  /** Settings of standard accuracy with one absolute tolerance for all states. */
   public RunSettings(
       double tStart,
       double tEnd,
@@ -60,7 +93,7 @@ public record RunSettings(
         absoluteTolerance);
   }
 
-  /** Settings that leave the step sizes and the order to the integrator. */
+  /** Settings of standard accuracy that leave the step sizes and the order to the integrator. */
   public RunSettings(
       double tStart,
       double tEnd,
@@ -101,6 +134,78 @@ public record RunSettings(
     };
   }
 
+  /** Returns the settings with another end and another distance of the rows, s. */
+  public RunSettings withOutput(double end, double step) {
+    return new RunSettings(
+        tStart,
+        end,
+        step,
+        integrator,
+        relativeTolerance,
+        absoluteTolerance,
+        maxStep,
+        initialStep,
+        maxOrder,
+        angleTolerance,
+        velocityTolerance,
+        angularVelocityTolerance,
+        accuracy);
+  }
+
+  /** Returns the settings with another integrator. */
+  public RunSettings withIntegrator(String other) {
+    return new RunSettings(
+        tStart,
+        tEnd,
+        tStep,
+        other,
+        relativeTolerance,
+        absoluteTolerance,
+        maxStep,
+        initialStep,
+        maxOrder,
+        angleTolerance,
+        velocityTolerance,
+        angularVelocityTolerance,
+        accuracy);
+  }
+
+  /** Returns the settings with another relative tolerance. */
+  public RunSettings withRelativeTolerance(double tolerance) {
+    return new RunSettings(
+        tStart,
+        tEnd,
+        tStep,
+        integrator,
+        tolerance,
+        absoluteTolerance,
+        maxStep,
+        initialStep,
+        maxOrder,
+        angleTolerance,
+        velocityTolerance,
+        angularVelocityTolerance,
+        accuracy);
+  }
+
+  /** Returns the settings with another accuracy. */
+  public RunSettings withAccuracy(Accuracy other) {
+    return new RunSettings(
+        tStart,
+        tEnd,
+        tStep,
+        integrator,
+        relativeTolerance,
+        absoluteTolerance,
+        maxStep,
+        initialStep,
+        maxOrder,
+        angleTolerance,
+        velocityTolerance,
+        angularVelocityTolerance,
+        other);
+  }
+
   /**
    * Returns settings with other absolute tolerances.
    *
@@ -121,6 +226,7 @@ public record RunSettings(
         maxOrder,
         tolerances.get(Math.min(1, last)),
         tolerances.get(Math.min(2, last)),
-        tolerances.get(last));
+        tolerances.get(last),
+        accuracy);
   }
 }
