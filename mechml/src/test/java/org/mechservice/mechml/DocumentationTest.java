@@ -19,9 +19,9 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.mechservice.mechml.expression.Function;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.mechml.unit.UnitSymbols;
+import org.mechservice.solver.expression.Function;
 import org.w3c.dom.Element;
 import org.w3c.dom.Node;
 

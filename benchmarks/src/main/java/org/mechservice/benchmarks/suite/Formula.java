@@ -7,6 +7,11 @@ import java.util.function.ToIntFunction;
 /**
  * An expression of the suite's problem file: numbers, + - * / **, brackets, the functions sin cos
  * exp sqrt log asin, pi, and names.
+ *
+ * <p>The parser of model files is not used: {@code peers.py} evaluates the same texts as Python, so
+ * powers are written {@code **}; names stand for places of one array, where the parser of model
+ * files knows joints and parameters; and functions are those of {@link Math}, so another evaluation
+ * would change the last bits of the recorded tables.
  */
 final class Formula {
   private static final List<String> FUNCTIONS = List.of("sin", "cos", "exp", "sqrt", "log", "asin");

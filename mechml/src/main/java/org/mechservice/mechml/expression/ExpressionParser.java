@@ -11,6 +11,7 @@ import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.unit.UnitSymbols;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.expression.Function;
 
 /** Reads an expression by recursive descent; one method per rule of the grammar. */
 public final class ExpressionParser {

@@ -2,6 +2,7 @@ package org.mechservice.mechml.expression;
 
 import java.util.List;
 import java.util.OptionalInt;
+import org.mechservice.solver.expression.Function;
 
 /** A parsed expression; every part knows its position in the text. */
 public sealed interface ParsedExpression {

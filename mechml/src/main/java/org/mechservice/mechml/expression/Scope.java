@@ -6,6 +6,7 @@ import java.util.List;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.expression.Function;
 
 /** The values of the names in an expression. */
 @FunctionalInterface

@@ -2,7 +2,7 @@ package org.mechservice.mechml.fuzz;
 
 import java.util.List;
 import java.util.Random;
-import org.mechservice.mechml.expression.Function;
+import org.mechservice.solver.expression.Function;
 
 /**
  * Draws expressions together with their values, worked out while they are written: what the parser

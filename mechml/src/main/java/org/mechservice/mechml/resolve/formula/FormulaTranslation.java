@@ -8,7 +8,6 @@ import org.mechservice.mechml.expression.ParsedExpression;
 import org.mechservice.mechml.expression.Scope;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
 
 /**
  * Translates a parsed expression to one of the solver: resolves names and evaluates constant parts.
@@ -165,10 +164,6 @@ final class FormulaTranslation {
     if (!literals.isEmpty()) {
       return worked(new ParsedExpression.Call(call.function(), literals, call.offset()));
     }
-    String symbol = call.function().symbol();
-    if (symbol.equals("pow")) {
-      return new Expression.Power(arguments.get(0), arguments.get(1));
-    }
-    return new Expression.Call(Function.named(symbol).orElseThrow(), arguments);
+    return Expression.call(call.function(), arguments);
   }
 }

@@ -18,7 +18,6 @@ import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.expression.ConstantEvaluation;
 import org.mechservice.mechml.expression.ExpressionException;
 import org.mechservice.mechml.expression.ExpressionParser;
-import org.mechservice.mechml.expression.Function;
 import org.mechservice.mechml.expression.ParsedExpression;
 import org.mechservice.mechml.expression.References;
 import org.mechservice.mechml.unit.Unit;
@@ -26,6 +25,7 @@ import org.mechservice.mechml.unit.UnitException;
 import org.mechservice.mechml.unit.UnitParser;
 import org.mechservice.mechml.unit.UnitSystem;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.expression.Function;
 
 /** Reads {@code Parameters}; they may refer to each other in any order. */
 public final class ParametersReader {

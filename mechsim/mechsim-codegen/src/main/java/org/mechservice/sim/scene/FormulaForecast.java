@@ -33,6 +33,16 @@ final class FormulaForecast {
   /** Radians or jumps within a run that are worth a word, as in {@link StiffnessForecast}. */
   private static final double MANY = 1e6;
 
+  /** What a function does when its argument passes through a wide range. */
+  private enum Shape {
+    /** Turns or jumps again and again. */
+    REPEATING,
+    /** Jumps where its argument is zero. */
+    SWITCHING,
+    /** Neither of them. */
+    PLAIN
+  }
+
   private final Mechanism mechanism;
   private final RunSettings settings;
   private final Map<String, Finding> findings = new LinkedHashMap<>();
@@ -60,13 +70,38 @@ final class FormulaForecast {
   private void look(Expression formula, String part, Origin origin) {
     if (formula instanceof Call call) {
       Expression argument = call.arguments().get(0);
-      switch (call.function()) {
-        case SIN, COS, FLOOR -> fast(call, argument, part, origin);
-        case SIGNUM, STEP -> chatter(call.function(), argument, part, origin);
-        default -> {}
+      switch (shape(call.function())) {
+        case REPEATING -> fast(call, argument, part, origin);
+        case SWITCHING -> chatter(call.function(), argument, part, origin);
+        case PLAIN -> {}
       }
     }
     ShortPulseCheck.operands(formula).forEach(operand -> look(operand, part, origin));
+  }
+
+  private static Shape shape(Function function) {
+    return switch (function) {
+      case SIN, COS, FLOOR -> Shape.REPEATING;
+      case SIGNUM, STEP -> Shape.SWITCHING;
+      case SQRT,
+          ABS,
+          TAN,
+          ASIN,
+          ACOS,
+          ATAN,
+          ATAN2,
+          EXP,
+          LOG,
+          POW,
+          MIN,
+          MAX,
+          SINH,
+          COSH,
+          TANH,
+          HYPOT,
+          SMOOTH_STEP ->
+          Shape.PLAIN;
+    };
   }
 
   private void fast(Call call, Expression argument, String part, Origin origin) {

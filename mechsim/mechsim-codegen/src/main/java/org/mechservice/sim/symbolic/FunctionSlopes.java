@@ -27,7 +27,13 @@ final class FunctionSlopes {
       case COSH -> e.function(MathFunction.SINH, x);
       case TANH -> ofTanh(e, x);
       case SIGNUM, FLOOR -> e.zero();
-      default -> ofTwo(node, argument);
+      case ATAN2 -> ofAngle(node, argument);
+      case HYPOT -> node.operands().get(argument).over(notZero(node));
+      case PRODUCT -> argument == 0 ? node.second() : x;
+      case POWER -> ofPower(node, argument);
+      case MIN, MAX, CHOOSE ->
+          throw new IllegalArgumentException(
+              node.function() + " has cases: Differentiation chooses between their derivatives");
     };
   }
 
@@ -41,20 +47,12 @@ final class FunctionSlopes {
     return e.function(MathFunction.CHOOSE, size, e.constant(LEVEL), slope, e.zero());
   }
 
-  private static Scalar ofTwo(Scalar node, int argument) {
+  private static Scalar ofAngle(Scalar node, int argument) {
     Scalar x = node.first();
     Scalar y = node.second();
     Scalar other = argument == 0 ? y : x;
-    return switch (node.function()) {
-      case ATAN2 -> {
-        Scalar perSquare = other.over(notZero(x.squared().plus(y.squared())));
-        yield argument == 0 ? perSquare : perSquare.negated();
-      }
-      case HYPOT -> node.operands().get(argument).over(notZero(node));
-      case PRODUCT -> other;
-      case POWER -> ofPower(node, argument);
-      default -> throw new IllegalArgumentException(node.function() + " has no derivative");
-    };
+    Scalar perSquare = other.over(notZero(x.squared().plus(y.squared())));
+    return argument == 0 ? perSquare : perSquare.negated();
   }
 
   /** Returns 1 instead of 0: at the origin, where there is no direction, slopes count as 0. */

@@ -22,10 +22,10 @@ import org.mechservice.solver.force.user.UserForceSource;
  * compiled source. The scene is a block of 1 kg that slides along x.
  */
 class BranchesNotTakenTest {
-  private static final BuildOptions OPTIONS =
+  static final BuildOptions OPTIONS =
       new BuildOptions("RR-JF", Set.of(), new RunSettings(0, 1, 0.1, "ode15sR", 1e-6, 1e-8));
 
-  private static MechmlModel scene(String forces) throws Exception {
+  static MechmlModel scene(String forces) throws Exception {
     String axes =
         "<vector name=\"x\" vx=\"1\" vy=\"0\" vz=\"0\"/><vector name=\"z\" vx=\"0\" vy=\"0\""
             + " vz=\"1\"/>";
@@ -49,7 +49,7 @@ class BranchesNotTakenTest {
   }
 
   /** What one Newton step makes of two residuals, after the accelerations. */
-  private static double[] step(Model model, double q, double v) {
+  static double[] step(Model model, double q, double v) {
     double[] y = {q, v};
     double[] all = new double[4];
     double[] rates = new double[2];

@@ -125,7 +125,19 @@ public sealed interface Expression {
   record Negation(Expression operand) implements Expression {}
 
   /**
-   * A function of MECHML §2.
+   * Returns a call of a function; of {@link Function#POW} it is a {@link Power}.
+   *
+   * @param arguments as many as the arity of the function
+   * @throws IllegalArgumentException if there are more or fewer
+   */
+  static Expression call(Function function, List<Expression> arguments) {
+    return function == Function.POW && arguments.size() == 2
+        ? new Power(arguments.get(0), arguments.get(1))
+        : new Call(function, arguments);
+  }
+
+  /**
+   * A function of MECHML §2 other than {@link Function#POW}, which is {@link Power}.
    *
    * @param function which
    * @param arguments as many as its arity
@@ -140,6 +152,9 @@ public sealed interface Expression {
                 + function.arity()
                 + " arguments, not "
                 + arguments.size());
+      }
+      if (function == Function.POW) {
+        throw new IllegalArgumentException("a call of pow is written as Expression.Power");
       }
     }
   }

@@ -4,7 +4,15 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
-/** The functions of MECHML §2; angles in rad. */
+/**
+ * The functions of MECHML §2; angles in rad. This is the only table of them: the reader takes
+ * names, arities and values of constant calls from here, and every switch over them is complete, so
+ * that the compiler shows each place that a new function needs.
+ *
+ * <p>{@link #at} evaluates constants by StrictMath. A run evaluates by {@link Operation} and by
+ * generated code, whose sine, cosine and power come from faster kernels and may differ in the last
+ * bit.
+ */
 public enum Function {
   SQRT("sqrt", 1),
   ABS("abs", 1),
@@ -22,6 +30,8 @@ public enum Function {
   EXP("exp", 1),
   /** The natural logarithm. */
   LOG("log", 1),
+  /** {@code pow(a, b)} = aᵇ; in formulas it is {@link Expression.Power}. */
+  POW("pow", 2),
   /** The lesser of two; where they are equal, slope of the first. */
   MIN("min", 2),
   /** The greater of two; where they are equal, slope of the first. */
@@ -48,12 +58,12 @@ public enum Function {
     this.arity = arity;
   }
 
-  /** Returns the function of a name. */
+  /** Returns the function of a name, without {@code Math.} before it. */
   public static Optional<Function> named(String symbol) {
     return Arrays.stream(values()).filter(f -> f.symbol.equals(symbol)).findFirst();
   }
 
-  /** Returns the names of all functions, {@code pow} excepted, which is a node of its own. */
+  /** Returns the names of all functions. */
   public static List<String> symbols() {
     return Arrays.stream(values()).map(Function::symbol).toList();
   }
@@ -66,5 +76,43 @@ public enum Function {
   /** Returns how many arguments it takes, 1 or 2. */
   public int arity() {
     return arity;
+  }
+
+  /**
+   * Returns the value for constant arguments.
+   *
+   * @param x arguments, as many as the arity; not modified
+   * @return not a number or infinite where the function is not defined
+   */
+  public double at(double[] x) {
+    return switch (this) {
+      case SQRT -> StrictMath.sqrt(x[0]);
+      case ABS -> StrictMath.abs(x[0]);
+      case SIN -> StrictMath.sin(x[0]);
+      case COS -> StrictMath.cos(x[0]);
+      case TAN -> StrictMath.tan(x[0]);
+      case ASIN -> StrictMath.asin(x[0]);
+      case ACOS -> StrictMath.acos(x[0]);
+      case ATAN -> StrictMath.atan(x[0]);
+      case ATAN2 -> StrictMath.atan2(x[0], x[1]);
+      case EXP -> StrictMath.exp(x[0]);
+      case LOG -> StrictMath.log(x[0]);
+      case POW -> StrictMath.pow(x[0], x[1]);
+      case MIN -> StrictMath.min(x[0], x[1]);
+      case MAX -> StrictMath.max(x[0], x[1]);
+      case SINH -> StrictMath.sinh(x[0]);
+      case COSH -> StrictMath.cosh(x[0]);
+      case TANH -> StrictMath.tanh(x[0]);
+      case SIGNUM -> StrictMath.signum(x[0]);
+      case HYPOT -> StrictMath.hypot(x[0], x[1]);
+      case FLOOR -> StrictMath.floor(x[0]);
+      case STEP -> x[0] < 0 ? 0 : 1;
+      case SMOOTH_STEP -> smoothStep(x[0]);
+    };
+  }
+
+  private static double smoothStep(double x) {
+    double s = StrictMath.max(0, StrictMath.min(1, x));
+    return s * s * (3 - 2 * s);
   }
 }

@@ -144,9 +144,36 @@ final class TapeCompiler {
       boolean square = power.exponent() instanceof Constant exponent && exponent.value() == 2;
       return square ? Operation.SQUARE : Operation.POWER;
     } else if (expression instanceof Call call) {
-      return Operation.valueOf(call.function().name());
+      return operation(call.function());
     }
     return Operation.NEGATE;
+  }
+
+  private static Operation operation(Function function) {
+    return switch (function) {
+      case SQRT -> Operation.SQRT;
+      case ABS -> Operation.ABS;
+      case SIN -> Operation.SIN;
+      case COS -> Operation.COS;
+      case TAN -> Operation.TAN;
+      case ASIN -> Operation.ASIN;
+      case ACOS -> Operation.ACOS;
+      case ATAN -> Operation.ATAN;
+      case ATAN2 -> Operation.ATAN2;
+      case EXP -> Operation.EXP;
+      case LOG -> Operation.LOG;
+      case POW -> Operation.POWER;
+      case MIN -> Operation.MIN;
+      case MAX -> Operation.MAX;
+      case SINH -> Operation.SINH;
+      case COSH -> Operation.COSH;
+      case TANH -> Operation.TANH;
+      case SIGNUM -> Operation.SIGNUM;
+      case HYPOT -> Operation.HYPOT;
+      case FLOOR -> Operation.FLOOR;
+      case STEP -> Operation.STEP;
+      case SMOOTH_STEP -> Operation.SMOOTH_STEP;
+    };
   }
 
   /** Returns the slots of the leaves, in their order. */

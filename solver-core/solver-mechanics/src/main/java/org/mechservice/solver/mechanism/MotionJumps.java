@@ -101,7 +101,8 @@ final class MotionJumps {
       return switch (call.function()) {
         case SIN, COS, EXP, ATAN, SINH, COSH, TANH, SMOOTH_STEP ->
             isSmooth(call.arguments().get(0));
-        default -> call.arguments().stream().allMatch(MotionJumps::isFixed);
+        case SQRT, ABS, TAN, ASIN, ACOS, ATAN2, LOG, POW, MIN, MAX, SIGNUM, HYPOT, FLOOR, STEP ->
+            call.arguments().stream().allMatch(MotionJumps::isFixed);
       };
     }
     return formula instanceof Time || isFixed(formula);

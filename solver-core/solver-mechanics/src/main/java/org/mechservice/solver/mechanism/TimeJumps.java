@@ -107,7 +107,22 @@ final class TimeJumps {
           line(call.arguments().get(1)).ifPresent(other -> addMeeting(line, other));
         }
       }
-      default -> {}
+      // smooth where they have a value
+      case SQRT,
+          SIN,
+          COS,
+          TAN,
+          ASIN,
+          ACOS,
+          ATAN,
+          ATAN2,
+          EXP,
+          LOG,
+          POW,
+          SINH,
+          COSH,
+          TANH,
+          HYPOT -> {}
     }
   }
 

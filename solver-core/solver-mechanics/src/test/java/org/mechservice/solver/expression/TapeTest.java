@@ -39,7 +39,7 @@ class TapeTest {
                 f ->
                     f.arity() == 1
                         ? new Call(f, List.of(inside))
-                        : new Call(f, List.of(inside, new Product(T, P))));
+                        : Expression.call(f, List.of(inside, new Product(T, P))));
     Expression base = new Sum(new Product(T, T), Expression.of(0.5));
     return Stream.concat(
         calls,

@@ -94,18 +94,16 @@ public abstract class Formulas {
       case TANH -> e.function(MathFunction.TANH, x);
       case SIGNUM -> e.function(MathFunction.SIGNUM, x);
       case FLOOR -> e.function(MathFunction.FLOOR, x);
-      case ATAN2, MIN, MAX, HYPOT -> ofTwo(call, x);
+      case ATAN2 -> e.function(MathFunction.ATAN2, x, second(call));
+      case MIN -> e.function(MathFunction.MIN, x, second(call));
+      case MAX -> e.function(MathFunction.MAX, x, second(call));
+      case HYPOT -> e.function(MathFunction.HYPOT, x, second(call));
+      case POW -> power(x, second(call));
     };
   }
 
-  private Scalar ofTwo(Expression.Call call, Scalar x) {
-    Scalar y = scalar(call.arguments().get(1));
-    return switch (call.function()) {
-      case ATAN2 -> e.function(MathFunction.ATAN2, x, y);
-      case MIN -> e.function(MathFunction.MIN, x, y);
-      case MAX -> e.function(MathFunction.MAX, x, y);
-      default -> e.function(MathFunction.HYPOT, x, y);
-    };
+  private Scalar second(Expression.Call call) {
+    return scalar(call.arguments().get(1));
   }
 
   /** s² (3 − 2 s) with s = x between 0 and 1. */

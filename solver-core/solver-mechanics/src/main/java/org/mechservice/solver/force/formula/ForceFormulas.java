@@ -128,8 +128,8 @@ public final class ForceFormulas {
       return true;
     } else if (part instanceof Expression.Call call) {
       return switch (call.function()) {
-        case SQRT, LOG, ASIN, ACOS, TAN, EXP, SINH, COSH, SIGNUM, STEP, FLOOR -> true;
-        default -> false;
+        case SQRT, LOG, ASIN, ACOS, TAN, EXP, POW, SINH, COSH, SIGNUM, STEP, FLOOR -> true;
+        case ABS, SIN, COS, ATAN, ATAN2, MIN, MAX, TANH, HYPOT, SMOOTH_STEP -> false;
       };
     }
     return false;

@@ -1,0 +1,94 @@
+package org.mechservice.sim.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.scene.RunForecast;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.dynamics.LinearisedResidualModel;
+import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.force.user.UserForceSource;
+
+/**
+ * Each function of expressions works at every stage from the model file to the run: reader,
+ * forecast, data-driven evaluation, class file and compiled source, value and derivatives. The
+ * scene is the block of {@link BranchesNotTakenTest}.
+ */
+class EveryFunctionTest {
+  private static final double Q = 0.3;
+  private static final double V = 0.7;
+
+  /** Writes a force of half a function of the position, and of the velocity if it takes two. */
+  private static String force(String prefix, Function function) {
+    String arguments = function.arity() == 1 ? "s.q" : "s.q, s.v";
+    return "<jointForce name=\"f\" joint=\"s\" expression=\"0.5*"
+        + (prefix + function.symbol() + "(" + arguments + ")")
+        + "\"/>";
+  }
+
+  private static Model data(MechmlModel file) {
+    return new LinearisedResidualModel(
+        file.mechanism(),
+        BranchesNotTakenTest.OPTIONS.settings(),
+        UserForceSource.NONE,
+        LinearisedResidualModel.Mode.FULL);
+  }
+
+  private static double acceleration(Model model) {
+    double[] rates = new double[2];
+    ((ExplicitModel) model).derivative(0, new double[] {Q, V}, rates);
+    return rates[1];
+  }
+
+  @EnumSource(Function.class)
+  @ParameterizedTest
+  void dataAndCodeGiveTheSameBits(Function function) throws Exception {
+    MechmlModel file = BranchesNotTakenTest.scene(force("", function));
+    GeneratedModel generated = ModelFactory.generate(file, BranchesNotTakenTest.OPTIONS);
+    Model code = ModelFactory.compile(file, BranchesNotTakenTest.OPTIONS, generated).newInstance();
+    Model compiled =
+        ModelFactory.compileSource(file, BranchesNotTakenTest.OPTIONS, generated).newInstance();
+
+    double expected = acceleration(data(file));
+
+    assertThat(generated.operations()).isPositive();
+    assertThat(expected).isCloseTo(0.5 * function.at(new double[] {Q, V}), within(1e-15));
+    assertThat(acceleration(code)).isEqualTo(expected);
+    assertThat(acceleration(compiled)).isEqualTo(expected);
+  }
+
+  @EnumSource(Function.class)
+  @ParameterizedTest
+  void derivativesOfDataAndCodeAgree(Function function) throws Exception {
+    MechmlModel file = BranchesNotTakenTest.scene(force("", function));
+    GeneratedModel generated = ModelFactory.generate(file, BranchesNotTakenTest.OPTIONS);
+    Model code = ModelFactory.compile(file, BranchesNotTakenTest.OPTIONS, generated).newInstance();
+
+    double[] expected = BranchesNotTakenTest.step(data(file), Q, V);
+
+    assertThat(BranchesNotTakenTest.step(code, Q, V)).containsExactly(expected, within(1e-13));
+  }
+
+  @EnumSource(Function.class)
+  @ParameterizedTest
+  void readerTakesThePrefixOfJava(Function function) throws Exception {
+    MechmlModel plain = BranchesNotTakenTest.scene(force("", function));
+    MechmlModel prefixed = BranchesNotTakenTest.scene(force("Math.", function));
+
+    assertThat(acceleration(data(prefixed))).isEqualTo(acceleration(data(plain)));
+  }
+
+  @EnumSource(Function.class)
+  @ParameterizedTest
+  void forecastKnowsTheFunction(Function function) throws Exception {
+    MechmlModel file = BranchesNotTakenTest.scene(force("", function));
+
+    assertThatCode(() -> RunForecast.of(file.mechanism(), "auto", file.settings().run()))
+        .doesNotThrowAnyException();
+  }
+}
