@@ -21,7 +21,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 WORK = ROOT / "benchmarks" / "target" / "peers"
 JAR = ROOT / "benchmarks" / "target" / "benchmarks.jar"
-TABLES = ROOT / "mechsim/mechsim-codegen/src/test/resources/org/mechservice/sim/model"
+TABLES = ROOT / "solver-core/solver-mechanics/src/test/resources/org/mechservice/solver/dynamics"
 MODELS = {"pend5": "pend5", "pend5s": "pend5s", "driver41": "driver41", "spatial200": "chain200",
           "driver": None}
 # with closed loops, in tables of their own, where angles count the other way round

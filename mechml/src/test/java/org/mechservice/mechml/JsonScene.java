@@ -12,9 +12,10 @@ import org.mechservice.solver.spatial.Vector3;
 /** A reference scene: SI numbers, all frames parallel at zero, Ground at the world's origin. */
 record JsonScene(JsonObject object) {
 
+  /** Reads a scene of the solver's tests. */
   static JsonScene read(String name) throws IOException {
-    return new JsonScene(
-        JsonParser.parseString(Resources.text("scenes/" + name + ".json")).getAsJsonObject());
+    String file = "/org/mechservice/solver/scenes/" + name + ".json";
+    return new JsonScene(JsonParser.parseString(Resources.text(file)).getAsJsonObject());
   }
 
   List<JsonObject> list(String name) {

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -35,7 +34,7 @@ class PendulumFileTest {
 
   private static JsonObject scene() {
     try {
-      return JsonParser.parseString(Resources.text("scenes/pendulum5.json")).getAsJsonObject();
+      return JsonScene.read("pendulum5").object();
     } catch (Exception e) {
       throw new IllegalStateException(e);
     }

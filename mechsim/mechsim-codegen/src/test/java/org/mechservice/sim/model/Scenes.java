@@ -33,6 +33,9 @@ public final class Scenes {
   /** Settings of the five-bar pendulum's file. */
   public static final RunSettings SETTINGS = new RunSettings(0, 3, 0.01, "DE", 1e-5, 1e-5);
 
+  /** Scenes and timing models that the solver's tests read as well. */
+  private static final String SOLVER = "/org/mechservice/solver/";
+
   private static final Root ROOT = new Root("Ground", Vector3.ZERO, Rotation.IDENTITY);
 
   private Scenes() {}
@@ -42,7 +45,7 @@ public final class Scenes {
     return new MechmlModel(mechanism, new SimulationSettings(SETTINGS, "auto"), List.of());
   }
 
-  /** Returns the text of a test resource. */
+  /** Returns the text of a test resource that stands beside this class. */
   public static String text(String name) {
     try (InputStream stream = Scenes.class.getResourceAsStream(name)) {
       return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
@@ -51,9 +54,9 @@ public final class Scenes {
     }
   }
 
-  /** Returns a JSON test resource. */
+  /** Returns a reference scene or its solution as JSON. */
   public static JsonObject json(String name) {
-    return JsonParser.parseString(text(name)).getAsJsonObject();
+    return JsonParser.parseString(text(SOLVER + "scenes/" + name)).getAsJsonObject();
   }
 
   /** Returns the mechanism of a reference scene, under another name if one is given. */
@@ -129,7 +132,7 @@ public final class Scenes {
     List<Body> bodies = new ArrayList<>();
     List<Joint> joints = new ArrayList<>();
     List<String[]> lines =
-        text(name + ".csv")
+        text(SOLVER + "dynamics/" + name + ".csv")
             .lines()
             .filter(line -> !line.startsWith("#"))
             .map(Scenes::cells)
@@ -157,7 +160,11 @@ public final class Scenes {
       input[lines.size() + i] = x[20];
       input[2 * lines.size() + i] = x[21];
     }
-    double[] reference = text(name + ".ref").lines().mapToDouble(Double::parseDouble).toArray();
+    double[] reference =
+        text(SOLVER + "dynamics/" + name + ".ref")
+            .lines()
+            .mapToDouble(Double::parseDouble)
+            .toArray();
     Vector3 gravity = new Vector3(0, 0, -9.81);
     return new TimingModel(new Mechanism(name, ROOT, gravity, bodies, joints), input, reference);
   }
