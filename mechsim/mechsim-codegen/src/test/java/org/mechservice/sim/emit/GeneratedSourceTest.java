@@ -96,7 +96,7 @@ class GeneratedSourceTest {
   /** Run with -Dgolden.write=true to write the files anew, and read what changed. */
   private static void assertGolden(String file, String actual) throws IOException {
     if (Boolean.getBoolean("golden.write")) {
-      Path folder = Path.of("src", "test", "resources", "org", "mechservice", "sim", "build");
+      Path folder = Path.of("src", "test", "resources", "org", "mechservice", "sim", "model");
       Files.writeString(folder.resolve(file), actual);
     }
     assertThat(actual).isEqualTo(Scenes.text(file));
