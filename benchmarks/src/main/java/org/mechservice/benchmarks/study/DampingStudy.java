@@ -8,15 +8,10 @@ import org.mechservice.report.measure.Quantiles;
 import org.mechservice.report.measure.Spectrum;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.ModelProblem;
-import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.report.page.SolverChart;
 
 /** Steps and cost of explicit and implicit methods as damping and stiffness grow. */
 final class DampingStudy implements Study {
-  private static final SimulationMethod EXPLICIT =
-      new SimulationMethod("DTR", SimulationMethod.OPEN, "ode113");
-  private static final SimulationMethod IMPLICIT =
-      new SimulationMethod("RR-JF", SimulationMethod.OPEN, "ode15sR");
   private static final double[] STIFFNESS = {1e2, 1e4, 1e6, 1e8};
   private static final double[] RATIO = {0, 1e-4, 1e-3, 1e-2, 1e-1, 1, 10};
   private static final int BARS = 5;
@@ -57,7 +52,12 @@ final class DampingStudy implements Study {
             + " rad each; 1 s, tolerance %.0e. %s against %s, processor time, median of %d warm"
             + " runs. Eigenvalues: of the equations linearised in the independent coordinates at"
             + " the start. Runs are stopped after %.0f s.",
-        BARS, TOLERANCE, EXPLICIT.name(), IMPLICIT.name(), REPEATS, limit);
+        BARS,
+        TOLERANCE,
+        StudyContext.EXPLICIT.name(),
+        StudyContext.IMPLICIT.name(),
+        REPEATS,
+        limit);
     StudyPage.Table table =
         page.table(
             "Sweeps",
@@ -96,8 +96,8 @@ final class DampingStudy implements Study {
     }
     explicit.sort(java.util.Comparator.comparingDouble(SolverChart.Value::cost));
     implicit.sort(java.util.Comparator.comparingDouble(SolverChart.Value::cost));
-    chart.add(EXPLICIT.name(), explicit);
-    chart.add(IMPLICIT.name(), implicit);
+    chart.add(StudyContext.EXPLICIT.name(), explicit);
+    chart.add(StudyContext.IMPLICIT.name(), implicit);
     page.shows("Steps against the fastest decay, all sweeps together", chart);
   }
 
@@ -111,8 +111,8 @@ final class DampingStudy implements Study {
   }
 
   private Pair pair(MechSession session, StudyPage.Table table, double stiffness, double ratio) {
-    Candidate explicit = StudyContext.candidate(session, EXPLICIT);
-    Candidate implicit = StudyContext.candidate(session, IMPLICIT);
+    Candidate explicit = StudyContext.candidate(session, StudyContext.EXPLICIT);
+    Candidate implicit = StudyContext.candidate(session, StudyContext.IMPLICIT);
     ModelProblem problem = new ModelProblem(explicit.equations());
     Optional<Spectrum.Sample> spectrum = Spectrum.at(problem, 0, problem.start());
     double rightmost =

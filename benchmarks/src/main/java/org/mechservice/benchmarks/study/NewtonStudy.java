@@ -77,9 +77,7 @@ final class NewtonStudy implements Study {
   }
 
   private Boolean measure(StudyPage page, MechSession session) {
-    Candidate candidate =
-        StudyContext.compact(
-            session, new SimulationMethod("RR-JF", SimulationMethod.OPEN, "ode15sR"));
+    Candidate candidate = StudyContext.compact(session, StudyContext.IMPLICIT);
     StudyContext.Ran ran = StudyContext.run(candidate, END, END / ROWS, 1e-8, 60);
     ResidualModel model = (ResidualModel) candidate.models().get();
     bySize(page, model, ran.rows());

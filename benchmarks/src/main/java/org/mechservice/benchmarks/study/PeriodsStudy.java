@@ -78,9 +78,9 @@ final class PeriodsStudy implements Study {
             "ended");
     List<SimulationMethod> open =
         List.of(
-            new SimulationMethod("DTR", SimulationMethod.OPEN, "ode113"),
+            StudyContext.EXPLICIT,
             new SimulationMethod("DTR", SimulationMethod.OPEN, "DE"),
-            new SimulationMethod("RR-JF", SimulationMethod.OPEN, "ode15sR"));
+            StudyContext.IMPLICIT);
     // A bar that swings to 1 rad about its lowest position: 2π √(2 l / 3 g) = 1.638 s, and 6.6 %.
     scene(page, table, "pendulum", pendulum(), 1.746, open, this::energy);
     // Without forces, about its largest inertia: ω √((3 − 1)(3 − 2) / (1 · 2)) = 1 rad/s.
@@ -88,15 +88,9 @@ final class PeriodsStudy implements Study {
         StudyContext.replaced(
             StudyContext.scene("spin_1e3_asymmetric.xml"), "1e3*0.001;1e3*0.001;1e3", "0.1;0.1;1");
     scene(page, table, "free rotor", spin, 2 * Math.PI, open, this::momentum);
-    List<SimulationMethod> closed =
-        List.of(
-            new SimulationMethod("DSR", "projection", "ode113"),
-            new SimulationMethod("DSR", "penalty", "ode113"),
-            new SimulationMethod("RR-JF", "projection", "ode15sR"),
-            new SimulationMethod("RR-JF", "penalty", "ode15sR"));
     String fourBar =
         StudyContext.replaced(StudyContext.scene("start_off_1e-6.xml"), "3.000001", "3");
-    scene(page, table, "four-bar", fourBar, 1.5, closed, this::loops);
+    scene(page, table, "four-bar", fourBar, 1.5, StudyContext.WITH_LOOPS, this::loops);
     found.forEach((what, said) -> page.finds("%s: %s.", what, String.join("; ", said)));
   }
 

@@ -15,8 +15,6 @@ import org.mechservice.client.failure.ServiceException;
 import org.mechservice.client.run.PreparedRun;
 import org.mechservice.client.run.RunResult;
 import org.mechservice.report.stability.ExtremeCase;
-import org.mechservice.solver.api.result.ResultSink;
-import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Outcome;
 
 /** The extreme scenes run on the server and here: the same bits, and the same words. */
@@ -113,7 +111,7 @@ final class ServiceStudy implements Study {
         remote ? session.prepareRemoteRun(options) : session.prepareLocalRun(options)) {
       ScheduledFuture<?> alarm =
           watch.schedule(run::cancel, (long) (1000 * limit), TimeUnit.MILLISECONDS);
-      RunResult result = run.toEnd(new Kept(rows));
+      RunResult result = run.toEnd(new StudyContext.KeptRows(rows));
       alarm.cancel(false);
       if (result.outcome() instanceof Outcome.Failed failed) {
         return failed.failure().message();
@@ -126,18 +124,6 @@ final class ServiceStudy implements Study {
       throw new UncheckedIOException(e);
     } finally {
       watch.shutdownNow();
-    }
-  }
-
-  private record Kept(List<double[]> rows) implements ResultSink {
-    @Override
-    public void begin(List<Variable> columns) {
-      rows.clear();
-    }
-
-    @Override
-    public void row(double[] values) {
-      rows.add(values.clone());
     }
   }
 }

@@ -12,19 +12,12 @@ import org.mechservice.report.measure.Reference;
 import org.mechservice.report.measure.RunGrid;
 import org.mechservice.report.measure.StateDistance;
 import org.mechservice.report.method.Candidate;
-import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.report.page.SolverChart;
 import org.mechservice.solver.api.capability.ExplicitModel;
 
 /** Error against the distance at which a singular position is passed, for each closure. */
 final class SingularStudy implements Study {
   private static final double[] DISTANCES = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
-  private static final List<SimulationMethod> METHODS =
-      List.of(
-          new SimulationMethod("DSR", "projection", "ode113"),
-          new SimulationMethod("DSR", "penalty", "ode113"),
-          new SimulationMethod("RR-JF", "projection", "ode15sR"),
-          new SimulationMethod("RR-JF", "penalty", "ode15sR"));
   private static final double TOLERANCE = 1e-8;
 
   /** The bars lie in line at 0.457 s, s. */
@@ -85,7 +78,7 @@ final class SingularStudy implements Study {
                 "%s: passed with an error below 1e-4, or below what the reference is known to, down"
                     + " to a distance of %s m.",
                 method, StudyContext.number(distance)));
-    METHODS.stream()
+    StudyContext.WITH_LOOPS.stream()
         .filter(method -> !last.containsKey(method.name()))
         .forEach(method -> page.finds("%s: at no distance looked at.", method.name()));
   }
@@ -97,7 +90,9 @@ final class SingularStudy implements Study {
       Map<String, List<SolverChart.Value>> curves,
       Map<String, Double> last) {
     List<Candidate> candidates =
-        METHODS.stream().map(method -> StudyContext.compact(session, method)).toList();
+        StudyContext.WITH_LOOPS.stream()
+            .map(method -> StudyContext.compact(session, method))
+            .toList();
     ExplicitModel model = candidates.get(0).equations();
     StateDistance measure = new StateDistance(model.description());
     RunGrid grid = RunGrid.uniform(0, model.description().defaults().tEnd(), 20);

@@ -27,12 +27,6 @@ final class StartStudy implements Study {
     1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2
   };
   private static final double[] QUICK_OFFSETS = {1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-2};
-  private static final List<SimulationMethod> METHODS =
-      List.of(
-          new SimulationMethod("DSR", "projection", "ode113"),
-          new SimulationMethod("DSR", "penalty", "ode113"),
-          new SimulationMethod("RR-JF", "projection", "ode15sR"),
-          new SimulationMethod("RR-JF", "penalty", "ode15sR"));
   private static final double TOLERANCE = 1e-9;
   private static final String GIVEN_POSITIONS = "posVals=\"1\" velVals=\"0\"";
 
@@ -78,7 +72,7 @@ final class StartStudy implements Study {
     for (double offset : offsets) {
       context.at("offset " + StudyContext.number(offset), 0.5);
       for (boolean ofPositions : new boolean[] {true, false}) {
-        for (SimulationMethod method : METHODS) {
+        for (SimulationMethod method : StudyContext.WITH_LOOPS) {
           Outcome outcome = outcome(offset, ofPositions, method);
           table.row(
               ofPositions ? "position" : "velocity",
@@ -103,7 +97,7 @@ final class StartStudy implements Study {
           if (outcome.said().contains(MessageCode.START_POSITION_CORRECTED.code())) {
             firstSaid = Math.min(firstSaid, offset);
           }
-          if (method.equals(METHODS.get(0)) && outcome.moved() > 0) {
+          if (method.equals(StudyContext.WITH_LOOPS.get(0)) && outcome.moved() > 0) {
             (ofPositions ? positions : velocities)
                 .add(
                     new SolverChart.Value(

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.mechservice.client.MechSession;
@@ -33,6 +34,22 @@ import org.mechservice.solver.api.run.RunSettings;
 /** Scenes built by the service and runs of them, shared by all studies. */
 public final class StudyContext {
   private static final String SCENES = "/org/mechservice/report/extremes/";
+
+  /** The explicit method for open chains. */
+  static final SimulationMethod EXPLICIT =
+      new SimulationMethod("DTR", SimulationMethod.OPEN, "ode113");
+
+  /** The implicit method for open chains. */
+  static final SimulationMethod IMPLICIT =
+      new SimulationMethod("RR-JF", SimulationMethod.OPEN, "ode15sR");
+
+  /** Methods for scenes with loops: both ways to keep them closed, explicit and implicit. */
+  static final List<SimulationMethod> WITH_LOOPS =
+      List.of(
+          new SimulationMethod("DSR", "projection", "ode113"),
+          new SimulationMethod("DSR", "penalty", "ode113"),
+          new SimulationMethod("RR-JF", "projection", "ode15sR"),
+          new SimulationMethod("RR-JF", "penalty", "ode15sR"));
 
   private final Supplier<MechSession> sessions;
   private final boolean quick;
@@ -92,27 +109,29 @@ public final class StudyContext {
 
   /** Loads a scene and does something with it. */
   <T> T with(String text, Function<MechSession, T> use) {
-    try (MechSession session = sessions.get()) {
-      session.loadModel("study.xml", text.getBytes(StandardCharsets.UTF_8));
-      return use.apply(session);
-    }
+    return loaded("study.xml", bytes(text), (session, warnings) -> use.apply(session));
   }
 
   /** Loads a scene of the suite and does something with it. */
   <T> T with(ExtremeCase wanted, Function<MechSession, T> use) {
-    try (MechSession session = sessions.get()) {
-      session.loadModel(wanted.file(), wanted.content());
-      return use.apply(session);
-    }
+    return loaded(wanted.file(), wanted.content(), (session, warnings) -> use.apply(session));
   }
 
   /** Loads a scene and returns the service's warnings. */
   List<String> warnings(String text) {
+    return loaded("study.xml", bytes(text), (session, warnings) -> warnings);
+  }
+
+  private <T> T loaded(String file, byte[] content, BiFunction<MechSession, List<String>, T> use) {
     try (MechSession session = sessions.get()) {
-      return session.loadModel("study.xml", text.getBytes(StandardCharsets.UTF_8)).stream()
-          .map(String::valueOf)
-          .toList();
+      List<String> warnings =
+          session.loadModel(file, content).stream().map(String::valueOf).toList();
+      return use.apply(session, warnings);
     }
+  }
+
+  private static byte[] bytes(String text) {
+    return text.getBytes(StandardCharsets.UTF_8);
   }
 
   /** Builds a method for the scene of a session. */
@@ -125,6 +144,23 @@ public final class StudyContext {
   static Candidate compact(MechSession session, SimulationMethod method) {
     LocalModel model = session.fetchModel(MethodList.options(method).compact());
     return new Candidate(method, model::newModel, model.solver());
+  }
+
+  /**
+   * Keeps the rows of a run.
+   *
+   * @param rows emptied when the run begins, then filled
+   */
+  record KeptRows(List<double[]> rows) implements ResultSink {
+    @Override
+    public void begin(List<Variable> columns) {
+      rows.clear();
+    }
+
+    @Override
+    public void row(double[] values) {
+      rows.add(values.clone());
+    }
   }
 
   /**
@@ -190,21 +226,9 @@ public final class StudyContext {
             return super.proceed(time, size, order, steps);
           }
         };
-    ResultSink sink =
-        new ResultSink() {
-          @Override
-          public void begin(List<Variable> columns) {
-            rows.clear();
-          }
-
-          @Override
-          public void row(double[] values) {
-            rows.add(values.clone());
-          }
-        };
     try {
       RunRequest request = new RunRequest(settings, Set.of(ColumnGroup.JOINTS));
-      RunReport report = solver.run(model, request, sink, control);
+      RunReport report = solver.run(model, request, new KeptRows(rows), control);
       return new Ran(report, (threads.getCurrentThreadCpuTime() - began) * 1e-9, rows);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
