@@ -2,24 +2,16 @@ package org.mechservice.admin.web;
 
 import com.google.gson.JsonObject;
 import com.sun.net.httpserver.HttpExchange;
-import com.sun.net.httpserver.HttpServer;
 import java.io.IOException;
-import java.net.BindException;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import org.mechservice.admin.AdminConsole;
 import org.mechservice.admin.AdminFailure;
 import org.mechservice.admin.live.LiveView;
 import org.mechservice.orb.GuardedServant;
-import org.mechservice.orb.PortInUseException;
+import org.mechservice.orb.LoopbackHttp;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
@@ -27,11 +19,7 @@ import org.mechservice.solver.catalogue.MessageCode;
  * another site caused is refused whatever it carries.
  */
 public final class AdminWeb implements AutoCloseable {
-  private static final int THREADS = 64;
-  private static final int WAITING = 200;
-
-  private final HttpServer http;
-  private final ExecutorService threads;
+  private final LoopbackHttp http;
   private final LiveView view;
   private final AdminAuditLog audit;
   private final Api api;
@@ -47,49 +35,24 @@ public final class AdminWeb implements AutoCloseable {
    * @param port TCP port; 0: any free one
    * @param tokens rights by token
    * @param auditFile is added to; empty: refusals are only logged
-   * @throws PortInUseException if the port is taken
+   * @throws org.mechservice.orb.PortInUseException if the port is taken
    * @throws IOException if the audit file cannot be written
    */
   public AdminWeb(AdminConsole console, int port, AccessTokens tokens, Optional<Path> auditFile)
       throws IOException {
     this.tokens = tokens;
     audit = new AdminAuditLog(auditFile);
-    http = bound(port);
+    http = LoopbackHttp.open(port, "admin-web");
     names = Set.of("127.0.0.1:" + port(), "localhost:" + port(), "[::1]:" + port());
     view = new LiveView(console);
     api = new Api(console, tokens, new Streams(console, view), audit);
-    ThreadPoolExecutor pool =
-        new ThreadPoolExecutor(
-            THREADS,
-            THREADS,
-            1,
-            TimeUnit.MINUTES,
-            new LinkedBlockingQueue<>(WAITING),
-            task -> {
-              Thread thread = new Thread(task, "mechservice-admin-web");
-              thread.setDaemon(true);
-              return thread;
-            });
-    pool.allowCoreThreadTimeOut(true);
-    threads = pool;
-    http.setExecutor(threads);
-    http.createContext("/", this::handle);
+    http.serve("/", this::handle);
     http.start();
-  }
-
-  private static HttpServer bound(int port) throws IOException {
-    InetSocketAddress address =
-        new InetSocketAddress(InetAddress.getByAddress(new byte[] {127, 0, 0, 1}), port);
-    try {
-      return HttpServer.create(address, 0);
-    } catch (BindException e) {
-      throw new PortInUseException("127.0.0.1:" + port, e);
-    }
   }
 
   /** Returns the port it listens on. */
   public int port() {
-    return http.getAddress().getPort();
+    return http.port();
   }
 
   /**
@@ -174,8 +137,7 @@ public final class AdminWeb implements AutoCloseable {
   @Override
   public void close() throws IOException {
     view.close();
-    http.stop(0);
-    threads.shutdownNow();
+    http.close();
     audit.close();
   }
 }

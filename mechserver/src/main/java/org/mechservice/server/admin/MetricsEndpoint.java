@@ -1,17 +1,11 @@
 package org.mechservice.server.admin;
 
 import com.sun.net.httpserver.HttpExchange;
-import com.sun.net.httpserver.HttpServer;
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.function.Supplier;
 import org.mechservice.orb.GuardedServant;
-import org.mechservice.orb.PortInUseException;
-import org.mechservice.server.hosts.HostCalls;
+import org.mechservice.orb.LoopbackHttp;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
@@ -30,11 +24,9 @@ public final class MetricsEndpoint implements AutoCloseable {
    */
   public record Health(boolean good, String text) {}
 
-  private final HttpServer server;
-  private final ExecutorService threads =
-      Executors.newSingleThreadExecutor(HostCalls.named("metrics"));
+  private final LoopbackHttp server;
 
-  private MetricsEndpoint(HttpServer server) {
+  private MetricsEndpoint(LoopbackHttp server) {
     this.server = server;
   }
 
@@ -44,24 +36,14 @@ public final class MetricsEndpoint implements AutoCloseable {
    * @param port 0: any free one
    * @param metrics writes the figures
    * @param health returns the state of the service
-   * @throws PortInUseException if the port is taken
+   * @throws org.mechservice.orb.PortInUseException if the port is taken
    */
   public static MetricsEndpoint open(int port, Supplier<String> metrics, Supplier<Health> health) {
-    InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
-    try {
-      MetricsEndpoint endpoint = new MetricsEndpoint(HttpServer.create(address, 0));
-      endpoint.serve(metrics, health);
-      return endpoint;
-    } catch (IOException e) {
-      throw new PortInUseException(address.getHostString() + ":" + port, e);
-    }
-  }
-
-  private void serve(Supplier<String> metrics, Supplier<Health> health) {
-    server.createContext("/metrics", exchange -> answer(exchange, () -> ok(metrics.get())));
-    server.createContext("/health", exchange -> answer(exchange, health));
-    server.setExecutor(threads);
+    LoopbackHttp server = LoopbackHttp.open(port, "metrics");
+    server.serve("/metrics", exchange -> answer(exchange, () -> ok(metrics.get())));
+    server.serve("/health", exchange -> answer(exchange, health));
     server.start();
+    return new MetricsEndpoint(server);
   }
 
   private static Health ok(String text) {
@@ -92,12 +74,11 @@ public final class MetricsEndpoint implements AutoCloseable {
   }
 
   public int port() {
-    return server.getAddress().getPort();
+    return server.port();
   }
 
   @Override
   public void close() {
-    server.stop(0);
-    threads.shutdownNow();
+    server.close();
   }
 }

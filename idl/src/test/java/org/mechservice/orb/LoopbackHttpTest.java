@@ -1,0 +1,97 @@
+package org.mechservice.orb;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.net.Socket;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse.BodyHandlers;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/** A caller that never ends its request costs its own connection, and nobody else waits. */
+class LoopbackHttpTest {
+  private static final Duration PATIENCE = Duration.ofSeconds(60);
+
+  private final List<Socket> halfSent = new ArrayList<>();
+  private LoopbackHttp server;
+
+  @BeforeEach
+  void open() {
+    server = LoopbackHttp.open(0, "test");
+    server.serve(
+        "/health",
+        exchange -> {
+          try (exchange) {
+            byte[] body = "well".getBytes(StandardCharsets.US_ASCII);
+            exchange.sendResponseHeaders(200, body.length);
+            exchange.getResponseBody().write(body);
+          }
+        });
+    server.start();
+  }
+
+  @AfterEach
+  void close() throws IOException {
+    for (Socket socket : halfSent) {
+      socket.close();
+    }
+    server.close();
+  }
+
+  private Socket halfSent() throws IOException {
+    Socket socket = new Socket("127.0.0.1", server.port());
+    socket.getOutputStream().write("GET /health HTTP/1.1\r\nHost: x\r\n".getBytes());
+    halfSent.add(socket);
+    return socket;
+  }
+
+  private String health() throws IOException, InterruptedException {
+    HttpRequest request =
+        HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + server.port() + "/health"))
+            .timeout(PATIENCE)
+            .build();
+    return HttpClient.newHttpClient().send(request, BodyHandlers.ofString()).body();
+  }
+
+  @Test
+  void halfSentRequestsHoldNobodyUp() throws Exception {
+    for (int i = 0; i < 50; i++) {
+      halfSent();
+    }
+    assertThat(health()).isEqualTo("well");
+  }
+
+  @Test
+  @Tag("soak")
+  void aThousandHalfSentRequestsHoldNobodyUp() throws Exception {
+    for (int i = 0; i < 1000; i++) {
+      halfSent();
+    }
+    assertThat(health()).isEqualTo("well");
+  }
+
+  @Test
+  @Tag("soak")
+  void halfSentRequestLosesItsConnection() throws Exception {
+    Socket socket = halfSent();
+    socket.setSoTimeout((int) PATIENCE.toMillis());
+    assertThat(socket.getInputStream().read()).isEqualTo(-1);
+  }
+
+  @Test
+  void portInUseIsNamed() {
+    assertThatThrownBy(() -> LoopbackHttp.open(server.port(), "second"))
+        .isInstanceOf(PortInUseException.class)
+        .hasMessageContaining("127.0.0.1:" + server.port());
+  }
+}
