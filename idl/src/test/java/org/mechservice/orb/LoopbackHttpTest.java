@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.net.InetAddress;
 import java.net.Socket;
 import java.net.URI;
 import java.net.http.HttpClient;
@@ -49,8 +50,10 @@ class LoopbackHttpTest {
   }
 
   private Socket halfSent() throws IOException {
-    Socket socket = new Socket("127.0.0.1", server.port());
-    socket.getOutputStream().write("GET /health HTTP/1.1\r\nHost: x\r\n".getBytes());
+    Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.port());
+    socket
+        .getOutputStream()
+        .write("GET /health HTTP/1.1\r\nHost: x\r\n".getBytes(StandardCharsets.US_ASCII));
     halfSent.add(socket);
     return socket;
   }

@@ -12,6 +12,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -146,7 +147,7 @@ class OwnersTest {
     return allowed;
   }
 
-  private static Object something(Class<?> type) {
+  private static @Nullable Object something(Class<?> type) {
     if (type == String.class) {
       return "x";
     } else if (type == ModelFile.class) {

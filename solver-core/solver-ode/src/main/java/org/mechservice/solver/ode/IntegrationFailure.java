@@ -34,6 +34,10 @@ public record IntegrationFailure(
   public enum Cause {
     /** The error test fails at the smallest step the arithmetic can hold. */
     STEP_TOO_SMALL,
+    /**
+     * The right-hand side and the solution grow beyond every bound within the next step: a pole.
+     */
+    UNBOUNDED,
     /** The tolerance asks for more digits than the arithmetic has. */
     TOLERANCE_TOO_TIGHT,
     /** The right-hand side is not finite, also after the step was reduced repeatedly. */

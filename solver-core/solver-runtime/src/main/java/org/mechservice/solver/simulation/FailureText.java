@@ -58,6 +58,14 @@ final class FailureText {
                   : motion
                       + "The motion is singular or very stiff there; take ode15s, loosen the"
                       + " tolerances, or check the values that act on this joint.");
+      case UNBOUNDED ->
+          failure(
+              MessageCode.STEP_TOO_SMALL,
+              "The solution grows beyond every bound within the next step.",
+              failure,
+              state(model, failure.worstComponent()),
+              "Something that acts there is divided by what becomes zero; end the run earlier, or"
+                  + " bound what acts on this joint.");
       case TOLERANCE_TOO_TIGHT ->
           failure(
               MessageCode.TOLERANCE_TOO_TIGHT,
@@ -156,6 +164,7 @@ final class FailureText {
     return switch (cause) {
       case NOT_FINITE,
           STEP_TOO_SMALL,
+          UNBOUNDED,
           TOLERANCE_TOO_TIGHT,
           NO_CONVERGENCE,
           SINGULAR_MATRIX,

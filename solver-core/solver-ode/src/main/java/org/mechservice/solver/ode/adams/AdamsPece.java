@@ -10,6 +10,7 @@ import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.TrialOutcome;
 import org.mechservice.solver.ode.jumps.JumpSearch;
+import org.mechservice.solver.ode.jumps.PoleProbe;
 import org.mechservice.solver.ode.step.ErrorNorm;
 import org.mechservice.solver.ode.step.IntegrationProgress;
 import org.mechservice.solver.ode.step.Manifold;
@@ -40,6 +41,7 @@ abstract class AdamsPece extends SteppingIntegrator {
 
   private RightHandSide equations = RightHandSide.none();
   private Manifold manifold = new Manifold(equations.system());
+  private PoleProbe poles = new PoleProbe(0);
   private AdamsHistory history = new AdamsHistory(0, false);
 
   /** End of the problem. */
@@ -94,6 +96,7 @@ abstract class AdamsPece extends SteppingIntegrator {
     norm.begin(settings.relativeTolerance(), tolerances, manifold);
     norm.weigh(y0);
     history = new AdamsHistory(y0.length, compensates(roundOff(y0)));
+    poles = new PoleProbe(y0.length);
     stiffness.clear();
     return beginAt(t0, y0, settings.initialStep());
   }
@@ -155,6 +158,7 @@ abstract class AdamsPece extends SteppingIntegrator {
 
   private StepResult beginAnew(double t, double[] y) {
     stiffness.beginAgain();
+    poles.clear();
     progress.beginAgain(t);
     return beginAt(t, y, 0);
   }
@@ -209,6 +213,10 @@ abstract class AdamsPece extends SteppingIntegrator {
         return StepResult.STOPPED;
       }
       if (attempt == TrialOutcome.PASSED) {
+        int pole = componentWithPole();
+        if (pole >= 0) {
+          return fail(Cause.UNBOUNDED, pole);
+        }
         accept();
         return progress.goOn(bounds.reachedAt(progress.time()));
       }
@@ -283,8 +291,23 @@ abstract class AdamsPece extends SteppingIntegrator {
     return found;
   }
 
+  /** Returns the component that has a pole inside the step that passed, −1 if none has. */
+  private int componentWithPole() {
+    return settings.mode() == Mode.FAITHFUL
+        ? -1
+        : poles.component(
+            equations,
+            progress.time(),
+            triedTime,
+            history.state(),
+            history.corrected(),
+            history.difference(1),
+            history.derivative);
+  }
+
   private void accept() {
     int k = control.order();
+    poles.accepted(progress.time(), history.difference(1));
     history.accept(k);
     coefficients.accept(h, k);
     progress.accepted(h, triedTime, k, control.error());
@@ -305,6 +328,7 @@ abstract class AdamsPece extends SteppingIntegrator {
 
   /** Begins at order 1 behind a jump, where f is known. */
   private void forgetHistory() {
+    poles.clear();
     stiffness.beginAgain();
     coefficients.beginAgain();
     control.begin(settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER));
@@ -403,6 +427,7 @@ abstract class AdamsPece extends SteppingIntegrator {
     if (state.restoring()) {
       begin(t0, end);
       history = new AdamsHistory(n, compensated);
+      poles = new PoleProbe(n);
     }
     equations.transfer(state);
     if (state.restoring()) {
@@ -418,6 +443,7 @@ abstract class AdamsPece extends SteppingIntegrator {
     coefficients.transfer(state);
     control.transfer(state);
     jumps.transfer(state);
+    poles.transfer(state);
     stiffness.transfer(state);
     h = state.number(h);
     triedTime = state.number(triedTime);

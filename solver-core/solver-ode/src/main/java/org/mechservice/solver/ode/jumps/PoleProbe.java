@@ -1,0 +1,175 @@
+package org.mechservice.solver.ode.jumps;
+
+import org.mechservice.solver.ode.SavedState;
+import org.mechservice.solver.ode.step.RightHandSide;
+
+/**
+ * Looks whether a step goes across a pole of odd order: a place where the right-hand side, and the
+ * solution with it, grows beyond every bound and comes back with the other sign.
+ *
+ * <p>The error test sees values at two ends only. Towards a pole they grow from step to step,
+ * behind it they have the other sign, and at loose tolerances a step now and then has an estimate
+ * that passes by chance. Where the values look like that, the change of sign is narrowed down. Let
+ * w be the width that is left. At a pole A/(t − c) the largest value is A/w at least, and the
+ * smaller one at the ends of the whole step is 2A over its length at most, so that value times
+ * width never falls below half of what it was; at poles of higher order it grows. Across a jump and
+ * through a zero it falls like w, and where the solution stays finite, as with an inverse root,
+ * like a power of w.
+ */
+public final class PoleProbe {
+  /** Part of value times width that is kept at a pole, with room for what else is in f. */
+  private static final double KEPT = 0.25;
+
+  /** Halvings that are enough to tell a pole; fewer if no times are left between. */
+  private static final int ENOUGH = 40;
+
+  /** How far the values at the two ends may be off those of the pole that the last two foretell. */
+  private static final double ALIKE = 2;
+
+  /** Derivatives at the beginning of the last step and of the one before it. */
+  private final double[] before;
+
+  private final double[] twoBefore;
+  private double timeBefore;
+  private double timeTwoBefore;
+  private final double[] between;
+  private final double[] slope;
+  private int known;
+
+  /**
+   * @param dimension number of equations
+   */
+  public PoleProbe(int dimension) {
+    before = new double[dimension];
+    twoBefore = new double[dimension];
+    between = new double[dimension];
+    slope = new double[dimension];
+  }
+
+  /** Forgets the derivatives seen: those behind a jump tell nothing of those before it. */
+  public void clear() {
+    known = 0;
+  }
+
+  /** Takes note of the derivative at the beginning of an accepted step. */
+  public void accepted(double t, double[] derivative) {
+    System.arraycopy(before, 0, twoBefore, 0, before.length);
+    timeTwoBefore = timeBefore;
+    timeBefore = t;
+    System.arraycopy(derivative, 0, before, 0, before.length);
+    known = Math.min(known + 1, 2);
+  }
+
+  /**
+   * Returns the component with a pole inside a step, −1 if there is none.
+   *
+   * @param equations asked for further derivatives if it looks like a pole
+   * @param t beginning of the step
+   * @param end end of the step
+   * @param y state at its beginning
+   * @param yEnd state at its end
+   * @param derivative at its beginning
+   * @param derivativeAtEnd at its end
+   */
+  public int component(
+      RightHandSide equations,
+      double t,
+      double end,
+      double[] y,
+      double[] yEnd,
+      double[] derivative,
+      double[] derivativeAtEnd) {
+    if (known == 0) {
+      return -1;
+    }
+    for (int l = 0; l < y.length; l++) {
+      if (suspect(l, t, derivative[l], derivativeAtEnd[l], end - t)
+          && narrowed(equations, l, t, end, y, yEnd, derivative[l], derivativeAtEnd[l])) {
+        return l;
+      }
+    }
+    return -1;
+  }
+
+  /**
+   * Returns whether the derivatives known look like A/(t − c), with c inside the step.
+   *
+   * @param here derivative at its beginning
+   * @param there derivative at its end
+   * @param step its size, signed
+   */
+  private boolean suspect(int l, double t, double here, double there, double step) {
+    double last = before[l];
+    if (!(here * there < 0 && here * last > 0 && Math.abs(here) > Math.abs(last))) {
+      return false;
+    }
+    double ahead = (t - timeBefore) * last / (here - last); // from the beginning to the pole
+    double behind = -ahead * here / there; // from the pole to the end, by the values
+    double earlier = here * ahead / (t - timeTwoBefore + ahead);
+    return alike((ahead + behind) / step) && (known == 1 || alike(twoBefore[l] / earlier));
+  }
+
+  private static boolean alike(double ratio) {
+    return ratio < ALIKE && ratio > 1 / ALIKE;
+  }
+
+  /** Narrows the change of sign of component l down; returns whether a pole is there. */
+  private boolean narrowed(
+      RightHandSide equations,
+      int l,
+      double t,
+      double end,
+      double[] y,
+      double[] yEnd,
+      double here,
+      double there) {
+    double from = 0;
+    double to = 1;
+    double first = here;
+    double last = there;
+    double least = KEPT * Math.min(Math.abs(here), Math.abs(there));
+    double resolution = 4 * Math.max(Math.ulp(t), Math.ulp(end)) / Math.abs(end - t);
+    for (int i = 1; i <= ENOUGH; i++) {
+      double middle = 0.5 * (from + to);
+      if (!evaluate(equations, t, end, y, yEnd, middle)) {
+        return false; // the run is to stop
+      }
+      double value = slope[l];
+      if (!Double.isFinite(value)) {
+        return true;
+      }
+      if (first * value < 0) {
+        to = middle;
+        last = value;
+      } else {
+        from = middle;
+        first = value;
+      }
+      if (Math.max(Math.abs(first), Math.abs(last)) * (to - from) < least) {
+        return false;
+      }
+      if (to - from <= resolution) {
+        return true; // no times are left between, and it has not fallen on the way
+      }
+    }
+    return true;
+  }
+
+  /** Carries the derivatives seen over. */
+  public void transfer(SavedState state) {
+    known = state.integer(known);
+    state.numbers(before);
+    state.numbers(twoBefore);
+    timeTwoBefore = state.number(timeTwoBefore);
+    timeBefore = state.number(timeBefore);
+  }
+
+  /** Evaluates the derivatives a share of the step ahead, unless the run is to stop. */
+  private boolean evaluate(
+      RightHandSide equations, double t, double end, double[] y, double[] yEnd, double share) {
+    for (int k = 0; k < y.length; k++) {
+      between[k] = y[k] + share * (yEnd[k] - y[k]);
+    }
+    return equations.evaluate(t + share * (end - t), between, slope);
+  }
+}

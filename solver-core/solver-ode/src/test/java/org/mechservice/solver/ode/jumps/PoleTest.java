@@ -1,0 +1,127 @@
+package org.mechservice.solver.ode.jumps;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.function.Function;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.mechservice.solver.ode.IntegrationFailure.Cause;
+import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.IntegratorSettings;
+import org.mechservice.solver.ode.OdeSystem;
+import org.mechservice.solver.ode.StepResult;
+import org.mechservice.solver.ode.adams.De;
+import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.stiff.Ode15s;
+import org.mechservice.solver.ode.switching.Switching;
+
+/**
+ * No run goes on beyond a place where the solution grows beyond every bound, wherever steps happen
+ * to fall; runs whose derivative alone has no bound go on.
+ */
+class PoleTest {
+  private static final double[] TOLERANCES = {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-6};
+  private static final int PLACES = 60;
+
+  private enum Method {
+    ODE113(Ode113::new),
+    DE(De::new),
+    ODE15S(Ode15s::new),
+    SWITCHING(Switching::new);
+
+    @SuppressWarnings("ImmutableEnumChecker") // a constructor, no state
+    private final Function<IntegratorSettings, Integrator> maker;
+
+    Method(Function<IntegratorSettings, Integrator> maker) {
+      this.maker = maker;
+    }
+  }
+
+  private interface Slope {
+    double at(double t, double y);
+  }
+
+  private static OdeSystem system(Slope slope) {
+    return new OdeSystem() {
+      @Override
+      public int dimension() {
+        return 1;
+      }
+
+      @Override
+      public void derivative(double t, double[] y, double[] yDot) {
+        yDot[0] = slope.at(t, y[0]);
+      }
+    };
+  }
+
+  private static double place(int i) {
+    return 0.3 + 1.4 * i / (PLACES - 1) * 0.999;
+  }
+
+  /** Returns whether a run to 2 ends by name near a place, as far as its tolerance knows it. */
+  private static boolean endsAt(double place, Slope slope, Method method, double tolerance) {
+    Integrator run = method.maker.apply(new IntegratorSettings(tolerance, tolerance));
+    StepResult result = run.start(system(slope), 0, new double[] {0}, 2);
+    while (result == StepResult.ADVANCED) {
+      result = run.step();
+    }
+    return result == StepResult.FAILED && Math.abs(place - run.time()) < 0.1;
+  }
+
+  private static int missed(Function<Double, Slope> slopes, Method method) {
+    int missed = 0;
+    for (double tolerance : TOLERANCES) {
+      for (int i = 0; i < PLACES; i++) {
+        missed += endsAt(place(i), slopes.apply(place(i)), method, tolerance) ? 0 : 1;
+      }
+    }
+    return missed;
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void noPoleOfFirstOrderIsCrossed(Method method) {
+    assertThat(missed(c -> (t, y) -> 1 / (c - t), method)).isZero();
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void noPoleOfThirdOrderIsCrossed(Method method) {
+    assertThat(missed(c -> (t, y) -> 1 / ((c - t) * (c - t) * (c - t)), method)).isZero();
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void noPoleOfATangentIsCrossed(Method method) {
+    assertThat(missed(c -> (t, y) -> StrictMath.tan(0.5 * Math.PI * t / c), method)).isZero();
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"ODE113", "DE"})
+  void solutionThatStaysBoundedGoesOn(Method method) {
+    for (double tolerance : TOLERANCES) {
+      for (int i = 0; i < PLACES; i++) {
+        double c = place(i);
+        Integrator run = method.maker.apply(new IntegratorSettings(tolerance, tolerance));
+        Slope root = (t, y) -> -Math.signum(c - t) * 0.5 / Math.sqrt(Math.abs(c - t));
+        StepResult result = run.start(system(root), 0, new double[] {0}, 2);
+        while (result == StepResult.ADVANCED) {
+          result = run.step();
+        }
+        assertThat(result).as("%s, %s, %s", method, tolerance, c).isEqualTo(StepResult.REACHED_END);
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"ODE113", "DE"})
+  void poleCrossedAtLooseTolerancesIsNamed(Method method) {
+    Integrator run = method.maker.apply(new IntegratorSettings(1e-2, 1e-2));
+    StepResult result = run.start(system((t, y) -> 1 / (1 - t)), 0, new double[] {0}, 2);
+    while (result == StepResult.ADVANCED) {
+      result = run.step();
+    }
+    assertThat(run.failure().cause()).isIn(Cause.UNBOUNDED, Cause.STEP_TOO_SMALL);
+  }
+}
