@@ -10,11 +10,11 @@ import org.mechservice.sim.symbolic.ScalarOperation;
 /**
  * A planned method as a stack machine runs it: operands first, then what is done with them.
  *
- * <p>The order of operations is the plan's, so every machine that is told the same plan computes
+ * <p>The order of operations is that of the plan, so every machine that gets the same plan computes
  * the same bits as the source printed from it.
  */
 public final class StackCode {
-  /** What is told. */
+  /** Receives the instructions. */
   public interface Machine {
     /** Pushes an input. */
     void pushInput(int index);
