@@ -34,7 +34,7 @@ public record FormulationChoice(String formulation, String closure, String reaso
   private static final String OPEN = "none";
   private static final String PROJECTION = ClosureMethod.PROJECTION.label();
 
-  /** Largest scene whose loops are examined to choose their closure. */
+  /** Most velocities of a scene whose loops are examined to choose their closure. */
   private static final int MOST_VELOCITIES = 1000;
 
   /**

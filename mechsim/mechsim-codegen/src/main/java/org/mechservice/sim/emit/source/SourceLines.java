@@ -8,7 +8,7 @@ public final class SourceLines {
   private final StringBuilder text = new StringBuilder();
   private int indentation;
 
-  /** Opens a block: writes a line and indents what follows. */
+  /** Opens a block: writes a line and indents the lines after it. */
   public SourceLines open(String line) {
     line(line + " {");
     indentation += 2;
