@@ -42,7 +42,8 @@ final class CompactLocals {
   }
 
   /**
-   * Returns whether a jump backwards passes a double variable: it then lives longer than it shows.
+   * Returns whether a jump backwards passes a double variable; its lifetime is then longer than its
+   * instructions show.
    */
   private static boolean loopsOverDoubles(MethodNode method) {
     List<Integer> accesses = new ArrayList<>();

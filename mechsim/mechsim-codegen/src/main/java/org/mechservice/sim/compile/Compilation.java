@@ -18,12 +18,12 @@ import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * What became of sources compiled in memory.
+ * The result of compiling sources in memory.
  *
  * @param succeeded whether there are class files
  * @param classFiles by binary name; not to be modified
- * @param diagnostics what the compiler said
- * @param messages what it said of none of the sources
+ * @param diagnostics messages of the compiler
+ * @param messages messages that belong to none of the sources
  */
 public record Compilation(
     boolean succeeded,

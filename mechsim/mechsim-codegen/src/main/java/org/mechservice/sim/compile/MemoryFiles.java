@@ -19,8 +19,8 @@ import javax.tools.SimpleJavaFileObject;
 import javax.tools.StandardLocation;
 
 /**
- * The files a compilation sees: the JDK's classes from where they are; on the class path some
- * packages of the solver, and whatever else is given; what it writes stays in memory.
+ * The files a compilation sees: the classes of the JDK, and on the class path some packages of the
+ * solver and the given class files. Output stays in memory.
  */
 final class MemoryFiles extends ForwardingJavaFileManager<JavaFileManager> {
   private final Set<String> visiblePackages;

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.Type;
 
-/** The solver classes that given classes reach, through whatever their constant pools name. */
+/** The solver classes that given classes reach through the names in constant pools. */
 public final class ReachableClasses {
   private static final int CLASS = 7;
   private static final int NAME_AND_TYPE = 12;

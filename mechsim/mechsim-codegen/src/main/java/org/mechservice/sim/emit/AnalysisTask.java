@@ -13,7 +13,7 @@ import org.mechservice.solver.analysis.PrescribedSource;
  * @param options its options as text
  */
 public record AnalysisTask(Class<?> source, String options) {
-  /** Returns what a simulation asks for; empty if it is integrated in time. */
+  /** Returns the analysis of a simulation; empty if it is integrated in time. */
   public static Optional<AnalysisTask> of(SimulationTask task) {
     if (task instanceof SimulationTask.StaticEquilibrium rest) {
       return Optional.of(

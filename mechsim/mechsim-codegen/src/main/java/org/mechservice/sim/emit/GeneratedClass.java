@@ -20,6 +20,6 @@ public sealed interface GeneratedClass permits ModelPlan, ProgramsClass, Compact
   /** Returns the formatted source. */
   String source();
 
-  /** Returns the class file; it computes what {@link #source} says, bit by bit. */
+  /** Returns the class file; its results have the same bits as those of {@link #source}. */
   byte[] classFile();
 }

@@ -21,8 +21,8 @@ import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.Type;
 
 /**
- * Writes the class of a model as a class file, without source and compiler: what {@link
- * ModelSourceWriter} says, instruction by instruction.
+ * Writes the class of a model as a class file, without source and compiler. Its instructions are
+ * those of the source that {@link ModelSourceWriter} writes.
  */
 final class ModelBytesWriter {
   private static final String OBJECT = "java/lang/Object";

@@ -15,10 +15,10 @@ import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /**
- * What the class of a model contains.
+ * The contents of the class of a model.
  *
  * @param mechanism the model
- * @param description what it says of itself
+ * @param description its description
  * @param derivative program from [q; v] to [q'; v']
  * @param residual program from [q; v] and [q'; v'] to the residual, if the formulation has one
  * @param derivatives those of the residual, if the formulation has them

@@ -115,7 +115,7 @@ public final class ModelPlan implements GeneratedClass {
     return new ModelPlan(content, form);
   }
 
-  /** Returns the program that writes what is not zero at the start. */
+  /** Returns the program that writes the states that are not zero at the start. */
   private static Program startOf(ModelClass content) {
     double[] y = new double[content.description().stateCount()];
     content.mechanism().initialState(y);
@@ -188,17 +188,17 @@ public final class ModelPlan implements GeneratedClass {
     return programs;
   }
 
-  /** Returns the program of the bodies' poses, if they are asked for. */
+  /** Returns the program of the bodies' poses, if they are requested. */
   Optional<Part> poses() {
     return poses;
   }
 
-  /** Returns the program of the power of what has no potential energy, if there is any. */
+  /** Returns the program of the power of forces without potential energy, if there are any. */
   Optional<Part> power() {
     return power;
   }
 
-  /** Returns the program of the values of forces, if they are asked for. */
+  /** Returns the program of the values of forces, if they are requested. */
   Optional<Part> forces() {
     return forces;
   }
@@ -235,7 +235,7 @@ public final class ModelPlan implements GeneratedClass {
    */
   record Base(Class<?> type, List<String> arguments) {}
 
-  /** Returns what the class extends. */
+  /** Returns the superclass. */
   Base base() {
     if (content.derivatives().isEmpty()) {
       return new Base(Object.class, List.of());
@@ -390,8 +390,8 @@ public final class ModelPlan implements GeneratedClass {
   }
 
   /**
-   * Returns whether the settings say more than their shortest form: bounds of step sizes or order,
-   * or further tolerances, which stand behind these.
+   * Returns whether the settings have more than the shortest form: bounds of step size or order, or
+   * further tolerances.
    */
   boolean boundsSteps() {
     RunSettings settings = content.description().defaults();

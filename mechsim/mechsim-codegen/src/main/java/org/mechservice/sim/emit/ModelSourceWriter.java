@@ -16,9 +16,9 @@ import org.mechservice.solver.api.run.RunSettings;
 /**
  * Writes the class of a model as Java source.
  *
- * <p>The class is written to be read: values carry the names of mechanics, every stretch says which
- * body and joint it is about and which equation it evaluates. It is also written to be small: no
- * method, array or constant that the scene does not need.
+ * <p>The class is readable: values have the names of mechanics, and a comment before every section
+ * names its body, its joint and the equation it evaluates. It is also small: it has no method,
+ * array or constant that the scene does not need.
  */
 final class ModelSourceWriter {
   static final String LEGEND =

@@ -20,9 +20,10 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
- * y' = f(t, y) of an open chain, totally recursive (DTR, NUMERICS §2): a sweep out gives the forces
- * that the motion needs while no joint accelerates, a sweep in the articulated inertias and what is
- * left of those forces, a second sweep out the joint accelerations.
+ * y' = f(t, y) of an open chain, totally recursive (DTR, NUMERICS §2), in three sweeps. The first
+ * goes outwards and gives the forces that the motion needs while no joint accelerates. The second
+ * goes inwards and gives articulated inertias and the remaining forces. The third goes outwards and
+ * gives the joint accelerations.
  */
 public final class ArticulatedBodyEquations {
   private final Program program;
@@ -75,7 +76,10 @@ public final class ArticulatedBodyEquations {
     return coordinates;
   }
 
-  /** Takes what acts on the links from what they need; returns what acts in the joints. */
+  /**
+   * Subtracts the applied wrenches from the wrenches that the links need; returns the applied joint
+   * forces.
+   */
   JointForces appliedForces(Wrench[] needed) {
     return appliedForces(needed, false);
   }
@@ -91,10 +95,10 @@ public final class ArticulatedBodyEquations {
   /**
    * Derives the accelerations.
    *
-   * @param forces given the wrenches that the links need, takes away those that act on them and
-   *     returns what acts in the joints
-   * @param putOut whether the accelerations are put out, and singular joints told
-   * @return what the accelerations were found from
+   * @param forces subtracts the applied wrenches from the wrenches that the links need, and returns
+   *     the applied joint forces
+   * @param putOut whether accelerations are outputs and singular joints end the program
+   * @return the solved equations
    */
   Solved accelerations(Function<Wrench[], JointForces> forces, boolean putOut) {
     Wrench[] needed = new ForceSweep(program, mechanism, coordinates).sweep();
@@ -112,7 +116,7 @@ public final class ArticulatedBodyEquations {
   /**
    * Solved equations.
    *
-   * @param mechanism what they are of
+   * @param mechanism the mechanism in computing frames
    * @param inertias second sweep
    * @param accelerations third sweep
    * @param inJoints applied joint forces

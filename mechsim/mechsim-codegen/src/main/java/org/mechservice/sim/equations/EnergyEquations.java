@@ -18,15 +18,15 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.spatial.InertiaTensor;
 
 /**
- * Kinetic energy ½ Σ (m v·v + ω·I ω) over the centres of mass and potential energy −Σ m g·p of an
- * tree, p from the world origin, with that of springs and of rods that close loops.
+ * Kinetic energy ½ Σ (m v·v + ω·I ω) over the centres of mass and potential energy −Σ m g·p of a
+ * tree, p from the world origin, plus the energy of springs and of rods that close loops.
  *
- * <p>Positions are not needed for that: the direction of gravity goes outwards in body axes, and
- * with it the height of each joint.
+ * <p>Positions are not needed: the direction of gravity is carried outwards in body axes, together
+ * with the height of each joint.
  */
 public final class EnergyEquations {
   /**
-   * What goes outwards.
+   * Values carried outwards from link to link.
    *
    * @param omega angular velocity, rad/s
    * @param velocity velocity of the computing origin, m/s
@@ -160,7 +160,7 @@ public final class EnergyEquations {
         joint.fall());
   }
 
-  /** −m g·p of what is welded to the root. */
+  /** −m g·p of the bodies welded to the root. */
   private double potentialOfFixedMass() {
     Mechanism described = mechanism.mechanism();
     double atRoot = described.gravity().dot(described.root().position());

@@ -12,7 +12,7 @@ import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.expression.Expression;
 
-/** Power of what has no potential energy, and the values of forces. */
+/** Power of the forces without potential energy, and the values of all forces. */
 public final class PowerEquations {
   private PowerEquations() {}
 
@@ -20,7 +20,7 @@ public final class PowerEquations {
    * Derives the program from the state [q; v] to the power of dampers, friction, forces given by
    * formulas, and prescribed motions, and to the sum of their sizes (outputs 0 and 1), W.
    *
-   * @return nothing if there is no such power whatever the state
+   * @return empty if this power is zero in every state
    */
   public static Optional<Program> power(Links mechanism) {
     Program program = new Program();
@@ -44,8 +44,8 @@ public final class PowerEquations {
   }
 
   /**
-   * Derives the same of a mechanism with loops, where what forces do is all that is known; it puts
-   * nothing out if they do nothing whatever the state.
+   * Derives the same for a mechanism with loops, from the applied forces alone. The program has no
+   * outputs if their power is zero in every state.
    */
   public static Program ofForces(Links mechanism) {
     Program program = new Program();

@@ -15,8 +15,8 @@ import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
  * F(t, y, y') = [q' − N(q) v; M(q) v' + b(q, v) − τ] of an open chain, recursive residual (RR,
- * NUMERICS §2): a sweep out gives the motion and the forces it needs, a sweep in what the joints
- * must bear of them.
+ * NUMERICS §2). A sweep outwards gives the motion and the forces it needs; a sweep inwards gives
+ * the part of these forces that the joints bear.
  */
 public final class RecursiveResidualEquations {
   private final Program program = new Program();

@@ -30,7 +30,7 @@ public record BuildOptions(
     columns = Set.copyOf(columns);
   }
 
-  /** With an integrator that was asked for. */
+  /** Options with an integrator given by name. */
   public BuildOptions(
       String formulation,
       String closure,

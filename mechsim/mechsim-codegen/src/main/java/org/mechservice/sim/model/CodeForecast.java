@@ -21,7 +21,7 @@ public record CodeForecast(FormulationChoice choice, int operations, List<Omissi
   }
 
   /**
-   * Derives the equations of a model, and tells what its code would be without writing it.
+   * Derives the equations of a model and describes its code without writing it.
    *
    * @throws org.mechservice.sim.scene.ModelBuildException S-081 if the formulation or closure does
    *     not fit the scene or does not exist

@@ -69,7 +69,7 @@ public final class CompiledModel {
     return source;
   }
 
-  /** Returns what is to be said of its code; the plan it was written from is not kept. */
+  /** Returns the facts about its code; the plan of the code is not kept. */
   public GeneratedFacts generated() {
     return generated;
   }

@@ -5,7 +5,7 @@ import java.util.Set;
 import org.mechservice.solver.api.result.ColumnGroup;
 
 /**
- * What is to be said of a generated model; small, while its plan holds every operation.
+ * Facts about a generated model. They are small, whereas its plan holds every operation.
  *
  * @param className fully qualified name of the class to be instantiated
  * @param sourceName fully qualified name of the class that has the equations

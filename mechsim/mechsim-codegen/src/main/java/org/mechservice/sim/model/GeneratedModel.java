@@ -68,7 +68,7 @@ public final class GeneratedModel {
     return groups;
   }
 
-  /** Returns what remains to be said when its classes are written. */
+  /** Returns the facts that are kept after its classes are written. */
   public GeneratedFacts facts() {
     return facts;
   }
@@ -150,7 +150,7 @@ public final class GeneratedModel {
     return facts.leftOut();
   }
 
-  /** Returns what is computed from the data beside the code; nothing of a model that is data. */
+  /** Returns the parts computed from the data beside the code; empty for a data-driven model. */
   public List<Omission> fromData() {
     return facts.fromData();
   }

@@ -22,13 +22,13 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
- * The terms of a model with loops, derived: what is expensive and its own, while the solver closes
- * the loops.
+ * The terms of a model with loops as code. They are specific to the model and expensive; the solver
+ * closes the loops with them.
  */
 final class LoopTermsClass {
   private LoopTermsClass() {}
 
-  /** Derives the programs that a formulation and the columns asked for need. */
+  /** Derives the programs that a formulation and the requested columns need. */
   static TermsClass derive(
       MechmlModel model, Links links, BuildOptions options, FormulationChoice choice) {
     Mechanism mechanism = links.mechanism();

@@ -27,11 +27,14 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.StartRole;
 
 /**
- * Puts a model together, its formulation chosen: code where code is written for it, and data in its
- * place or beside it for what the code does not compute.
+ * Assembles a model after its formulation is chosen: generated code, and data for the parts that
+ * the code does not compute, or data alone.
  */
 final class ModelAssembly {
-  /** Operations below which no class was ever too large; writing such a one twice takes long. */
+  /**
+   * Number of operations below which no class was ever too large. A larger class may have to be
+   * written twice, which takes long.
+   */
   private static final int SURELY_WRITTEN = 20_000;
 
   private final MechmlModel model;
@@ -47,7 +50,7 @@ final class ModelAssembly {
   }
 
   /**
-   * Returns the model, generated if that is wanted and possible; its reason says which.
+   * Returns the model, generated if this is requested and possible; its reason states which.
    *
    * @throws ModelBuildException S-092 if the loops cannot be closed at the start
    */
@@ -60,7 +63,7 @@ final class ModelAssembly {
     return options.compact() || !beyond.isEmpty() ? compact(beyond) : open ? tree() : looped();
   }
 
-  /** Returns a model that is not integrated; its data say what is done with it. */
+  /** Returns a model for an analysis other than integration in time; its data name the analysis. */
   GeneratedModel analysis(AnalysisTask task) {
     Set<ColumnGroup> further = ModelColumns.fromData(model, options, false);
     further.add(ColumnGroup.JOINTS);
@@ -202,7 +205,7 @@ final class ModelAssembly {
         || mechanism.mayJump();
   }
 
-  /** Code for the terms of the equations; their closure, and what is seldom wanted, from data. */
+  /** The terms of the equations are code; their closure and rarely used columns come from data. */
   private GeneratedModel looped() {
     Links links = Links.of(mechanism);
     TermsClass terms = LoopTermsClass.derive(model, links, options, choice);
@@ -242,7 +245,10 @@ final class ModelAssembly {
         Omissions.fromData(model, further, values.fromData(), why));
   }
 
-  /** Tries to write a large class: how many bodies fit depends on their joints and forces. */
+  /**
+   * Tries to write a large class, because the number of bodies that fit depends on their joints and
+   * forces.
+   */
   private static List<String> tooLarge(GeneratedClass written, int operations) {
     if (operations < SURELY_WRITTEN) {
       return List.of();

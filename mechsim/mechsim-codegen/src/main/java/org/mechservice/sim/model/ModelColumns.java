@@ -77,7 +77,7 @@ public final class ModelColumns {
     return groups;
   }
 
-  /** Returns the mechanism as data, with the outputs if they are asked for. */
+  /** Returns the mechanism as data, with the outputs if they are requested. */
   static CompactModel data(
       MechmlModel model, BuildOptions options, FormulationChoice choice, Set<ColumnGroup> groups) {
     return new CompactModel(

@@ -18,12 +18,12 @@ public final class ModelFactory {
   private ModelFactory() {}
 
   /**
-   * Writes the model class of a mechanism: code specialised to it, or, where that is asked for or
-   * no code is generated yet, data for the formulations of the solver; the reason says which.
+   * Generates the model of a mechanism: code specialised to it, or data for the formulations of the
+   * solver if this is requested or no code can be generated. The reason states which.
    *
    * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
    *     the formulation (S-081) or the integrator (S-082) does not fit or exist, or a name cannot
-   *     be kept (S-083); the message says why and what does
+   *     be kept (S-083); the message states the reason and the remedy
    */
   public static GeneratedModel generate(MechmlModel model, BuildOptions options) {
     Mechanism mechanism = model.watchedMechanism();

@@ -33,7 +33,7 @@ final class TreeClass {
   }
 
   /**
-   * Derives the further programs that a formulation and the columns asked for need.
+   * Derives the further programs that a formulation and the requested columns need.
    *
    * @param derivative of the state, derived already
    * @param derivatives of the residual, if the formulation has them, derived already

@@ -20,7 +20,10 @@ import org.mechservice.solver.mechanism.Output;
 
 /** The expressions of a model's author that are no part of its equations, derived as code. */
 final class ValuesClass {
-  /** Operations up to which no class was ever too large; formulas of people have some hundred. */
+  /**
+   * Number of operations up to which no class was ever too large; formulas written by hand have
+   * about a hundred.
+   */
   private static final int MOST_OPERATIONS = 20_000;
 
   private static final String TOO_LONG =
@@ -30,10 +33,10 @@ final class ValuesClass {
       "an angle of a cut joint is among what they depend on, whose whole turns the data count";
 
   /**
-   * What became of the expressions.
+   * The result of deriving the expressions.
    *
    * @param plan their class, if there is one
-   * @param fromData why they are left to the data, if they are
+   * @param fromData reason why they are computed from data, if they are
    */
   record Derived(Optional<GeneratedClass> plan, Optional<String> fromData) {
     private static Derived leftToData(String why) {
@@ -67,7 +70,7 @@ final class ValuesClass {
         shown ? model.outputs().stream().map(Output::value).toList() : List.of());
   }
 
-  /** Derives the class; there is none where nothing is to be evaluated, or not by code. */
+  /** Derives the class. There is none if there are no expressions or if data evaluate them. */
   static Derived derive(MechmlModel model, Links links, BuildOptions options) {
     ValuesClass values = of(model, options);
     if (values.isEmpty()) {

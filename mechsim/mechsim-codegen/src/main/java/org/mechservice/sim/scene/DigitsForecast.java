@@ -12,16 +12,16 @@ import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
- * Says before a run of an open chain by DSR that its mass matrix leaves accelerations fewer digits
- * than the tolerance asks for, as where light bodies carry heavy ones: what is left of the inertia
- * at a joint when the joints beyond move freely is then the small difference of large numbers.
- * Error tests take such rounding for motion, and steps shrink a hundredfold; DTR and the residual
- * forms form no such difference.
+ * Warns before a run of an open chain by DSR if the mass matrix leaves accelerations fewer digits
+ * than the tolerance needs. This happens where light bodies carry heavy ones: the inertia at a
+ * joint, with the joints beyond it free, is then a small difference of large numbers. Error tests
+ * mistake such rounding for motion, and steps shrink a hundredfold. DTR and the residual
+ * formulations do not form this difference.
  */
 final class DigitsForecast {
   private static final String MATRIX = Formulation.DSR.label();
 
-  /** The mass matrix of more velocities is not factored for a word of warning. */
+  /** Most velocities; factoring a larger mass matrix costs too much for a warning. */
   private static final int MOST_VELOCITIES = 300;
 
   private DigitsForecast() {}

@@ -35,7 +35,7 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
  * @param joint the joint whose velocity takes part in it most
  */
 record FastestMotion(boolean swings, double modulus, double real, Joint joint) {
-  /** Least part of critical damping of a motion that dies away before a method must follow it. */
+  /** Smallest damping ratio at which a motion decays before a method must follow it. */
   private static final double DAMPED = 0.05;
 
   /** Most velocities of a scene that is examined: assembling larger loops takes too long. */
@@ -56,7 +56,7 @@ record FastestMotion(boolean swings, double modulus, double real, Joint joint) {
     try {
       return new Powers(mechanism, settings).found();
     } catch (IllegalArgumentException e) {
-      // What cannot be built is refused by name when a run is asked for.
+      // A mechanism that cannot be built is refused, with the reason, when the run starts.
       return Optional.empty();
     }
   }
@@ -112,7 +112,7 @@ record FastestMotion(boolean swings, double modulus, double real, Joint joint) {
       model.initialState(y);
       double[] x = new double[y.length];
       for (int i = 0; i < x.length; i++) {
-        // Strictly the same start on every machine: what is chosen by it must not differ.
+        // StrictMath gives the same start on every machine, so the choice that follows is the same.
         x[i] = isFree(i) ? StrictMath.sin(1.0 + i) : 0;
       }
       double[] image = new double[y.length];

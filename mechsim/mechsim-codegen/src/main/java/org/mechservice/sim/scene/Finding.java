@@ -4,7 +4,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
- * Something about a scene that its author may not have meant.
+ * A property of a scene that its author may not have intended.
  *
  * @param code entry of the error catalogue
  * @param text what was found and what to do

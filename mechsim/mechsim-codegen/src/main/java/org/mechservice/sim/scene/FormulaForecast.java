@@ -25,12 +25,14 @@ import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
 /**
- * Says before a run what in its formulas will keep steps tiny: {@code sin} of a time that runs
+ * Finds, before a run, formulas that will keep its steps tiny: {@code sin} of a time that passes
  * through millions of radians, {@code floor} that jumps as often, and a force that jumps with the
- * sign of a velocity, between whose two values a joint that should rest goes to and fro.
+ * sign of a velocity. The last makes a joint that should rest oscillate between the two values.
  */
 final class FormulaForecast {
-  /** Radians or jumps within a run that are worth a word, as in {@link StiffnessForecast}. */
+  /**
+   * Radians or jumps within a run from which a warning is given, as in {@link StiffnessForecast}.
+   */
   private static final double MANY = 1e6;
 
   /** What a function does when its argument passes through a wide range. */
@@ -52,7 +54,9 @@ final class FormulaForecast {
     this.settings = settings;
   }
 
-  /** Returns what to tell the user, forces first; of each force or motion the first of a kind. */
+  /**
+   * Returns the findings, those of forces first; of each force or motion only the first of a kind.
+   */
   static List<Finding> of(Mechanism mechanism, RunSettings settings) {
     FormulaForecast forecast = new FormulaForecast(mechanism, settings);
     for (ForceElement force : mechanism.forces()) {

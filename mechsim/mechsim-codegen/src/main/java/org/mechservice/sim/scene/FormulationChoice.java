@@ -22,8 +22,8 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
  * The formulation a scene's equations are written in, and how its loops are closed.
  *
  * @param formulation {@code DTR}, {@code DSR}, {@code RR} or {@code RR-JF}
- * @param closure {@code none} for open chains, {@code projection} or {@code penalty}, which its
- *     numbers may follow
+ * @param closure {@code none} for open chains, else {@code projection} or {@code penalty}, with its
+ *     parameters if there are any
  * @param reason why these
  */
 public record FormulationChoice(String formulation, String closure, String reason) {
@@ -34,11 +34,11 @@ public record FormulationChoice(String formulation, String closure, String reaso
   private static final String OPEN = "none";
   private static final String PROJECTION = ClosureMethod.PROJECTION.label();
 
-  /** Beyond this size loops are not judged for the choice of their closure. */
+  /** Most velocities of a scene whose loops are examined to choose their closure. */
   private static final int MOST_VELOCITIES = 1000;
 
   /**
-   * Resolves what was asked for.
+   * Chooses formulation and closure for a request.
    *
    * @param formulation {@code auto} or the name of a formulation
    * @param closure {@code auto} or the name of a closure
@@ -62,12 +62,15 @@ public record FormulationChoice(String formulation, String closure, String reaso
         : closed(asked, closure, settings, mechanism);
   }
 
-  /** Returns the same choice with more to say. */
+  /** Returns the same choice with a further reason. */
   public FormulationChoice because(String more) {
     return new FormulationChoice(formulation, closure, reason + more);
   }
 
-  /** Returns the same, saying which forces are classes of users: code calls, not contains, them. */
+  /**
+   * Returns the same choice; its reason also names the forces that are user classes. Generated code
+   * calls such classes and does not contain them.
+   */
   public FormulationChoice callingForcesOf(Mechanism mechanism) {
     List<String> names = new ArrayList<>();
     for (ForceElement force : mechanism.forces()) {

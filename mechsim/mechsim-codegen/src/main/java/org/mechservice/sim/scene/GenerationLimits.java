@@ -49,7 +49,7 @@ public final class GenerationLimits {
    */
   private static final int MOST_OF_LOOP_DERIVATIVES = 50_000;
 
-  /** Why derivatives of a residual with loops are left to the data. */
+  /** Reason why derivatives of a residual with loops are computed from data. */
   public static final String TOO_LONG_DERIVATIVES =
       "they take more than "
           + MOST_OF_LOOP_DERIVATIVES
@@ -61,7 +61,7 @@ public final class GenerationLimits {
   }
 
   /**
-   * Returns what data evaluate no slower than code, if anything.
+   * Returns the part that data evaluate at least as fast as code, if there is one.
    *
    * @param formulation the equations are written in
    * @param operations of the derivative of the state in this formulation; with loops, of their
@@ -83,7 +83,7 @@ public final class GenerationLimits {
   }
 
   /**
-   * Returns what no code is generated for because of its length, if anything.
+   * Returns the part that is too long to be generated as code, if there is one.
    *
    * @param operations of the Jacobian; 0 without one
    */
@@ -98,7 +98,7 @@ public final class GenerationLimits {
                 + ")");
   }
 
-  /** Returns what no code is generated for, such as {@code forces "f1", "f2"}. */
+  /** Returns the parts that no code is generated for, such as {@code forces "f1", "f2"}. */
   public static List<String> notGenerated(Mechanism mechanism, FormulationChoice choice) {
     List<String> beyond = new ArrayList<>();
     boolean loops = !mechanism.closures().isEmpty();
@@ -116,7 +116,8 @@ public final class GenerationLimits {
               + ")");
     }
     if (!loops) {
-      // told before the equations are derived, which takes memory without end for a long chain
+      // checked before the equations are derived, because deriving those of a long chain takes too
+      // much memory
       long factors = factors(mechanism);
       beyond.addAll(noFaster(choice.formulation(), factors, "its factors alone take " + factors));
     }

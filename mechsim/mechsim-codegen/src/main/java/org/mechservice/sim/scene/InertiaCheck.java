@@ -12,7 +12,7 @@ import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 
-/** Looks for joints that no inertia resists at the start, as in a gimbal that starts locked. */
+/** Finds joints that move no inertia at the start, as in a gimbal that starts locked. */
 public final class InertiaCheck {
   /** More velocities make the mass matrix of a chain too large. */
   private static final int MOST_VELOCITIES = 2000;
@@ -20,8 +20,9 @@ public final class InertiaCheck {
   private InertiaCheck() {}
 
   /**
-   * Returns what is wrong with the inertia of an open tree at the start. A tree whose bodies all
-   * have inertia is sound, and loops may hold what the tree leaves open.
+   * Returns the first fault of the inertia of an open tree at the start. A tree whose bodies all
+   * have inertia has none. Trees with loops are not checked, because loops may hold a joint without
+   * inertia.
    *
    * @param t time of the start, s
    */

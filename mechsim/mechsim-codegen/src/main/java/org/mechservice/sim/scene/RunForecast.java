@@ -5,11 +5,11 @@ import java.util.List;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.mechanism.Mechanism;
 
-/** All that is said of a run before it begins. */
+/** All findings about a run before it begins. */
 public final class RunForecast {
   private RunForecast() {}
 
-  /** Returns whether the same is said of two runs of a mechanism. */
+  /** Returns whether two runs of a mechanism have the same findings. */
   public static boolean isSame(RunSettings run, RunSettings other) {
     return run.tStart() == other.tStart()
         && run.tEnd() == other.tEnd()

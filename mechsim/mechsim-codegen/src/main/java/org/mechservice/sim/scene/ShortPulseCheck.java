@@ -33,7 +33,7 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
  * end there. Of a driven joint the acceleration is what pushes others.
  */
 public final class ShortPulseCheck {
-  /** Times looked at; fewer where each costs much. */
+  /** Number of times that are sampled; fewer if a sample is expensive. */
   private static final int SAMPLES = 20_000;
 
   private static final int COST = 200_000;
@@ -78,7 +78,7 @@ public final class ShortPulseCheck {
     try {
       return new ShortPulseCheck(opened(mechanism), settings).found();
     } catch (IllegalArgumentException e) {
-      // What cannot be built is refused by name when a run is asked for.
+      // A mechanism that cannot be built is refused, with the reason, when the run starts.
       return Optional.empty();
     }
   }

@@ -13,7 +13,9 @@ import org.mechservice.solver.text.ShortestDecimal;
  * the equations linearised at the start, times the length of the run.
  */
 public final class StiffnessForecast {
-  /** Steps from which the user is told; a run of this length takes from seconds to minutes. */
+  /**
+   * Number of steps from which a warning is given; a run of this length takes seconds to minutes.
+   */
   private static final double MANY_STEPS = 1e6;
 
   private StiffnessForecast() {}

@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Derivatives of expressions along a direction: the direction tells how fast some nodes change, and
- * every other node changes as the nodes it is made of. Equal derivatives are one node, so a
- * derivative costs little more than the expression.
+ * Derivatives of expressions along a direction. The direction gives the rates of some nodes; the
+ * rates of all others follow by the chain rule. Equal derivatives are one node, so a derivative
+ * costs little more than the expression.
  */
 public final class Differentiation {
   private final Expressions expressions;
@@ -17,8 +17,8 @@ public final class Differentiation {
   /**
    * Takes a direction.
    *
-   * @param rates how fast inputs, or any other nodes, change; what is not in it and not made of
-   *     what is does not change; not modified
+   * @param rates rates of inputs or of other nodes; a node that is not in it, and none of whose
+   *     operands changes, has rate 0; not modified
    */
   public Differentiation(Expressions expressions, Map<Scalar, Scalar> rates) {
     this.expressions = expressions;
@@ -69,7 +69,7 @@ public final class Differentiation {
     };
   }
 
-  /** In what is steep a factor that is zero leaves nothing, however large the other one is. */
+  /** In a steep node a product with a zero factor is 0, even if the other factor is infinite. */
   private Scalar product(boolean steep, Scalar a, Scalar b) {
     return steep ? expressions.function(MathFunction.PRODUCT, a, b) : a.times(b);
   }
@@ -104,7 +104,7 @@ public final class Differentiation {
     };
   }
 
-  /** What is not chosen leaves nothing, not even where its derivative is no number. */
+  /** The operand that is not chosen adds nothing, even where its derivative is NaN. */
   private Scalar chosen(Scalar a, Scalar b, Scalar first, Scalar second) {
     return expressions.function(MathFunction.CHOOSE, a, b, known(first), known(second));
   }

@@ -9,15 +9,18 @@ import org.jspecify.annotations.Nullable;
 /**
  * A graph of expressions in which equal expressions are one node.
  *
- * <p>Nodes are numbered as they arise; the table of known nodes is looked into, never walked
- * through.
+ * <p>Nodes are numbered in the order in which they are made. The table of known nodes is only
+ * looked up, never iterated, so its hash order has no effect.
  */
 public final class Expressions {
   private static final int FIRST_CAPACITY = 4096;
 
   private final List<Scalar> nodes = new ArrayList<>();
 
-  /** Open table of nodes by what they do, to which nodes; a constant by its bits. Never full. */
+  /**
+   * Hash table with open addressing. Key: operation and operands of a node, or the bits of a
+   * constant. Never full.
+   */
   private @Nullable Scalar[] known = new Scalar[FIRST_CAPACITY];
 
   /** Nodes of functions by their arguments and the function. */
@@ -64,14 +67,14 @@ public final class Expressions {
     return Simplification.cosine(angle);
   }
 
-  /** Returns a function of numbers; of constants it is a constant. */
+  /** Returns a call of a function; a constant if all arguments are constants. */
   public Scalar function(MathFunction function, Scalar... arguments) {
     return Simplification.function(function, List.of(arguments));
   }
 
   /**
-   * Returns the node that does the same as one of this or another graph, with other operands.
-   * Nothing is simplified, so that its value has the same bits.
+   * Returns a node with the operation of a node of this or another graph and other operands. The
+   * node is not simplified, so its value has the same bits.
    */
   public Scalar alike(Scalar node, List<Scalar> operands) {
     Scalar same = sameOf(node, operands);

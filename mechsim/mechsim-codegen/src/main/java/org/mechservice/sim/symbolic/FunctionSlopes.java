@@ -1,11 +1,11 @@
 package org.mechservice.sim.symbolic;
 
 /**
- * Partial derivatives of functions without cases. Where a function jumps or has a corner, that of
- * one side.
+ * Partial derivatives of functions without cases. Where a function jumps or has a corner, the
+ * derivative is the one-sided one.
  */
 final class FunctionSlopes {
-  /** From here on the slope of tanh, 4 e^(−2x), is below 1e-300 and counts as level. */
+  /** Argument from which the slope of tanh, 4 e^(−2x), is below 1e-300 and is set to 0. */
   private static final double LEVEL = 350;
 
   private FunctionSlopes() {}

@@ -4,12 +4,14 @@ import org.mechservice.solver.expression.Powers;
 import org.mechservice.solver.spatial.Piecewise;
 
 /**
- * Functions that generated code calls. StrictMath wherever Math may differ between machines, so
- * that all of them have the same bits everywhere.
+ * Static methods that generated code calls. They are those of StrictMath wherever Math may differ
+ * between machines, so the results have the same bits everywhere. {@link
+ * org.mechservice.solver.expression.Function} is the table of the functions that a user can write;
+ * {@code equations.kinematics.Formulas} translates it to this list.
  */
 public enum MathFunction {
   ABS("java/lang/Math", "abs", 1),
-  /** Of angles that are not simple enough for the kernel that gives sine and cosine together. */
+  /** For angles that are too long for the kernel that computes sine and cosine together. */
   SIN("java/lang/StrictMath", "sin", 1),
   COS("java/lang/StrictMath", "cos", 1),
   ASIN("java/lang/StrictMath", "asin", 1),
@@ -29,7 +31,7 @@ public enum MathFunction {
   POWER("org/mechservice/solver/expression/Powers", "power", 2),
   /** {@code choose(a, b, x, y)}: x where a ≤ b, else y. */
   CHOOSE("org/mechservice/solver/spatial/Piecewise", "choose", 4),
-  /** {@code product(a, b)}: a b, and 0 where one of them is 0, whatever the other is. */
+  /** {@code product(a, b)}: a b, but 0 if one factor is 0, even if the other is infinite or NaN. */
   PRODUCT("org/mechservice/solver/spatial/Piecewise", "product", 2);
 
   private final String owner;

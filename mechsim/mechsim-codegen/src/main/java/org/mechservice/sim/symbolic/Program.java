@@ -9,11 +9,11 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A straight-line program: inputs to outputs without branches, told in sections, with the names its
- * values have in mechanics.
+ * A straight-line program from inputs to outputs: no branches, divided into sections, with the
+ * names that values have in mechanics.
  *
- * <p>Whoever derives the equations opens a section, computes with {@link Scalar}s, names what has a
- * meaning and says what is put out. What no output needs is not part of the program.
+ * <p>A class that derives equations opens a section, computes with {@link Scalar}s, names values
+ * that have a meaning, and declares outputs. The program contains only values that an output needs.
  */
 public final class Program {
   /** The input that is the time, s. Other inputs count from 0. */
@@ -23,12 +23,12 @@ public final class Program {
    * A stretch of the program.
    *
    * @param title what it computes, with the equation; several lines are separated by line feeds
-   * @param subject short name of what it is about, part of the names of its nameless values
-   * @param firstNode first node that arose in it
-   * @param outputs what it puts out, in order
-   * @param guards what it checks, in order
-   * @param readsAnew whether its code reads what it needs again, though what stands before it in
-   *     the same method has read it too
+   * @param subject short name of its subject; part of the names of values without a name
+   * @param firstNode first node made in it
+   * @param outputs its outputs, in order
+   * @param guards its checks, in order
+   * @param readsAnew whether its code reads its operands again that earlier code of the same method
+   *     has read
    */
   public record Section(
       String title,
@@ -49,10 +49,10 @@ public final class Program {
   /**
    * Ends the program with {@code result} where {@code pivot ≤ bound}.
    *
-   * @param pivot what must be clearly positive
-   * @param bound below or at which it is not
+   * @param pivot value that must be above the bound
+   * @param bound largest value that fails
    * @param result what the program then returns
-   * @param meaning what it then means, for people
+   * @param meaning explanation of the failure, for people
    */
   public record Guard(Scalar pivot, Scalar bound, int result, String meaning) {}
 
@@ -95,9 +95,9 @@ public final class Program {
   }
 
   /**
-   * Opens a section that is one of many alike, whose code reads what it needs anew. A compiler
-   * cannot read before the values are put out that stand before, so it does not mix the sections:
-   * that would take it more values at a time than there are registers.
+   * Opens one of many alike sections, whose code reads its operands again. The compiler of the
+   * virtual machine cannot move such reads before the outputs of the previous section. So it does
+   * not interleave sections, which would need more values at a time than there are registers.
    */
   public void step(String title, String subject) {
     open(title, subject, true);
@@ -110,8 +110,8 @@ public final class Program {
   }
 
   /**
-   * Names a value, unless it has a name already, and returns it. Constants need none; of a change
-   * of sign the value behind it is named.
+   * Names a value, unless it has a name already, and returns it. Constants get no name. Of a
+   * negation the operand is named.
    */
   public Scalar named(String name, Scalar value) {
     if (value.operation() == ScalarOperation.NEGATE) {

@@ -2,7 +2,10 @@ package org.mechservice.sim.symbolic;
 
 import org.mechservice.solver.spatial.SinCos;
 
-/** Evaluates programs in doubles, node by node: what printed code must reproduce bit for bit. */
+/**
+ * Evaluates programs in doubles, node by node. Generated code must reproduce these results bit for
+ * bit.
+ */
 final class ProgramEvaluation {
   private final double time;
   private final double[] inputs;

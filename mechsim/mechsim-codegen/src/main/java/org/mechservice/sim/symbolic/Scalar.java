@@ -15,7 +15,10 @@ public final class Scalar {
   private final ScalarOperation operation;
   private final List<Scalar> operands;
 
-  /** Numbers of the operands, −1 without; of a leaf, what it is. They tell nodes apart. */
+  /**
+   * Numbers of the operands, −1 for none; for a leaf, its value or input. Together with the
+   * operation they identify a node.
+   */
   final long identity;
 
   final long secondIdentity;
@@ -133,16 +136,19 @@ public final class Scalar {
   }
 
   /**
-   * Returns this, noting that it may be infinite or change without bound, as a root does at zero.
-   * What is made of it from now on is steep too: in derivatives of all that, a factor that is zero
-   * leaves nothing, whatever the other one is.
+   * Marks this as steep: it may be infinite or have an unbounded slope, as a root at zero. Every
+   * value computed from it afterwards is steep too. In derivatives of steep values a product with a
+   * zero factor is 0, whatever the other factor is. Returns this.
    */
   public Scalar markedSteep() {
     steep |= !isConstant();
     return this;
   }
 
-  /** Returns whether it is, or is made of, what is {@linkplain #markedSteep() noted as steep}. */
+  /**
+   * Returns whether it, or a value it is computed from, is {@linkplain #markedSteep() marked as
+   * steep}.
+   */
   boolean isSteep() {
     return steep;
   }
@@ -167,7 +173,10 @@ public final class Scalar {
     return Simplification.product(expressions.constant(factor), this);
   }
 
-  /** Returns this / other; by the constant zero it is a division that has no finite value. */
+  /**
+   * Returns this / other. Division by the constant zero is kept as an operation without a finite
+   * value.
+   */
   public Scalar over(Scalar other) {
     return Simplification.quotient(this, other);
   }
@@ -187,7 +196,7 @@ public final class Scalar {
     return times(this);
   }
 
-  /** The number of the node, so that tables of nodes cost little and are the same in every run. */
+  /** Returns the number of the node: cheap, and the same in every run. */
   @Override
   public int hashCode() {
     return id;

@@ -5,7 +5,7 @@ import java.util.function.UnaryOperator;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * A vector of scalars; its frame is said where it is used.
+ * A vector of scalars; the code that uses it states its frame.
  *
  * @param x first component
  * @param y second component

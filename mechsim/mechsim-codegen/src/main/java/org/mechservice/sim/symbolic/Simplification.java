@@ -12,14 +12,17 @@ import static org.mechservice.sim.symbolic.ScalarOperation.SUBTRACT;
 import java.util.List;
 
 /**
- * What an operation becomes before it becomes a node: constants are folded, 0 and 1 disappear, x −
- * x and a − (a − b) cancel, signs move outwards until a sum or difference takes them up.
+ * Simplifies an operation before it becomes a node: constants are folded, 0 and 1 disappear, x − x
+ * and a − (a − b) cancel, and signs move outwards until a sum or difference takes them up.
  *
- * <p>Values are taken as finite: 0 · x is 0. Constants whose result is not finite stay unfolded, so
- * that the run finds it where it arises and can say which joint or force it belongs to.
+ * <p>Values are assumed to be finite: 0 · x is 0. Operations on constants without a finite result
+ * are not folded, so that the run finds the fault where it arises and can name the joint or force.
  */
 final class Simplification {
-  /** Inputs and constants in the longest formula whose sine is computed before all else. */
+  /**
+   * Largest number of inputs and constants in a formula whose sine is computed before everything
+   * else.
+   */
   private static final int LONGEST_ANGLE = 8;
 
   private Simplification() {}
@@ -184,7 +187,10 @@ final class Simplification {
     return expressions.binary(DIVIDE, a, b);
   }
 
-  /** Returns a result of two constants as one, or the operation itself where it is not finite. */
+  /**
+   * Returns the result of an operation on two constants as a constant, or the operation itself if
+   * the result is not finite.
+   */
   private static Scalar folded(double value, ScalarOperation operation, Scalar a, Scalar b) {
     return Double.isFinite(value)
         ? a.expressions().constant(value)
@@ -204,7 +210,10 @@ final class Simplification {
         : a.expressions().unary(SQUARE_ROOT, a);
   }
 
-  /** Functions of constants are folded where they have a value; a choice that is known is made. */
+  /**
+   * Calls on constants are folded if their value is finite; a choice between known bounds is
+   * decided.
+   */
   static Scalar function(MathFunction function, List<Scalar> arguments) {
     double[] x = new double[arguments.size()];
     boolean known = true;
@@ -252,12 +261,16 @@ final class Simplification {
         : function(MathFunction.COS, List.of(angle));
   }
 
-  /** Returns whether an angle is a short formula of inputs: sines of such are computed first. */
+  /**
+   * Returns whether an angle is a short formula of inputs; sines of such angles are computed first.
+   */
   private static boolean isSimple(Scalar angle) {
     return length(angle) <= LONGEST_ANGLE;
   }
 
-  /** Returns how many inputs and constants a formula has; many if it has a function in it. */
+  /**
+   * Returns the number of inputs and constants in a formula; a large number if it calls a function.
+   */
   private static int length(Scalar node) {
     return switch (node.operation()) {
       case CONSTANT, INPUT -> 1;

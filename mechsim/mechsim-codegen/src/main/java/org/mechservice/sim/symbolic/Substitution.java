@@ -4,8 +4,8 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Puts an expression in the place of an input. What was derived for the input, a slope for one,
- * then holds for the expression, whatever it has been simplified to.
+ * Replaces an input by an expression. Results derived for the input, such as a slope, then hold for
+ * the expression, however it is simplified.
  */
 public final class Substitution {
   private final Expressions expressions;

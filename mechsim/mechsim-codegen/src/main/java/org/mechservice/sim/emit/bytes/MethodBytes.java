@@ -153,7 +153,7 @@ final class MethodBytes implements StackCode.Machine {
         false);
   }
 
-  /** A comparison with what is not a number is false, as it is in the source. */
+  /** A comparison with NaN is false, as in the source. */
   @Override
   public void check(IndexExpression result) {
     Label above = new Label();
@@ -165,7 +165,9 @@ final class MethodBytes implements StackCode.Machine {
     frame();
   }
 
-  /** Tells what the parameters and the variables that still live hold where a jump ends. */
+  /**
+   * Writes the stack map frame at the target of a jump: the types of parameters and live variables.
+   */
   private void frame() {
     List<Object> types = new ArrayList<>(parameters.types());
     BitSet taken = locals.taken();

@@ -6,9 +6,9 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
 
 /**
- * An operation on two values as it is written, signs taken up where that costs nothing: a + (−3 b)
- * as a − 3 b, −(−3 b) as 3 b, −(a − b) as b − a. Rounding does not depend on signs, so the bits are
- * the same but for the sign of a zero difference.
+ * An operation on two values as it is written; signs of operands are absorbed where this adds no
+ * operation: a + (−3 b) as a − 3 b, −(−3 b) as 3 b, −(a − b) as b − a. Rounding does not depend on
+ * signs, so the bits are the same but for the sign of a zero difference.
  *
  * @param operation addition, subtraction, multiplication or division
  * @param first what is written first
@@ -18,7 +18,7 @@ public record BinaryForm(ScalarOperation operation, Term first, Term second) {
   /**
    * An operand.
    *
-   * @param value what it is, or what it is the opposite of
+   * @param value the operand, or its opposite
    * @param opposite whether it is the opposite: a sign that {@link #absorbsSign} is dropped
    */
   public record Term(Scalar value, boolean opposite) {}
@@ -73,7 +73,7 @@ public record BinaryForm(ScalarOperation operation, Term first, Term second) {
     return new BinaryForm(operation, a, new Term(b, negative));
   }
 
-  /** Returns whether the opposite of a value takes no more than the value itself. */
+  /** Returns whether the opposite of a value takes no more operations than the value. */
   public static boolean absorbsSign(Scalar node, Map<Scalar, ValueLocation> places) {
     if (isNegative(node, places)) {
       return true;

@@ -25,13 +25,13 @@ public final class CodeSize implements StackCode.Machine {
 
   private static final int LOOP = 16;
 
-  /** What a local variable takes before it is known which. */
+  /** Size of an access to a local variable whose slot is not known yet. */
   private static final int LOCAL = 3;
 
-  /** An estimate of what puts out a value that has a place. */
+  /** Estimated size of the output of a value that has a place. */
   public static final int OUTPUT = ELEMENT + LOCAL;
 
-  /** An estimate of what checks a value that has a place. */
+  /** Estimated size of the check of a value that has a place. */
   public static final int GUARD = 2 * LOCAL + CHECK;
 
   /** Local variables up to this slot take the short form, two bytes an access, others four. */

@@ -26,7 +26,7 @@ public final class ConstantTable {
     return numbers.size() - row.size();
   }
 
-  /** Drops what was added beyond a size. */
+  /** Removes the constants added beyond a size. */
   public void cutBack(int size) {
     numbers.subList(size, numbers.size()).clear();
   }

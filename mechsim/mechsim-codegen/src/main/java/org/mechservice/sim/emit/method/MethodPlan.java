@@ -7,7 +7,7 @@ import org.mechservice.sim.symbolic.Scalar;
 /**
  * A stretch of a program that becomes one method.
  *
- * @param statements what it does, in order
+ * @param statements its statements, in order
  * @param places where values are found in it
  * @param originals of a method that several stretches share, the program's values its values are in
  *     the first of them, which give them their names; empty if its values are the program's own
@@ -18,7 +18,7 @@ public record MethodPlan(
     Map<Scalar, ValueLocation> places,
     Map<Scalar, Scalar> originals,
     int parameters) {
-  /** A stretch that does nothing. */
+  /** A method without statements. */
   public static final MethodPlan EMPTY = new MethodPlan(List.of(), Map.of());
 
   /** A stretch of its own. */

@@ -8,13 +8,13 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
 
 /**
- * A planned method as a stack machine runs it: operands first, then what is done with them.
+ * A planned method as a stack machine runs it: operands first, then the operation.
  *
- * <p>The order of operations is the plan's, so every machine that is told the same plan computes
+ * <p>The order of operations is that of the plan, so every machine that gets the same plan computes
  * the same bits as the source printed from it.
  */
 public final class StackCode {
-  /** What is told. */
+  /** Receives the instructions. */
   public interface Machine {
     /** Pushes an input. */
     void pushInput(int index);
@@ -49,7 +49,7 @@ public final class StackCode {
     /** Gets ready to pop into an element of an array. */
     void beginElement(ValueLocation.Element element);
 
-    /** Pops into what was made ready. */
+    /** Pops into the prepared location. */
     void endElement();
 
     /** Copies consecutive inputs to outputs. */
@@ -67,7 +67,7 @@ public final class StackCode {
     this.machine = machine;
   }
 
-  /** Tells a machine what a method does. */
+  /** Sends the instructions of a method to a machine. */
   public static void tell(MethodPlan method, Machine machine) {
     StackCode code = new StackCode(method, machine);
     for (Statement statement : method.statements()) {

@@ -10,7 +10,7 @@ public enum CodeForm {
   AUTO,
   /** Every operation written out. */
   STRAIGHT,
-  /** One method for what has the same structure, called for each body. */
+  /** One method for sections of the same structure, called for each body. */
   SHARED;
 
   /**

@@ -22,7 +22,7 @@ public final class CodeLayout {
    * Plans a program.
    *
    * @param head the method that runs it
-   * @param form what is asked for
+   * @param form the requested form
    * @param table gets the constants in which calls of a method differ
    */
   public static ProgramPlan plan(

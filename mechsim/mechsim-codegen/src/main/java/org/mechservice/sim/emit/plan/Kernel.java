@@ -8,7 +8,7 @@ import org.mechservice.sim.emit.method.MethodPlan;
 import org.mechservice.sim.emit.method.ValueLocation;
 
 /**
- * A method that several sections share, and what each gives it.
+ * A method that several sections share, and the arguments of each section.
  *
  * <p>Operands that lie equally far apart in all sections are found from one whole number; those
  * that are the same in all are written out. Constants in which the sections differ stand in a row
@@ -137,7 +137,7 @@ final class Kernel implements KernelBody.Addresses {
     return sections.get(0).method(this, parameters.size(), remark);
   }
 
-  /** Returns what a section gives it. */
+  /** Returns the arguments of a section. */
   List<Integer> numbersOf(int section) {
     return parameters.stream().map(parameter -> parameter[section]).toList();
   }

@@ -23,7 +23,7 @@ import org.mechservice.sim.symbolic.ScalarOperation;
  * sections that compute the same operations in the same order have equal bodies.
  */
 final class KernelBody {
-  /** Says how the operands of a section are told from those of others. */
+  /** Locations of the operands and constants of a section. */
   interface Addresses {
     /** Where in its array an operand is. */
     IndexExpression index(int operand);

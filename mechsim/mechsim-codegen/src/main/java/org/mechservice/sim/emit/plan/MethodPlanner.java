@@ -21,9 +21,10 @@ import org.mechservice.sim.symbolic.ScalarOperation;
  * Writes the methods of a plan, given which section goes into which method ("chunk").
  *
  * <p>A value computed in one chunk and used in a later one goes through the workspace, even if it
- * is used once. What a chunk takes from there it loads into a local variable, which gives it its
- * name again; so it does with an element of an array that it uses more than once, lest a write to
- * one array force another to be read again. In a straight line, sections that read anew do so.
+ * is used once. A chunk loads such a value into a local variable, which has the name of the value.
+ * It also loads array elements that it uses more than once, because otherwise a write to one array
+ * would force another array to be read again. In a straight line, sections that read anew load
+ * their operands in the same way.
  */
 final class MethodPlanner {
   /** Fewer inputs than this are put out one by one. */
@@ -114,7 +115,7 @@ final class MethodPlanner {
     return slots.count();
   }
 
-  /** Returns the method of every chunk; some have nothing to do. */
+  /** Returns the method of every chunk; some are empty. */
   List<MethodPlan> methods() {
     List<MethodPlan> methods = new ArrayList<>();
     int section = 0;

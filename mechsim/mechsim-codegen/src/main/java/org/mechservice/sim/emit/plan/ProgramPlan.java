@@ -18,14 +18,14 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
 
 /**
- * How a program becomes code.
+ * The code of a program, planned.
  *
  * @param program the program
  * @param usage which of its values have a place
- * @param methods what the steps call
+ * @param methods methods that the steps call
  * @param steps what follows the sines and cosines, in order
  * @param slots length of workspace it needs
- * @param remark why it is laid out so, for people; empty if that goes without saying
+ * @param remark reason for the layout, for people; empty if it needs none
  */
 public record ProgramPlan(
     Program program,

@@ -8,7 +8,7 @@ import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 
 /**
- * Divides sections that are too long for a method; what they compute stays in its order.
+ * Divides sections that are too long for a method; the order of operations stays.
  *
  * <p>A value that is put out, written out there while its section was whole, gets a place of its
  * own once it stands in another part: parts are divided again until none is too long.

@@ -26,7 +26,7 @@ final class ExpressionPrinter {
   private final NumberText numbers;
 
   /**
-   * @param method says where values are found; the others are written out
+   * @param method locations of values; values without a location are written out
    * @param head the method that has the inputs as parameters
    * @param names names of local variables
    * @param numbers writes constants

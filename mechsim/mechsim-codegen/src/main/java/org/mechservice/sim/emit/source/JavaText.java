@@ -5,8 +5,8 @@ import javax.lang.model.SourceVersion;
 import org.mechservice.sim.equations.links.Labels;
 
 /**
- * Text from model files inside Java source. The names come from strangers: whatever they contain,
- * in a literal it is only text and in a comment it ends nothing.
+ * Text from model files inside Java source. Names are untrusted input: any name stays text inside a
+ * literal, and no name can end a comment.
  */
 public final class JavaText {
   /** Simple names the generated source uses, or that are imported everywhere. */

@@ -12,7 +12,7 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
 
 /**
- * Names of local variables: what a value is called in mechanics, or else the subject of its section
+ * Names of local variables: the name of the value in mechanics, or else the subject of its section
  * with a number.
  */
 final class LocalNames {

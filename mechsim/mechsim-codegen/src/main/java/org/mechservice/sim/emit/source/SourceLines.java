@@ -8,7 +8,7 @@ public final class SourceLines {
   private final StringBuilder text = new StringBuilder();
   private int indentation;
 
-  /** Opens a block: writes a line and indents what follows. */
+  /** Opens a block: writes a line and indents the lines after it. */
   public SourceLines open(String line) {
     line(line + " {");
     indentation += 2;
@@ -27,7 +27,7 @@ public final class SourceLines {
     return this;
   }
 
-  /** Writes a line; one that is too long goes on in further lines, broken before an operator. */
+  /** Writes a line. A line that is too long is broken before an operator. */
   public SourceLines line(String line) {
     fill(line, "", CONTINUATION);
     return this;

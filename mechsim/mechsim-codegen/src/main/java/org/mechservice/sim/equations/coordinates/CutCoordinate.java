@@ -13,7 +13,7 @@ import org.mechservice.sim.symbolic.ScalarVector;
  * @param frames the frames of the bodies between which it is measured
  * @param term the coordinate with its derivatives
  * @param position its value, an angle with its whole turns, rad or m; of an angular velocity in a
- *     joint with Euler parameters there is none, and nobody asks for it
+ *     joint with Euler parameters there is none, and it is never used
  */
 public record CutCoordinate(RelativeFrameMotion frames, PairTerm term, Scalar position) {
   /** Returns its rate, rad/s or m/s. */

@@ -10,8 +10,8 @@ import org.mechservice.sim.symbolic.ScalarVector;
  * @param value rad or m
  * @param byTurn its gradient by small rotations of B, in A's axes
  * @param byShift its gradient by displacements of B's point, in A's axes
- * @param bend what its curvature makes of ω and ρ'
- * @param countsTurns whether it is an angle, of which whole turns do not count
+ * @param bend the part of f'' that is quadratic in ω and ρ'
+ * @param countsTurns whether it is an angle, known up to whole turns
  */
 public record PairTerm(
     Scalar value, ScalarVector byTurn, ScalarVector byShift, Scalar bend, boolean countsTurns) {

@@ -10,7 +10,7 @@ import org.mechservice.solver.kinematics.pair.AxisPair;
 import org.mechservice.solver.kinematics.pair.PairForms;
 import org.mechservice.solver.spatial.Vector3;
 
-/** Functions of the pose of two frames as equations: what joints forbid, and their coordinates. */
+/** Functions of the pose of two frames: the constraints of joints, and their coordinates. */
 public final class PairTerms implements PairForms<PairTerm> {
   private final Expressions expressions;
   private final ScalarVector none;

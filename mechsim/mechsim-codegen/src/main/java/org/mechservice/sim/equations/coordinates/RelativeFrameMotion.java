@@ -99,7 +99,9 @@ public final class RelativeFrameMotion {
     return inFrame1(second.minus(sweep.motion(link1).alpha())).minus(omega.cross(omega()));
   }
 
-  /** Adds to a row what a force and a moment as in {@link #addWrench} are along velocities. */
+  /**
+   * Adds to a row the components along velocities of a force and a moment as in {@link #addWrench}.
+   */
   public void addRow(ScalarVector force, ScalarVector moment, VelocityRows rows, Scalar[] row) {
     Loads loads = new Loads(force.x().expressions(), kinematics.mechanism());
     addWrench(force, moment, loads);
@@ -113,8 +115,8 @@ public final class RelativeFrameMotion {
   }
 
   /**
-   * Adds a force and a moment on body 2 at the origin of frame 2, in the axes of frame 1, and what
-   * opposes them on body 1 along the same line.
+   * Adds a force and a moment on body 2 at the origin of frame 2, in the axes of frame 1, and the
+   * opposite ones on body 1 along the same line.
    */
   public void addWrench(ScalarVector force, ScalarVector moment, Loads loads) {
     ScalarVector force1 = axes1.times(force);

@@ -4,13 +4,13 @@ import org.mechservice.solver.dynamics.tree.TreePattern;
 
 /** Where elements of M, ∂F/∂v and ∂F/∂q are put out. Rows and columns are {@link TreeOrder}. */
 sealed interface ElementLayout {
-  /** Returns where an element of M goes, the row no less than the column. */
+  /** Returns the output index of an element of M; the row is at least the column. */
   int mass(int row, int column);
 
-  /** Returns where an element of ∂F/∂v goes. */
+  /** Returns the output index of an element of ∂F/∂v. */
   int byVelocity(int row, int column);
 
-  /** Returns where an element of ∂F/∂q goes. */
+  /** Returns the output index of an element of ∂F/∂q. */
   int byPosition(int row, int column);
 
   /**

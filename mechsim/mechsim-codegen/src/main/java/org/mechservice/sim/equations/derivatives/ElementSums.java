@@ -3,7 +3,7 @@ package org.mechservice.sim.equations.derivatives;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 
-/** Puts elements of M, ∂F/∂v and ∂F/∂q out, with what forces and rods add. */
+/** Outputs elements of M, ∂F/∂v and ∂F/∂q, each with the terms of forces and rods. */
 final class ElementSums {
   private final Program program;
   private final TreeOrder places;
@@ -12,7 +12,7 @@ final class ElementSums {
   private final Scalar[][] massOfRods;
 
   /**
-   * @param massOfRods what rods between bodies add to M, by velocities of the state, the larger
+   * @param massOfRods terms of rods between bodies in M, by velocities of the state, the larger
    *     first; not copied
    */
   ElementSums(

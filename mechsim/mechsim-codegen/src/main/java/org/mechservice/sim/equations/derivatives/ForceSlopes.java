@@ -20,9 +20,9 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
- * What applied forces add to the derivatives of the residual: −Sᵀ ∂w − ∂τ for each velocity and
+ * Terms of applied forces in the derivatives of the residual: −Sᵀ ∂w − ∂τ for each velocity and
  * each position along the tangent. The formulas of the forces are differentiated one direction at a
- * time; what changes is swept inwards from the links it acts on.
+ * time; changed wrenches are swept inwards from the links they act on.
  */
 final class ForceSlopes {
   private final Expressions expressions;
@@ -150,12 +150,12 @@ final class ForceSlopes {
     }
   }
 
-  /** Returns what is added to ∂F/∂q. */
+  /** Returns the terms in ∂F/∂q. */
   Scalar byPosition(int row, int column) {
     return orZero(byPosition[row][column]);
   }
 
-  /** Returns what is added to ∂F/∂v. */
+  /** Returns the terms in ∂F/∂v. */
   Scalar byVelocity(int row, int column) {
     return orZero(byVelocity[row][column]);
   }

@@ -54,7 +54,7 @@ final class JointColumns {
     return new Twist(kinematics.omega(link), kinematics.velocity(link));
   }
 
-  /** Returns S of each velocity of a link, as the state tells them. */
+  /** Returns S of each velocity of a link, in the order and axes of the state. */
   List<Twist> subspace(Link link) {
     return subspace.of(link);
   }

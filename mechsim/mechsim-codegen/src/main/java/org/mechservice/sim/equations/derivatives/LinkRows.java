@@ -15,12 +15,12 @@ import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
  * The elements of the velocities of a link with themselves and with those on the way to the root:
- * what its columns need is taken inwards, link by link, and meets the columns there.
+ * quantities of its columns are carried inwards, link by link, and multiplied by the columns there.
  *
- * <p>The way is gone three times, with Iᶜ S and how a moment changes, with the wrenches of ∂/∂v,
- * with those of ∂/∂q, and every step is a section that ends by putting out what it has found. So
- * compiled code has few values to hold; were a link one section, it would load all that its way
- * needs before, and keep all elements until behind it.
+ * <p>There are three passes to the root: with Iᶜ S and the change of a moment, with the wrenches of
+ * ∂/∂v, and with those of ∂/∂q. Each step of a pass is a section that ends with its outputs, so
+ * compiled code holds few values at a time. A single section per link would load all values of the
+ * pass first and keep all elements until its end.
  */
 final class LinkRows {
   private final Program program;
@@ -50,7 +50,7 @@ final class LinkRows {
    *
    * @param own its columns; empty if it has no velocities in the state
    * @param composite the link with all beyond it
-   * @param force what they need, about the link's origin
+   * @param force wrench that they need, about the link's origin
    */
   void derive(List<JointColumns.Column> own, RigidComposite composite, Wrench force) {
     columns.add(own);

@@ -15,7 +15,7 @@ final class TreeOrder {
    * A place.
    *
    * @param link the link
-   * @param component which of its freedoms as the state tells them
+   * @param component which of its freedoms, counted as in the state
    * @param velocity index of the velocity in v
    * @param parent the place before it on its way to the root; −1 for none
    */

@@ -67,7 +67,7 @@ public final class AppliedForces {
   }
 
   /**
-   * Derives the forces, in file order, and what they do.
+   * Derives the forces in file order, with their wrenches and joint forces.
    *
    * @param checked whether the program ends where a force has no direction
    */

@@ -62,7 +62,7 @@ final class BushingTerm implements ForceTerm {
                 r.at(1, 0).minus(r.at(0, 1)))
             .times(e.constant(0.25).over(half));
     Scalar square = vector.dot(vector);
-    // Without a turn nothing is divided by zero, not even in slopes of what is not chosen.
+    // Without a rotation there is no division by zero, not even in derivatives of the other branch.
     Scalar sine = choose(square, e.zero(), e.one(), square).squareRoot();
     Scalar turn = e.function(MathFunction.ATAN2, sine, half).times(2);
     boolean parallel = square.isZero();

@@ -13,7 +13,7 @@ import org.mechservice.solver.expression.Coordinate;
  * @param coordinate counts velocities
  * @param force positive drives the coordinate upwards, N·m or N
  * @param potential its potential energy, J
- * @param power power of what has none, W
+ * @param power power of the part without potential energy, W
  */
 record CoordinateTerm(
     JointCoordinates joints, Coordinate coordinate, Scalar force, Scalar potential, Scalar power)

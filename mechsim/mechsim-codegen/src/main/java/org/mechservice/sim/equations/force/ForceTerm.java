@@ -7,10 +7,10 @@ import org.mechservice.sim.symbolic.Scalar;
 
 /** An applied force as equations. */
 interface ForceTerm {
-  /** Adds what it does to links and joints. */
+  /** Adds its wrenches on links and its joint forces. */
   void apply(Loads loads);
 
-  /** Returns what vanishes where the force has no direction, if that can happen. */
+  /** Returns the check that fails where the force has no direction, if there is such a state. */
   default Optional<Direction> direction() {
     return Optional.empty();
   }
@@ -26,7 +26,7 @@ interface ForceTerm {
   /** Returns its potential energy, J; zero if it has none. */
   Scalar potential();
 
-  /** Returns the power of what has no potential energy, W, positive into the mechanism. */
+  /** Returns the power of the part without potential energy, W, positive into the mechanism. */
   Scalar power();
 
   /** Returns the values it can put out, in the order in which the description names them. */

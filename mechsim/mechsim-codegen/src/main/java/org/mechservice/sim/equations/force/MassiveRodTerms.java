@@ -22,8 +22,8 @@ import org.mechservice.solver.spatial.Vector3;
 
 /**
  * Uniform slender rods between two points (NUMERICS §4). Of the energy (m/6) (v_A·v_A + v_A·v_B +
- * v_B·v_B) the squares are those of a mass m/3 at either end, which the links carry as their own;
- * what is left is the product, and m/6 of weight at either end.
+ * v_B·v_B) the squares belong to a mass m/3 at either end, which is added to the links. This class
+ * has the remaining terms: the product, and the weight of m/6 at either end.
  */
 public final class MassiveRodTerms {
   private final Expressions expressions;
@@ -74,7 +74,10 @@ public final class MassiveRodTerms {
     return mechanism.with(links);
   }
 
-  /** Adds what the ends need besides: m/6 of the other end's acceleration, gravity included. */
+  /**
+   * Adds the remaining inertia forces of the ends: m/6 times the acceleration of the other end,
+   * gravity included.
+   */
   public void addNeeded(ForceSweep sweep, Wrench[] needed) {
     for (DistanceClosure rod : rods) {
       int a = points.link(rod.point1().body());

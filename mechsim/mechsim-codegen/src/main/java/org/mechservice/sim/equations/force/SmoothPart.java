@@ -5,8 +5,8 @@ import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Scalar;
 
 /**
- * The smooth positive part pos(x) = (x + √(x² + ε²)) / 2 and what belongs to it. For ε = 0 it is
- * the positive part itself, with slope 1/2 at zero.
+ * The smooth positive part pos(x) = (x + √(x² + ε²)) / 2 and related functions. For ε = 0 it is the
+ * positive part itself, with slope 1/2 at zero.
  */
 final class SmoothPart {
   private final Expressions e;

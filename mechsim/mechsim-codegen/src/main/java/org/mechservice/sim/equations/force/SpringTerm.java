@@ -13,8 +13,8 @@ import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * A spring and damper along the line between two points: the force on point 2 is −T n. Where the
- * points coincide there is no line; a spring without tension there goes on along the velocity u,
- * any other has no direction.
+ * points coincide there is no line: a spring without tension there uses the direction of the
+ * velocity u; any other spring has no direction.
  */
 final class SpringTerm implements ForceTerm {
   private final PairMotion pair;
@@ -24,7 +24,7 @@ final class SpringTerm implements ForceTerm {
   private final Scalar rate;
   private final boolean slack;
 
-  /** Whether its length never changes, so that it does nothing, or nothing but hold itself. */
+  /** Whether its length never changes, so that it has no effect on the motion. */
   private final boolean still;
 
   /**

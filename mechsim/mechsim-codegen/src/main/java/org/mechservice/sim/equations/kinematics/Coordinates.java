@@ -61,7 +61,7 @@ public final class Coordinates {
         : named("v_", link, expressions.input(link.velocity()));
   }
 
-  /** Returns what is known of the link's acceleration beforehand: 0 unless driven or given. */
+  /** Returns the known part of the link's acceleration: 0 unless it is driven or given. */
   public Scalar knownAcceleration(Link link) {
     if (link.isDriven()) {
       return named("a_", link, byTime.of(velocity(link)));
@@ -141,8 +141,8 @@ public final class Coordinates {
   }
 
   /**
-   * Returns rates or moments along the freedoms of a ball as the state tells them: in the axes of
-   * the file's body 1, of its body 2 relative to it.
+   * Returns rates or moments along the freedoms of a ball as the state holds them: those of the
+   * file's body 2 relative to its body 1, in the axes of body 1.
    *
    * @param inLink in link axes, of the link relative to its parent
    */

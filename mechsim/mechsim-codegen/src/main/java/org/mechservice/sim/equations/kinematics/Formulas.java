@@ -6,7 +6,7 @@ import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.expression.Expression;
 
-/** Formulas of the model file as scalars; what they are made of is told by subclasses. */
+/** Formulas of the model file as scalars. Subclasses supply the leaves. */
 public abstract class Formulas {
   /** Whole and half exponents up to here become products. */
   private static final int LARGEST_PRODUCT = 64;
@@ -44,7 +44,7 @@ public abstract class Formulas {
     return leaf(formula);
   }
 
-  /** A divisor may pass through zero, and where it is infinite nothing is left. */
+  /** A quotient is steep: its divisor may pass through zero or be infinite. */
   private Scalar quotient(Scalar dividend, Scalar divisor) {
     Scalar quotient = dividend.over(divisor);
     return divisor.isConstant() ? quotient : quotient.markedSteep();

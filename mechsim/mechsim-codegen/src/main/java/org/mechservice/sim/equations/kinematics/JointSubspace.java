@@ -19,7 +19,7 @@ public final class JointSubspace {
     this.coordinates = coordinates;
   }
 
-  /** Returns S of each velocity of a link, as the state tells them. */
+  /** Returns S of each velocity of a link, in the order and axes of the state. */
   public List<Twist> of(Link link) {
     ScalarVector none = ScalarVector.zero(expressions);
     if (link.isBall()) {

@@ -10,12 +10,12 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * A constant rotation from child to parent axes, taken apart for few operations: axes change places
- * and signs, which costs nothing, then turn about coordinate axes one after the other. One turn
- * suffices for a rotation about a coordinate axis, three for any.
+ * A constant rotation from child to parent axes, factored for few operations: first axes are
+ * permuted and change signs, which takes no operation; then turns about coordinate axes follow. One
+ * turn suffices for a rotation about a coordinate axis, three for any.
  *
  * @param permuted child components in places and signs of the first intermediate axes
- * @param turns what follows, in order
+ * @param turns the turns that follow, in order
  */
 public record AxesChange(Rotation permuted, List<Turn> turns) {
   /**

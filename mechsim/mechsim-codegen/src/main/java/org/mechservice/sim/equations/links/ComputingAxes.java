@@ -8,7 +8,8 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Chooses the axes a link is computed in: z along its joint, and of those the ones that cost least.
+ * Chooses the axes a link is computed in: z along its joint, x and y so that the program has the
+ * fewest operations.
  *
  * <p>Axes that change places cost nothing. A constant turn between parent and child, and a body or
  * child joint that no longer lies along its axes, cost the operations weighed here.

@@ -24,7 +24,7 @@ public record DegreeOfFreedom(int axis, boolean turns, double way) {
         : List.of(new DegreeOfFreedom(2, link.turns(), link.way()));
   }
 
-  /** Returns what of a wrench, or of a share, lies along the freedom. */
+  /** Returns the component of a wrench, or of a share of one, along the freedom. */
   public Scalar along(Wrench wrench) {
     Scalar sum = wrench.moment().x().expressions().zero();
     if (turns) {

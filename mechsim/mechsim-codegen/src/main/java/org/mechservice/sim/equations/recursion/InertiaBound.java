@@ -52,7 +52,10 @@ record InertiaBound(Scalar mass, Scalar first, Scalar second) {
         finite(expressions, moment * distance + link.inertia().trace()));
   }
 
-  /** A bound that overflows is still one: what it bounds overflows too, and the run says where. */
+  /**
+   * An overflowing bound is still a bound: the bounded value overflows too, and the run reports
+   * where.
+   */
   private static Scalar finite(Expressions expressions, double bound) {
     return expressions.constant(Math.min(bound, Double.MAX_VALUE));
   }

@@ -64,7 +64,7 @@ public record RigidComposite(
         momentum.plus(other.momentum));
   }
 
-  /** Returns the same in other axes, for vectors and matrices that are turned as told. */
+  /** Returns the same inertia in other axes, given how vectors and matrices are rotated. */
   RigidComposite in(AxesOf axes) {
     return new RigidComposite(
         mass,
