@@ -162,7 +162,7 @@ class OwnersTest {
     try {
       return type.getConstructor().newInstance(); // a holder
     } catch (ReflectiveOperationException e) {
-      throw new AssertionError(e);
+      throw new LinkageError(type.getName(), e);
     }
   }
 
