@@ -31,6 +31,13 @@ import org.objectweb.asm.TypePath;
 final class BytecodeVerifier extends ClassVisitor {
   private static final String INTERFACE = UserForce.class.getPackageName().replace('.', '/') + "/";
 
+  /**
+   * Tags of known constants: texts, numbers, classes, members, method handles, method types and
+   * invokedynamic. JVMS 17, Table 4.4-A.
+   */
+  private static final Set<Integer> CONSTANTS =
+      Set.of(1, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 15, 16, 18);
+
   private final Set<String> own;
   private final UserCodeFindings findings;
   private String className = "";
@@ -44,8 +51,21 @@ final class BytecodeVerifier extends ClassVisitor {
   /** Adds to the findings each use of something not allowed, with method and line. */
   static void check(SortedMap<String, byte[]> classFiles, UserCodeFindings findings) {
     for (byte[] file : classFiles.values()) {
-      new ClassReader(file)
-          .accept(new BytecodeVerifier(classFiles.keySet(), findings), ClassReader.SKIP_FRAMES);
+      ClassReader reader = new ClassReader(file);
+      BytecodeVerifier verifier = new BytecodeVerifier(classFiles.keySet(), findings);
+      reader.accept(verifier, ClassReader.SKIP_FRAMES);
+      verifier.requireKnownConstants(reader);
+    }
+  }
+
+  /** Refuses kinds of constants outside the list, whether or not anything uses them. */
+  private void requireKnownConstants(ClassReader reader) {
+    for (int i = 1; i < reader.getItemCount(); i++) {
+      int offset = reader.getItem(i);
+      // A long or double number takes two places in the pool; the second is empty.
+      if (offset > 0 && !CONSTANTS.contains(reader.readByte(offset - 1))) {
+        refuse("it has a constant of the kind " + reader.readByte(offset - 1), "", 0);
+      }
     }
   }
 
@@ -58,6 +78,9 @@ final class BytecodeVerifier extends ClassVisitor {
       @Nullable String superName,
       String @Nullable [] interfaces) {
     className = name.replace('/', '.');
+    if ((version & Opcodes.V_PREVIEW) != 0) {
+      refuse("it uses preview features of Java", "", 0);
+    }
     requireClass(superName, "it extends", "", 0);
     if (interfaces != null) {
       for (String parent : interfaces) {
@@ -299,12 +322,24 @@ final class BytecodeVerifier extends ClassVisitor {
 
     /** Returns whether the member may be used. */
     private boolean requireMember(String owner, String name, String how) {
-      boolean arrays = owner.startsWith("["); // clone()
+      if (owner.startsWith("[")) {
+        return requireMemberOfArray(Type.getObjectType(owner), name, how);
+      }
       boolean foreign = !own.contains(owner.replace('/', '.')) && !owner.startsWith(INTERFACE);
       boolean inherited = !foreign && !AllowedJava.isMember("java/lang/Object", name);
-      boolean refused = !arrays && (foreign ? !AllowedJava.isMember(owner, name) : inherited);
+      boolean refused = foreign ? !AllowedJava.isMember(owner, name) : inherited;
       if (refused) {
         refuse(how + " " + owner.replace('/', '.') + "." + name, method, line);
+      }
+      return !refused;
+    }
+
+    /** Arrays have the members of Object, clone() among them. */
+    private boolean requireMemberOfArray(Type array, String name, String how) {
+      requireType(array, how + " " + name + " of an array of", method, line);
+      boolean refused = !AllowedJava.isMember("java/lang/Object", name);
+      if (refused) {
+        refuse(how + " " + name + " of an array", method, line);
       }
       return !refused;
     }

@@ -38,15 +38,7 @@ class BytecodeVerifierTest {
     code.visitInsn(Opcodes.RETURN);
     code.visitMaxs(9, 9);
     code.visitEnd();
-    writer.visitEnd();
-    UserCodeFindings findings = new UserCodeFindings();
-    BytecodeVerifier.check(new TreeMap<>(Map.of("car.Push", writer.toByteArray())), findings);
-    try {
-      findings.throwIfAny();
-      return List.of();
-    } catch (MechmlException e) {
-      return e.diagnostics().stream().map(Object::toString).toList();
-    }
+    return refusalsOf(writer);
   }
 
   private static List<String> refusalsOfCall(String owner, String name) {
@@ -244,5 +236,51 @@ class BytecodeVerifierTest {
         .hasSize(1);
     assertThat(refusals(OBJECT, code -> code.visitTypeInsn(Opcodes.NEW, "java/io/File")))
         .hasSize(1);
+  }
+
+  /** The class file names an array type as the owner, and the member is the one of Object. */
+  @Test
+  void arrayGivesNoWayToForbiddenMembersOfObject() {
+    assertThat(refusalsOfCall("[Ljava/lang/Object;", "wait")).hasSize(1);
+    assertThat(refusalsOfCall("[Ljava/lang/Thread;", "clone")).hasSize(1);
+    assertThat(refusalsOfCall("[D", "clone")).isEmpty();
+    assertThat(refusalsOfCall("[D", "getClass")).isEmpty();
+  }
+
+  /**
+   * Java computes a constant when something uses it; the pool is checked whether or not it does.
+   */
+  @Test
+  void kindOfConstantThatIsNotListedIsRefusedWithoutAnyUse() {
+    ClassWriter writer = new ClassWriter(0);
+    writer.visit(Opcodes.V17, Opcodes.ACC_PUBLIC, "car/Push", null, OBJECT, null);
+    writer.newConstantDynamic(
+        "zero",
+        "I",
+        new Handle(Opcodes.H_INVOKESTATIC, "java/lang/Runtime", "getRuntime", "()V", false));
+    assertThat(refusalsOf(writer))
+        .singleElement()
+        .asString()
+        .contains("it has a constant of the kind 17");
+  }
+
+  @Test
+  void classFileWithPreviewFeaturesIsRefused() {
+    ClassWriter writer = new ClassWriter(0);
+    writer.visit(
+        Opcodes.V17 | Opcodes.V_PREVIEW, Opcodes.ACC_PUBLIC, "car/Push", null, OBJECT, null);
+    assertThat(refusalsOf(writer)).singleElement().asString().contains("preview features");
+  }
+
+  private static List<String> refusalsOf(ClassWriter writer) {
+    writer.visitEnd();
+    UserCodeFindings findings = new UserCodeFindings();
+    BytecodeVerifier.check(new TreeMap<>(Map.of("car.Push", writer.toByteArray())), findings);
+    try {
+      findings.throwIfAny();
+      return List.of();
+    } catch (MechmlException e) {
+      return e.diagnostics().stream().map(Object::toString).toList();
+    }
   }
 }
