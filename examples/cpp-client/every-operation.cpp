@@ -285,7 +285,7 @@ ms::IMechSimRemote_ptr endless(ms::MechSim_ptr session, const ms::ModelFile& mod
 }
 
 void administrate(ms::MechServer_ptr server, ms::MechAdmin_ptr admin, const ms::ModelFile& model,
-                  ms::IMechClient_ptr callback) {
+                  Watcher& watcher, ms::IMechClient_ptr callback) {
   ms::ServerStatus_var status = CALL(MechAdmin, getStatus, admin);
   ms::HostStatusSeq_var hosts = CALL(MechAdmin, listHosts, admin);
   ms::MechSim_var session = server->createSession("cpp", "", callback);
@@ -293,6 +293,7 @@ void administrate(ms::MechServer_ptr server, ms::MechAdmin_ptr admin, const ms::
   ms::IMechSimRemote_var run = endless(session, model, callback);
   CORBA::String_var id = run->simId();
   ms::IMechSimRemote_var same = CALL(MechServer, findSimulation, server, id);
+  require(watcher.await(3), "status, messages and progress come while it runs");
   CORBA::ULong total = 0;
   ms::SimSummarySeq_var all = CALL(MechAdmin, listSimulations, admin, 0, 100, total);
   require(total > 0, "simulations");
@@ -367,7 +368,7 @@ void everyOperation(CORBA::ORB_ptr orb, char** argv, Registry& registry, Server&
   auto admin = published<ms::MechAdmin>(orb, url, "MechAdmin");
   auto hosts = published<ms::HostRegistry>(orb, url, "HostRegistry");
   useServer(server, model, robot, callback);
-  administrate(server, admin, model, callback);
+  administrate(server, admin, model, *watcher.in(), callback);
   CALL(IMechClient, heartbeat, callback);
   require(watcher->await(4), "every callback comes");
   useHost(host, model);
