@@ -169,7 +169,7 @@ public record LoopComparison(
         mass.setEntry(i, j, work.mass[i * n + j] * perRoot / Math.sqrt(work.mass[j * n + j]));
       }
       for (int row = 0; row < work.loops.count(); row++) {
-        rows.setEntry(row, i, work.loops.jacobian[row * work.loops.width() + i] * perRoot);
+        rows.setEntry(row, i, work.loops.jacobian.get(row, i) * perRoot);
       }
     }
     double ofMass = new SingularValueDecomposition(mass).getConditionNumber();

@@ -140,7 +140,7 @@ class StateJumpTest {
     RealMatrix rows = new Array2DRowRealMatrix(m + 2 * n, n);
     for (int k = 0; k < n; k++) {
       for (int row = 0; row < m; row++) {
-        rows.setEntry(row, k, model.work.loops.jacobian[row * model.work.loops.width() + k]);
+        rows.setEntry(row, k, model.work.loops.jacobian.get(row, k));
       }
       rows.setEntry(m + k, k, set[model.work.nq + k] ? 1 : 0);
     }

@@ -104,10 +104,10 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
 
   /** Forms R at the state last placed. */
   final int formDirections() {
-    if (!completion.ofVelocities().factor(work.loops.jacobian, work.loops.width())) {
+    if (!completion.ofVelocities().factor(work.loops.jacobian)) {
       return fail(completion.locked());
     }
-    projected.formTransformation(work.loops.jacobian, work.loops.width());
+    projected.formTransformation(work.loops.jacobian);
     return REGULAR;
   }
 

@@ -125,7 +125,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     ofVelocity = new double[m];
     ofPosition = new double[m];
     mu = new double[m];
-    independent = new Partition(m, n, closed.rank());
+    independent = Partition.of(work.loops.jacobian, n, closed.rank(), work.loops.isLarge());
     double[] sizes = new double[m];
     Arrays.setAll(sizes, row -> 1 / work.loops.size(row));
     independent.scale(sizes, work.units.velocities);
@@ -196,7 +196,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
 
   /** Finds the rows that repeat others where the loops are placed. */
   private void findRepeated() {
-    if (independent.choose(work.loops.jacobian, work.loops.width())) {
+    if (independent.choose(work.loops.jacobian)) {
       independent.listLeftOut(isRepeated);
     }
   }
