@@ -82,7 +82,7 @@ public final class LoopProjection {
     for (int k = 0; k < held.length; k++) {
       rows[(work.loops.count() + k) * work.nv + k] = held[k] ? 1 / work.units.velocities[k] : 0;
     }
-    return equations.factor(work.mass, rows, settings.stiffness() * largestInertia());
+    return equations.factor(work.mass(), rows, settings.stiffness() * largestInertia());
   }
 
   /** Returns the largest element on the diagonal of M, displacements in lengths, kg·m². */
@@ -90,7 +90,7 @@ public final class LoopProjection {
     double largest = 0;
     for (int j = 0; j < work.nv; j++) {
       double unit = work.units.velocities[j];
-      largest = Math.max(largest, work.mass[j * work.nv + j] * unit * unit);
+      largest = Math.max(largest, work.mass()[j * work.nv + j] * unit * unit);
     }
     return largest;
   }

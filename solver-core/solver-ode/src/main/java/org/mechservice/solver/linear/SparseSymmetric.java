@@ -113,22 +113,22 @@ public final class SparseSymmetric {
   /**
    * Adds factor · x xᵀ.
    *
-   * @param places of the numbers of x, ascending, of one clique; from {@code at}
+   * @param places of the numbers of x, ascending, of one clique; from {@code placesAt}
    * @param x its numbers that are not zero, from {@code at}; not modified
    * @param count how many
    */
-  public void addSquare(int[] places, double[] x, int at, int count, double factor) {
-    for (int i = at; i < at + count; i++) {
-      double scaled = factor * x[i];
-      int k = places[i];
-      diagonal[k] += scaled * x[i];
-      whole[k] += scaled * x[i];
+  public void addSquare(int[] places, int placesAt, double[] x, int at, int count, double factor) {
+    for (int i = 0; i < count; i++) {
+      double scaled = factor * x[at + i];
+      int k = places[placesAt + i];
+      diagonal[k] += scaled * x[at + i];
+      whole[k] += scaled * x[at + i];
       int e = start[k];
-      for (int j = i + 1; j < at + count; j++) {
-        while (later[e] != places[j]) {
+      for (int j = i + 1; j < count; j++) {
+        while (later[e] != places[placesAt + j]) {
           e++;
         }
-        element[e] += scaled * x[j];
+        element[e] += scaled * x[at + j];
       }
     }
   }

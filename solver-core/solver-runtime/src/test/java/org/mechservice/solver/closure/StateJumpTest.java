@@ -123,7 +123,7 @@ class StateJumpTest {
     double largest = 0;
     for (int i = 0; i < n; i++) {
       for (int k = 0; k < n; k++) {
-        impulse[i] += model.work.mass[i * n + k] * (y[nq + k] - before[k]);
+        impulse[i] += model.work.mass()[i * n + k] * (y[nq + k] - before[k]);
       }
       largest = Math.max(largest, Math.abs(impulse[i]));
     }

@@ -84,7 +84,7 @@ final class SparseLeastMoves implements LeastMoves {
     square.clear();
     for (int j = 0; j < columns; j++) {
       int at = columnStart[j];
-      square.addSquare(place, gathered, at, columnStart[j + 1] - at, 1);
+      square.addSquare(place, at, gathered, at, columnStart[j + 1] - at, 1);
     }
   }
 

@@ -30,7 +30,7 @@ public final class LoopEquations {
    * Velocities of the state from which matrices are kept in their sparsity: below, dense ones are
    * as fast.
    */
-  private static final int LARGE = 100;
+  public static final int LARGE = 100;
 
   private final TreeGeometry tree;
   private final List<ClosureRows> closures = new ArrayList<>();
@@ -97,24 +97,31 @@ public final class LoopEquations {
 
   private int[][] pattern() {
     int[][] pattern = new int[closureOfRow.length][];
-    int row = 0;
-    for (ClosureRows rows : closures) {
-      BitSet ways = new BitSet();
+    for (int row = 0; row < pattern.length; row++) {
+      RowSupport support = support(row);
       BitSet columns = new BitSet();
-      rows.addSupport(ways, new BitSet(), columns);
-      ways.stream()
-          .filter(link -> tree.kind[link].velocityCount() > 0)
-          .forEach(
-              link -> {
-                int at = tree.velocityAt[link];
-                columns.set(at, at + tree.kind[link].velocityCount());
-              });
-      int[] ascending = columns.stream().toArray();
-      for (int i = 0; i < rows.count(); i++) {
-        pattern[row++] = ascending;
+      for (int velocity : support.velocities()) {
+        columns.set(velocity);
       }
+      for (int link : support.ways()) {
+        if (tree.kind[link].velocityCount() > 0) {
+          int at = tree.velocityAt[link];
+          columns.set(at, at + tree.kind[link].velocityCount());
+        }
+      }
+      pattern[row] = columns.stream().toArray();
     }
     return pattern;
+  }
+
+  /** Returns what an equation depends on. */
+  public RowSupport support(int row) {
+    BitSet ways = new BitSet();
+    BitSet loaded = new BitSet();
+    BitSet velocities = new BitSet();
+    closureOfRow[row].addSupport(ways, loaded, velocities);
+    return new RowSupport(
+        ways.stream().toArray(), loaded.stream().toArray(), velocities.stream().toArray());
   }
 
   private ClosureRows rows(LoopClosure closure) {

@@ -122,7 +122,7 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     if (evaluate(t, y, yDot) != REGULAR) {
       return false;
     }
-    projected.multipliers(force, lambda);
+    projected().multipliers(force, lambda);
     if (!work.linearise(t, acceleration, 0, lambda, jacobian)) {
       fail(work.forces.defect());
       return false;
