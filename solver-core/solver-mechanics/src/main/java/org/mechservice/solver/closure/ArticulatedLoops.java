@@ -303,14 +303,17 @@ public final class ArticulatedLoops {
 
   private void moveOutwards(int link, double[] x, int at) {
     carryAcceleration(link);
+    if (!tree.driven[link]) {
+      moveJoint(link, x, at);
+    }
     for (int e = fronts.open[link] - 1; e >= fronts.start[link]; e--) {
       int place = places[e];
       double known = row[place] + dot(wrench, 6 * e, spatial, 6 * link);
       row[place] = -known / multipliers.pivot(place) - ofLater(place);
     }
-    if (tree.driven[link]) {
-      return;
-    }
+  }
+
+  private void moveJoint(int link, double[] x, int at) {
     int first = tree.velocityAt[link];
     for (int k = first + tree.kind[link].velocityCount() - 1; k >= first; k--) {
       double sum = push[k] - dot(projected, 6 * k, spatial, 6 * link);

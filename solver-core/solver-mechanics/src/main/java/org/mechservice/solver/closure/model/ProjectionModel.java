@@ -127,15 +127,16 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
     if (!goesOn()) {
       return DEFECT;
     }
-    work.placeEquations(t, y);
-    int solved = recursive.isPresent() ? solveByRecursion(t, yDot) : solveInFreeDirections(t, yDot);
+    int solved =
+        recursive.isPresent() ? solveByRecursion(t, y, yDot) : solveInFreeDirections(t, y, yDot);
     if (solved == REGULAR) {
       work.coordinates.rates(y, 0, y, work.nq, yDot, 0);
     }
     return solved;
   }
 
-  private int solveInFreeDirections(double t, double[] yDot) {
+  private int solveInFreeDirections(double t, double[] y, double[] yDot) {
+    work.placeEquations(t, y);
     int begun = formDirections();
     if (begun != REGULAR) {
       return begun;
@@ -153,14 +154,15 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
   }
 
   /** The same in the sparsity of the tree; by R where M alone has no inverse. */
-  private int solveByRecursion(double t, double[] yDot) {
+  private int solveByRecursion(double t, double[] y, double[] yDot) {
+    work.placeRates(t, y);
     if (!work.formBias(t)) {
       return fail(work.forces.defect());
     }
     RecursiveAccelerations.Solved solved = recursive.get().solve(yDot, work.nq);
     if (solved == RecursiveAccelerations.Solved.WITHOUT_INERTIA) {
       recursive = Optional.empty();
-      return solveInFreeDirections(t, yDot);
+      return solveInFreeDirections(t, y, yDot);
     }
     return solved == RecursiveAccelerations.Solved.LOCKED ? fail(completion.locked()) : REGULAR;
   }
