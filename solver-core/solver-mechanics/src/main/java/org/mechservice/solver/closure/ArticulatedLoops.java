@@ -16,24 +16,27 @@ import org.mechservice.solver.linear.SparseSymmetric;
 
 /**
  * Factors of M x + Jᵀ λ = f, J x + c = 0 by recursion, without M: articulated bodies that carry the
- * equations of the loops inwards with them. An equation is eliminated at its {@link LoopFronts home};
- * from there inwards it is part of the articulated inertia (Popov and Vereshchagin 1978; Sathya and
- * Carpentier 2024, constrained articulated-body algorithm with early elimination). What loops share
- * on the root is a sparse matrix, factored in an order of least degree.
+ * equations of the loops inwards with them. An equation is eliminated at its {@link LoopFronts
+ * home}; from there inwards it is part of the articulated inertia (Popov and Vereshchagin 1978;
+ * Sathya and Carpentier 2024, constrained articulated-body algorithm with early elimination). What
+ * loops share on the root is a sparse matrix, factored in an order of least degree.
  *
- * <p>The cost is one number of operations per link and equation that is open in it, squared, instead
- * of the cube of the mechanism's size. With K the wrenches of the multipliers as a link feels them,
- * U = Iᴬ S, D = Sᵀ U, κ = Kᵀ S + g, where g are the forces of multipliers on the joint itself:
+ * <p>The cost is one number of operations per link and equation that is open in it, squared,
+ * instead of the cube of the mechanism's size. With K the wrenches of the multipliers as a link
+ * feels them, U = Iᴬ S, D = Sᵀ U, κ = Kᵀ S + g, where g are the forces of multipliers on the joint
+ * itself:
  *
  * <pre>
  * Iᴬ −= U Uᵀ / D,  K −= U κᵀ / D,  Λ += κ κᵀ / D   for each freedom of a joint
  * Iᴬ += K_e K_eᵀ / Λ_ee,  K −= K_e Λ_e / Λ_ee        for each equation e at home
  * </pre>
  *
- * <p>Workspace of one thread; nothing allocates after construction. It does not hold rods with mass,
- * which couple two bodies.
+ * <p>Workspace of one thread; nothing allocates after construction. It does not hold rods with
+ * mass, which couple two bodies.
  */
 public final class ArticulatedLoops {
+  private static final double[] NONE = {};
+
   private final TreeGeometry tree;
   private final TreeMotion motion;
   private final LoopEquations loops;
@@ -71,6 +74,7 @@ public final class ArticulatedLoops {
   private final double[] row;
   private final double[] carried = new double[6];
   private final int[] places;
+  private boolean[] heldAt = {};
 
   /**
    * @param rows equations that count, by their rows; independent of each other
@@ -117,10 +121,26 @@ public final class ArticulatedLoops {
    *     −2 − the equation that repeats others there
    */
   public int factor() {
+    return factor(NONE, new boolean[0]);
+  }
+
+  /**
+   * Factors M x + Jᵀ λ = f, J x + c = C λ with a compliance C, so that equations may repeat each
+   * other.
+   *
+   * @param compliance one number per row of the loops, or empty for none; not modified
+   * @param held velocities of the state at which x is zero; empty if there are none
+   * @return as {@link #factor()}
+   */
+  public int factor(double[] compliance, boolean[] held) {
     check.start();
     rigid.start();
     multipliers.clear();
     load();
+    heldAt = held;
+    for (int i = 0; i < fronts.rows.length && compliance.length > 0; i++) {
+      multipliers.addDiagonal(multipliers.placeOf(i), compliance[fronts.rows[i]]);
+    }
     for (int link = 0; link < tree.linkCount; link++) {
       inertia.startAtRest(link);
     }
@@ -195,6 +215,9 @@ public final class ArticulatedLoops {
     int first = tree.velocityAt[link];
     int count = fronts.start[link + 1] - fronts.open[link];
     for (int k = first; k < first + tree.kind[link].velocityCount(); k++) {
+      if (isHeld(k)) {
+        continue;
+      }
       inertia.applyTo(link, motion.subspace, 6 * k, projected, 6 * k);
       pivot[k] = dot(motion.subspace, 6 * k, projected, 6 * k);
       if (!check.regular(k, pivot[k], rigid.scale(link))) {
@@ -207,11 +230,36 @@ public final class ArticulatedLoops {
         coupling[couplingAt[k] + i] = moved;
         addScaled(wrench, 6 * e, projected, 6 * k, -moved * perPivot);
       }
-      multipliers.addSquare(
-          places, fronts.open[link], coupling, couplingAt[k], count, perPivot);
+      multipliers.addSquare(places, fronts.open[link], coupling, couplingAt[k], count, perPivot);
       inertia.eliminate(link, projected, 6 * k, perPivot);
     }
     return ExplicitModel.REGULAR;
+  }
+
+  private boolean isHeld(int velocity) {
+    return velocity < heldAt.length && heldAt[velocity];
+  }
+
+  /**
+   * Returns about the largest element on the diagonal of M, from above, where the tree is placed:
+   * the largest inertia that a joint moves while no other does.
+   *
+   * @param units of the velocities of the state, by which displacements are lengths
+   */
+  public double largestInertia(double[] units) {
+    rigid.start();
+    double largest = 0;
+    for (int link = tree.linkCount - 1; link >= 0; link--) {
+      int first = tree.velocityAt[link];
+      for (int k = first; k < first + tree.kind[link].velocityCount(); k++) {
+        double unit = tree.driven[link] ? 0 : units[k];
+        largest = Math.max(largest, rigid.scale(link) * unit * unit);
+      }
+      if (tree.parent[link] != TreeGeometry.ROOT) {
+        rigid.addToParent(motion, link);
+      }
+    }
+    return largest;
   }
 
   private void carryInwards(int link) {
@@ -286,6 +334,9 @@ public final class ArticulatedLoops {
     if (!tree.driven[link]) {
       int first = tree.velocityAt[link];
       for (int k = first; k < first + tree.kind[link].velocityCount(); k++) {
+        if (isHeld(k)) {
+          continue;
+        }
         push[k] = force[k] - dot(motion.subspace, 6 * k, spatial, 6 * link);
         double part = push[k] / pivot[k];
         for (int e = fronts.open[link]; e < fronts.start[link + 1]; e++) {
@@ -316,6 +367,10 @@ public final class ArticulatedLoops {
   private void moveJoint(int link, double[] x, int at) {
     int first = tree.velocityAt[link];
     for (int k = first + tree.kind[link].velocityCount() - 1; k >= first; k--) {
+      if (isHeld(k)) {
+        x[at + k] = 0;
+        continue;
+      }
       double sum = push[k] - dot(projected, 6 * k, spatial, 6 * link);
       for (int e = fronts.open[link]; e < fronts.start[link + 1]; e++) {
         sum += coupling[couplingAt[k] + e - fronts.open[link]] * row[places[e]];

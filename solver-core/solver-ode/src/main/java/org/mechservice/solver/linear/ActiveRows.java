@@ -188,6 +188,12 @@ final class ActiveRows {
     return best;
   }
 
+  /** Takes a pivot that was chosen before. */
+  void choose(int i, int j) {
+    chosenColumn = j;
+    chosenElement = elements[i][find(i, j)];
+  }
+
   int chosenColumn() {
     return chosenColumn;
   }

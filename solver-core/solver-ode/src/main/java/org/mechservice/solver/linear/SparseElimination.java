@@ -91,22 +91,42 @@ public final class SparseElimination {
       if (found < 0) {
         return;
       }
-      int pivotColumn = active.chosenColumn();
-      row[eliminated] = found;
-      column[eliminated] = pivotColumn;
-      pivot[eliminated] = Math.abs(active.chosenElement());
-      stepOfRow[found] = eliminated;
-      for (int other : active.rowsOf(pivotColumn)) {
-        if (other >= 0
-            && other != found
-            && stepOfRow[other] < 0
-            && active.has(other, pivotColumn)) {
-          active.subtract(found, other, pivotColumn);
-          note(other);
-        }
+      eliminate(found, active.chosenColumn());
+    }
+  }
+
+  private void eliminate(int pivotRow, int pivotColumn) {
+    row[eliminated] = pivotRow;
+    column[eliminated] = pivotColumn;
+    pivot[eliminated] = Math.abs(active.chosenElement());
+    stepOfRow[pivotRow] = eliminated;
+    for (int other : active.rowsOf(pivotColumn)) {
+      boolean waits = other >= 0 && other != pivotRow && stepOfRow[other] < 0;
+      if (waits && active.has(other, pivotColumn)) {
+        active.subtract(pivotRow, other, pivotColumn);
+        note(other);
       }
-      active.remove(found);
-      eliminated++;
+    }
+    active.remove(pivotRow);
+    eliminated++;
+  }
+
+  /**
+   * Eliminates by pivots that were chosen before, for the elements that are new then; the matrix
+   * counts by its pattern alone.
+   *
+   * @param rows of the pivots, in their order
+   * @param columns of the pivots
+   */
+  public void repeat(SparseMatrix matrix, int[] rows, int[] columns) {
+    active.load(matrix);
+    Arrays.fill(stepOfRow, -1);
+    Arrays.fill(lowerCount, 0);
+    eliminated = 0;
+    active.waken();
+    for (int k = 0; k < rows.length; k++) {
+      active.choose(rows[k], columns[k]);
+      eliminate(rows[k], columns[k]);
     }
   }
 

@@ -63,7 +63,11 @@ public final class SparseLu {
       int own = k;
       lowers[k] = chosen.lower(k);
       uppers[k] =
-          Arrays.stream(chosen.upper(k)).map(j -> stepOfColumn[j]).filter(s -> s > own).toArray();
+          Arrays.stream(chosen.upper(k))
+              .map(j -> stepOfColumn[j])
+              .filter(s -> s > own)
+              .sorted()
+              .toArray();
       lowerStart[k + 1] = lowerStart[k] + lowers[k].length;
       upperStart[k + 1] = upperStart[k] + uppers[k].length;
     }
@@ -97,6 +101,11 @@ public final class SparseLu {
   /** Returns factors of the same block in the same order, with numbers of their own. */
   public SparseLu sameOrder() {
     return new SparseLu(this);
+  }
+
+  /** Returns how many rows and columns the block has. */
+  public int size() {
+    return size;
   }
 
   /** Returns the row of the matrix that is eliminated in a step. */

@@ -102,6 +102,57 @@ class ArticulatedLoopsTest {
     return whole;
   }
 
+  /** Penalty, with velocities held or not, to which repeated equations do no harm. */
+  @ParameterizedTest
+  @MethodSource("mechanisms")
+  void penaltyMeetsAllEquationsWhetherTheyRepeatOrNot(Mechanism mechanism) {
+    ClosedMechanism closed = new ClosedMechanism(mechanism, "DSR", SETTINGS);
+    ClosedTree work = closed.newEquations(UserForceSource.NONE);
+    work.place(closed.startTime(), closed.start());
+    work.formMass();
+    PenaltyEquations recursive =
+        new RecursivePenalty(work, PenaltySettings.DEFAULT.stiffness(), true);
+    Random random = new Random(2);
+    double[] right = random.doubles(work.nv, -1, 1).toArray();
+    boolean[] held = new boolean[work.nv];
+    for (int holding = 0; holding < 2; holding++) {
+      assertThat(recursive.factor(held)).isNegative();
+      double[] x = new double[work.nv];
+      recursive.solve(right, new double[work.loops.count()], x, 0);
+      assertMeets(work, right, held, x, recursive.multipliers());
+      held[random.nextInt(work.nv)] = true;
+    }
+  }
+
+  /** The bounds are what ten repetitions leave, of what is summed up. */
+  private static void assertMeets(
+      ClosedTree work, double[] right, boolean[] held, double[] x, double[] lambda) {
+    for (int i = 0; i < work.nv; i++) {
+      double sum = -right[i];
+      double size = 1;
+      for (int j = 0; j < work.nv; j++) {
+        double part = work.mass()[i * work.nv + j] * x[j];
+        sum += part;
+        size += Math.abs(part);
+      }
+      for (int row = 0; row < lambda.length; row++) {
+        double part = work.loops.jacobian.get(row, i) * lambda[row] / work.loops.size(row);
+        sum += part;
+        size += Math.abs(part);
+      }
+      if (held[i]) {
+        assertThat(x[i]).isZero();
+      } else {
+        assertThat(Math.abs(sum) / size).isLessThan(1e-9);
+      }
+    }
+    double speed = Arrays.stream(x).map(Math::abs).max().orElse(0);
+    for (int row = 0; row < lambda.length; row++) {
+      double moved = work.loops.jacobian.product(row, x, 0) / work.loops.size(row);
+      assertThat(Math.abs(moved) / (1 + speed)).isLessThan(1e-9);
+    }
+  }
+
   /** An equation counted twice has no pivot, and is named. */
   @Test
   void anEquationThatRepeatsAnotherIsNamed() {

@@ -132,7 +132,7 @@ public abstract class Partition {
   }
 
   /** Writes the choice. */
-  final void save(double[] state, int at) {
+  void save(double[] state, int at) {
     for (int k = 0; k < rank; k++) {
       state[at + k] = kept[k];
       state[at + rank + k] = dependent[k];

@@ -161,7 +161,6 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
     }
     RecursiveAccelerations.Solved solved = recursive.get().solve(yDot, work.nq);
     if (solved == RecursiveAccelerations.Solved.WITHOUT_INERTIA) {
-      recursive = Optional.empty();
       return solveInFreeDirections(t, y, yDot);
     }
     return solved == RecursiveAccelerations.Solved.LOCKED ? fail(completion.locked()) : REGULAR;

@@ -154,7 +154,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     int at = work.nq + n;
     Arrays.fill(y, at, at + 2 * m, 0);
     Arrays.fill(yDot, at, at + 2 * m, 0);
-    System.arraycopy(projection.equations().multipliers, 0, y, at, m);
+    System.arraycopy(projection.equations().multipliers(), 0, y, at, m);
     return done;
   }
 

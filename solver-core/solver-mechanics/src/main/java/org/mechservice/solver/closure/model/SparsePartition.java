@@ -22,9 +22,6 @@ final class SparsePartition extends Partition {
   private final int[] dependentPlace;
   private final double[] work;
 
-  /** Whether the choice is that of a run taken up, of which the order of pivots is not known. */
-  private boolean orderUnknown = true;
-
   /** Whose order of pivots the factors have taken over, if they have. */
   private Optional<SparseLu> orderedBy = Optional.empty();
 
@@ -44,20 +41,34 @@ final class SparsePartition extends Partition {
   void copyChoice(Partition other) {
     super.copyChoice(other);
     SparsePartition sparse = (SparsePartition) other;
-    if (sparse.orderUnknown) {
-      orderUnknown = true;
-      orderedBy = Optional.empty();
-    } else if (orderedBy.isEmpty() || orderedBy.get() != sparse.factors) {
+    if (orderedBy.isEmpty() || orderedBy.get() != sparse.factors) {
       orderedBy = Optional.of(sparse.factors);
       factors = sparse.factors.sameOrder();
       findPlaces();
     }
   }
 
+  /** {@inheritDoc} In the order of the pivots, on which the last bits of what is solved depend. */
+  @Override
+  void save(double[] state, int at) {
+    for (int k = 0; k < factors.size(); k++) {
+      state[at + k] = factors.row(k);
+      state[at + rank + k] = factors.column(k);
+    }
+  }
+
   @Override
   void restore(double[] state, int at) {
     super.restore(state, at);
-    orderUnknown = true;
+    int[] rows = new int[rank];
+    int[] columns = new int[rank];
+    Arrays.setAll(rows, k -> (int) state[at + k]);
+    Arrays.setAll(columns, k -> (int) state[at + rank + k]);
+    SparseElimination again = new SparseElimination(m, n);
+    again.repeat(scaled, rows, columns);
+    orderedBy = Optional.empty();
+    factors = new SparseLu(again, rank, n);
+    findPlaces();
   }
 
   @Override
@@ -101,7 +112,6 @@ final class SparsePartition extends Partition {
       keptPlace[kept[k]] = k;
       dependentPlace[dependent[k]] = k;
     }
-    orderUnknown = false;
   }
 
   @Override
@@ -139,30 +149,7 @@ final class SparsePartition extends Partition {
 
   @Override
   boolean factor(SparseMatrix a) {
-    if (orderUnknown) {
-      orderBlock(a);
-    }
-    return !orderUnknown && factors.factor(a, rowScale, columnScale);
-  }
-
-  /** Finds an order of pivots within the block that has been chosen. */
-  private void orderBlock(SparseMatrix a) {
-    formScaled(a);
-    boolean[] isKept = new boolean[m];
-    for (int i : kept) {
-      isKept[i] = true;
-    }
-    for (int i = 0; i < m; i++) {
-      for (int e = scaled.start[i]; e < scaled.start[i + 1]; e++) {
-        int j = scaled.column[e];
-        scaled.value[e] = isKept[i] && j < n && !isIndependent(j) ? scaled.value[e] : 0;
-      }
-    }
-    SparseElimination block = new SparseElimination(m, n);
-    if (block.eliminate(scaled, rank, 0) == rank) {
-      factors = new SparseLu(block, rank, n);
-      findPlaces();
-    }
+    return factors.factor(a, rowScale, columnScale);
   }
 
   @Override
