@@ -3,6 +3,7 @@ package org.mechservice.solver.ode.newton;
 import java.util.BitSet;
 import org.mechservice.solver.linear.MatrixLayout;
 import org.mechservice.solver.ode.SparseSystem;
+import org.mechservice.solver.ode.SystemParts;
 
 /**
  * The columns of a matrix of derivatives in groups that share no row: one evaluation with all
@@ -33,10 +34,11 @@ final class ColumnGroups {
    * @param system the problem, asked for its pattern
    * @param layout of its matrix
    */
-  static ColumnGroups of(Object system, MatrixLayout layout) {
-    return system instanceof SparseSystem sparse
-        ? ofPattern(sparse, layout.dimension())
-        : ofLayout(layout);
+  static ColumnGroups of(SystemParts system, MatrixLayout layout) {
+    return system
+        .part(SparseSystem.class)
+        .map(sparse -> ofPattern(sparse, layout.dimension()))
+        .orElseGet(() -> ofLayout(layout));
   }
 
   private static ColumnGroups ofLayout(MatrixLayout layout) {

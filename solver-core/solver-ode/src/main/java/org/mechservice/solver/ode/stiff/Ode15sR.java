@@ -1,5 +1,6 @@
 package org.mechservice.solver.ode.stiff;
 
+import java.util.Optional;
 import org.mechservice.solver.ode.BandedSystem;
 import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.LinearisedSystem;
@@ -66,9 +67,10 @@ public final class Ode15sR extends BackwardMethod implements ResidualIntegrator 
   private StepEquations implicit(ResidualSystem system, double[] yDot0, double t0, double tEnd) {
     Residual residual = new Residual(system, new Manifold(system), settings.stop());
     residual.breakpoints().begin(system, t0, tEnd);
+    Optional<LinearisedSystem> own = system.part(LinearisedSystem.class);
     ResidualLinearisation linearisation =
-        system instanceof LinearisedSystem own
-            ? new UserLinearisation(own, residual)
+        own.isPresent()
+            ? new UserLinearisation(own.get(), residual)
             : new ResidualJacobians(system, residual, settings.smallSizes(yDot0.length));
     return new ResidualEquations(residual, linearisation, yDot0, tEnd, norm(), settings);
   }

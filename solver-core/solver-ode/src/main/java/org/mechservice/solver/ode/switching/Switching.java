@@ -8,6 +8,7 @@ import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.MethodChange;
 import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.SavedState;
+import org.mechservice.solver.ode.StepPolynomial;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.adams.Ode113;
 import org.mechservice.solver.ode.adams.StiffnessMonitor;
@@ -355,6 +356,16 @@ public final class Switching implements Integrator {
   @Override
   public void interpolate(double t, double[] y, double[] yDot) {
     atWork().interpolate(t, y, yDot);
+  }
+
+  @Override
+  public int keptLength() {
+    return atWork().keptLength();
+  }
+
+  @Override
+  public StepPolynomial keepStep(double[] kept, int from) {
+    return atWork().keepStep(kept, from);
   }
 
   @Override
