@@ -13,7 +13,7 @@ public interface StepPolynomial {
    * @param from where those of the step begin
    * @param t inside the step
    * @param y state, length n; overwritten
-   * @param yDot derivative of the polynomial, length n; overwritten
+   * @param yDot derivative of the polynomial, length n; overwritten. Of length 0 if not asked for
    */
   void evaluate(double[] kept, int from, double t, double[] y, double[] yDot);
 }

@@ -89,13 +89,17 @@ final class AdamsInterpolant {
     int state = from + 2 + k;
     for (int i = k + 1; i >= 1; i--) {
       int difference = state + (k + 2 - i) * n;
-      for (int l = 0; l < n; l++) {
-        y[l] += g[i] * kept[difference + l];
-        yDot[l] += rho[i] * kept[difference + l];
-      }
+      addTerm(g[i], kept, difference, y);
+      addTerm(rho[i], kept, difference, yDot);
     }
     for (int l = 0; l < n; l++) {
       y[l] = kept[state + l] + s * y[l];
+    }
+  }
+
+  private static void addTerm(double factor, double[] kept, int from, double[] sum) {
+    for (int l = 0; l < sum.length; l++) {
+      sum[l] += factor * kept[from + l];
     }
   }
 

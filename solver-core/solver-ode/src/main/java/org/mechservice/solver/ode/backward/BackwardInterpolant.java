@@ -75,11 +75,14 @@ public final class BackwardInterpolant {
       place += n;
       slope = (slope * (s + m - 1) + c) / m;
       c *= (s + m - 1) / m;
-      double rate = slope / h;
-      for (int l = 0; l < n; l++) {
-        y[l] += c * kept[place + l];
-        yDot[l] += rate * kept[place + l];
-      }
+      addTerm(c, kept, place, y);
+      addTerm(slope / h, kept, place, yDot);
+    }
+  }
+
+  private static void addTerm(double factor, double[] kept, int from, double[] sum) {
+    for (int l = 0; l < sum.length; l++) {
+      sum[l] += factor * kept[from + l];
     }
   }
 
