@@ -16,15 +16,18 @@ import org.mechservice.solver.ode.switching.Switching;
  * <table>
  * <caption>Order, memory in numbers of 8 bytes for n unknowns, source</caption>
  * <tr><th>method</th><th>order</th><th>memory</th><th>after</th></tr>
- * <tr><td>{@link #ODE113}, {@link #DE}</td><td>1-13</td><td>about 39 n</td><td>Shampine and Gordon
+ * <tr><td>{@link #ODE113}, {@link #DE}</td><td>1-13</td><td>75 n</td><td>Shampine and Gordon
  * 1975</td></tr>
- * <tr><td>{@link #ODE15S}</td><td>1-5</td><td>about 40 n and four matrices of n² or n (l + u +
- * 1)</td><td>Shampine and Reichelt 1997</td></tr>
- * <tr><td>{@link #ODE15SR}</td><td>1-5</td><td>about 50 n and six to eight such
- * matrices</td><td>Petzold 1982; Brenan, Campbell and Petzold 1996</td></tr>
- * <tr><td>{@link #AUTO}</td><td>1-13, 1-5</td><td>both of ODE113 and ODE15S</td><td>Petzold
- * 1983</td></tr>
+ * <tr><td>{@link #ODE15S}</td><td>1-5</td><td>95 n and four matrices</td><td>Shampine and Reichelt
+ * 1997</td></tr>
+ * <tr><td>{@link #ODE15SR}</td><td>1-5</td><td>165 n and ten matrices</td><td>Petzold 1982; Brenan,
+ * Campbell and Petzold 1996</td></tr>
+ * <tr><td>{@link #AUTO}</td><td>1-13, 1-5</td><td>95 n, and that of ODE15S from when it is
+ * needed</td><td>Petzold 1983</td></tr>
  * </table>
+ *
+ * <p>A matrix has n² numbers, or n (l + u + 1) with a band. The classes {@link Ode113}, {@link De},
+ * {@link Ode15s}, {@link Ode15sR} and {@link Switching} tell more of each.
  */
 public enum OdeMethod {
   /**

@@ -14,7 +14,8 @@ import org.mechservice.solver.ode.MethodChange;
  *
  * <p>The solution is that of the method's own polynomials, to the order of each step and without
  * evaluating the problem. At an event that has changed the state, {@link #at} gives the state
- * behind it; {@link FoundEvent#before} gives the other. May be read by several threads.
+ * behind it; {@link FoundEvent#before} gives the other. Components that follow from others ({@code
+ * CompletedSystem}) are interpolated like these. May be read by several threads.
  */
 public final class OdeSolution {
   private static final double[] NOT_ASKED = {};
@@ -240,6 +241,23 @@ public final class OdeSolution {
             new IllegalStateException(
                 "the steps of the solution were not kept; use OdeOptions.keepSteps(true), or"
                     + " OdeOptions.output to receive states in the course of the integration"));
+  }
+
+  @Override
+  public String toString() {
+    return "solution from t = "
+        + start()
+        + " to "
+        + end()
+        + " ("
+        + endReason
+        + "), "
+        + statistics.steps()
+        + " steps, "
+        + statistics.evaluations()
+        + " evaluations, "
+        + events.size()
+        + " events";
   }
 
   static void requireLength(String what, double[] values, int length) {

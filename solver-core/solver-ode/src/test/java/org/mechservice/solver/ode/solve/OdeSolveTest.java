@@ -141,6 +141,18 @@ class OdeSolveTest {
     assertThat(solution.endState()[0]).isLessThan(1);
   }
 
+  @Test
+  void solutionTellsWhatCameOfIt() {
+    OdeSolution solution = Ode.solve(DECAY, 0, new double[] {1}, 5);
+    assertThat(solution)
+        .hasToString(
+            "solution from t = 0.0 to 5.0 (REACHED_END), "
+                + solution.statistics().steps()
+                + " steps, "
+                + solution.statistics().evaluations()
+                + " evaluations, 0 events");
+  }
+
   // Options
 
   @Test
