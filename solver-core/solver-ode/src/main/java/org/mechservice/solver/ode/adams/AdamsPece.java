@@ -300,11 +300,13 @@ abstract class AdamsPece extends SteppingIntegrator {
         ? -1
         : poles.component(
             equations,
+            norm,
             progress.time(),
             triedTime,
             history.state(),
             history.corrected(),
             history.difference(1),
+            history.foreseen(),
             history.derivative);
   }
 
