@@ -34,8 +34,8 @@ public record FormulationChoice(String formulation, String closure, String reaso
   private static final String OPEN = "none";
   private static final String PROJECTION = ClosureMethod.PROJECTION.label();
 
-  /** Most velocities of a scene whose loops are examined to choose their closure. */
-  private static final int MOST_VELOCITIES = 1000;
+  /** Loops that a reason names. */
+  private static final int MOST_NAMED = 20;
 
   /**
    * Chooses formulation and closure for a request.
@@ -149,9 +149,7 @@ public record FormulationChoice(String formulation, String closure, String reaso
 
   private static Optional<String> againstProjection(
       String formulation, RunSettings settings, Mechanism mechanism) {
-    return mechanism.velocityCount() > MOST_VELOCITIES
-        ? Optional.empty()
-        : new ClosedMechanism(mechanism, formulation, settings).againstProjection();
+    return new ClosedMechanism(mechanism, formulation, settings).againstProjection();
   }
 
   private static void requireUsable(String penalty) {
@@ -178,9 +176,13 @@ public record FormulationChoice(String formulation, String closure, String reaso
   }
 
   private static String loops(Mechanism mechanism) {
-    return mechanism.closures().stream()
-        .map(FormulationChoice::label)
-        .collect(Collectors.joining(", "));
+    int count = mechanism.closures().size();
+    String named =
+        mechanism.closures().stream()
+            .limit(MOST_NAMED)
+            .map(FormulationChoice::label)
+            .collect(Collectors.joining(", "));
+    return count <= MOST_NAMED ? named : named + " and " + (count - MOST_NAMED) + " more";
   }
 
   private static String label(LoopClosure closure) {

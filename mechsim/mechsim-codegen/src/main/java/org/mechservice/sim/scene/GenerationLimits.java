@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -114,6 +115,15 @@ public final class GenerationLimits {
               + " elements (it has "
               + elements
               + ")");
+    }
+    boolean byRecursion = choice.formulation().equals(Formulation.DSR.label());
+    if (loops && byRecursion && mechanism.velocityCount() > LoopEquations.LARGE) {
+      beyond.add(
+          "loops of more than "
+              + LoopEquations.LARGE
+              + " velocities in DSR (it has "
+              + mechanism.velocityCount()
+              + "), which data evaluate faster");
     }
     if (!loops) {
       // checked before the equations are derived, because deriving those of a long chain takes too

@@ -27,9 +27,6 @@ public record LoopAnalysis(
   /** A mechanism that is a tree. */
   public static final LoopAnalysis NONE = new LoopAnalysis(List.of(), 0, 0, List.of());
 
-  /** More velocities make the judgement of rank, of the third order in them, too slow. */
-  private static final int MOST_VELOCITIES = 1000;
-
   private static final int NOT_JUDGED = -1;
 
   public LoopAnalysis {
@@ -55,25 +52,10 @@ public record LoopAnalysis(
     loops.place(motion, defaults.tStart());
     loops.move(motion, defaults.tStart());
     List<LoopEntry> entries = entries(mechanism, loops);
-    if (mechanism.velocityCount() > MOST_VELOCITIES || loops.count() > MOST_VELOCITIES) {
-      return new LoopAnalysis(entries, loops.count(), NOT_JUDGED, List.of(tooLarge(mechanism)));
-    }
     ClosedMechanism closed = new ClosedMechanism(mechanism, "", defaults);
     int independent = closed.isAssembled() ? closed.rank() : NOT_JUDGED;
     return new LoopAnalysis(
         entries, loops.count(), independent, findings(mechanism, closed.findings()));
-  }
-
-  private static Finding tooLarge(Mechanism mechanism) {
-    return new Finding(
-        MessageCode.LOOP_RANK_NOT_JUDGED,
-        "model \""
-            + mechanism.name()
-            + "\" has more than "
-            + MOST_VELOCITIES
-            + " velocities or loop equations; which of the equations are independent was not"
-            + " judged",
-        Origin.NONE);
   }
 
   private static List<LoopEntry> entries(Mechanism mechanism, LoopEquations loops) {

@@ -192,7 +192,6 @@ public enum MessageCode {
   NO_COMPILER("S-084"),
   MODEL_CLASS_TOO_LARGE("S-085"),
   JOINT_MOVES_NO_MASS("S-086", WARNING),
-  LOOP_RANK_NOT_JUDGED("S-089", WARNING),
   LOOPS_REDUNDANT("S-090", WARNING),
   LOOPS_START_SINGULAR("S-091", WARNING),
   LOOPS_OPEN_AT_START("S-092"),
@@ -246,7 +245,8 @@ public enum MessageCode {
   WARNINGS_REFUSED("S-164"),
   WRONG_SWEEP_JOURNAL("S-165"),
   ENERGY_BALANCE_NOT_WATCHED("S-166"),
-  NOT_THE_OWNER("S-167");
+  NOT_THE_OWNER("S-167"),
+  NO_CONFINEMENT("S-168");
 
   private final String code;
   private final Severity severity;

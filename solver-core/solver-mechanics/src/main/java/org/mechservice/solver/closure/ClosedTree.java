@@ -33,8 +33,8 @@ public class ClosedTree {
   public final int nq;
   public final int nv;
 
-  /** M with the rods, n × n row by row. */
-  public final double[] mass;
+  /** M with the rods, n × n row by row, once it is asked for. */
+  private double[] mass = new double[0];
 
   /** Applied wrenches, 6 per link, and joint forces, one per extended velocity. */
   final double[] wrench;
@@ -58,7 +58,6 @@ public class ClosedTree {
     world = new WorldMotion(motion);
     nq = tree.statePositionCount;
     nv = tree.stateVelocityCount;
-    mass = new double[nv * nv];
     wrench = new double[6 * tree.linkCount];
     tau = new double[tree.velocityCount];
     loaded = new double[wrench.length];
@@ -105,7 +104,20 @@ public class ClosedTree {
   /** Forms M at the state last placed. */
   public void formMass() {
     open.formMassMatrix();
-    open.massMatrix().toDense(mass);
+    open.massMatrix().toDense(mass());
+  }
+
+  /** Returns M with the rods as formed last, n × n row by row. */
+  public final double[] mass() {
+    if (mass.length < nv * nv) {
+      mass = new double[nv * nv];
+    }
+    return mass;
+  }
+
+  /** Returns whether accelerations are to be found in the sparsity of the tree and its loops. */
+  public boolean isLarge() {
+    return loops.isLarge() && rods.isEmpty();
   }
 
   /** Evaluates the applied forces at the last sweep; returns whether all have values. */

@@ -96,6 +96,12 @@ final class GeneratedTreeTerms extends ClosedTree {
     }
   }
 
+  /** {@inheritDoc} Code writes a whole mass matrix. */
+  @Override
+  public boolean isLarge() {
+    return false;
+  }
+
   private void remember(double t, double[] y) {
     time = t;
     System.arraycopy(y, 0, state, 0, nq + nv);
@@ -144,8 +150,8 @@ final class GeneratedTreeTerms extends ClosedTree {
     for (int i = 0; i < nv; i++) {
       for (int j = 0; j <= i; j++) {
         double element = values[at + i * nv + j];
-        mass[i * nv + j] = element;
-        mass[j * nv + i] = element;
+        mass()[i * nv + j] = element;
+        mass()[j * nv + i] = element;
       }
     }
   }

@@ -2,7 +2,6 @@ package org.mechservice.solver.closure;
 
 import java.util.Arrays;
 import org.mechservice.solver.closure.equations.LoopRounding;
-import org.mechservice.solver.linear.Cholesky;
 
 /**
  * Moves positions and velocities onto the loops by the least change in the metric of the mass
@@ -31,13 +30,11 @@ public final class LoopProjection {
   private static final double SLOWEST = 1e-9;
 
   private final ClosedTree work;
-  private final PenaltySettings settings;
 
   /** What residuals are by rounding at the positions projected. */
   public final LoopRounding rounding;
 
-  private final AugmentedEquations equations;
-  private final double[] rows;
+  private final PenaltyEquations equations;
 
   /** Velocities that must not change, if any can be held. */
   private final boolean[] held;
@@ -57,42 +54,25 @@ public final class LoopProjection {
 
   private LoopProjection(ClosedTree work, PenaltySettings settings, boolean holds) {
     this.work = work;
-    this.settings = settings;
     rounding = new LoopRounding(work.tree, work.loops, work.coordinates);
     held = new boolean[holds ? work.nv : 0];
-    int count = work.loops.count() + held.length;
     equations =
-        new AugmentedEquations(
-            count, work.units.velocities, AugmentedEquations.Factors.of(new Cholesky(work.nv)));
-    rows = new double[count * work.nv];
+        work.isLarge()
+            ? new RecursivePenalty(work, settings.stiffness(), holds)
+            : new DensePenalty(work, settings.stiffness(), holds);
     none = new double[work.nv];
-    offset = new double[count];
+    offset = new double[work.loops.count()];
     change = new double[work.nv];
   }
 
   /** Returns the equations of the places last factored, for accelerations too. */
-  public AugmentedEquations equations() {
+  public PenaltyEquations equations() {
     return equations;
   }
 
-  /** Forms M and factors where the work is placed; returns a negative number or the velocity. */
+  /** Factors where the work is placed; returns a negative number or the velocity. */
   public int factor() {
-    work.formMass();
-    work.loops.scaledRows(rows, work.nv);
-    for (int k = 0; k < held.length; k++) {
-      rows[(work.loops.count() + k) * work.nv + k] = held[k] ? 1 / work.units.velocities[k] : 0;
-    }
-    return equations.factor(work.mass, rows, settings.stiffness() * largestInertia());
-  }
-
-  /** Returns the largest element on the diagonal of M, displacements in lengths, kg·m². */
-  private double largestInertia() {
-    double largest = 0;
-    for (int j = 0; j < work.nv; j++) {
-      double unit = work.units.velocities[j];
-      largest = Math.max(largest, work.mass[j * work.nv + j] * unit * unit);
-    }
-    return largest;
+    return equations.factor(held);
   }
 
   /** Moves positions, then velocities; returns whether both obey the loops. */

@@ -16,6 +16,9 @@ public final class StateCoordinates {
   /** For each position: its velocity, or -1 for an Euler parameter. */
   private final int[] velocityOfPosition;
 
+  /** For each velocity: the position it is the rate of, or -1 for an angular velocity. */
+  private final int[] positionOfVelocity;
+
   private final int[] ballPosition;
   private final int[] ballVelocity;
   private final int velocityCount;
@@ -55,6 +58,13 @@ public final class StateCoordinates {
       }
     }
     velocityCount = velocity;
+    positionOfVelocity = new int[velocity];
+    Arrays.fill(positionOfVelocity, -1);
+    for (int i = 0; i < velocityOfPosition.length; i++) {
+      if (velocityOfPosition[i] >= 0) {
+        positionOfVelocity[velocityOfPosition[i]] = i;
+      }
+    }
     ballPosition = Arrays.copyOf(positions, balls);
     ballVelocity = Arrays.copyOf(velocities, balls);
   }
@@ -72,6 +82,11 @@ public final class StateCoordinates {
   /** Returns the velocity that is the rate of a position, or -1 for an Euler parameter. */
   public int velocityOf(int position) {
     return velocityOfPosition[position];
+  }
+
+  /** Returns the position that a velocity is the rate of, or -1 if it turns Euler parameters. */
+  public int positionOf(int velocity) {
+    return positionOfVelocity[velocity];
   }
 
   /**

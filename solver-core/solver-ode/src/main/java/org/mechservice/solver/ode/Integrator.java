@@ -94,6 +94,20 @@ public interface Integrator {
    */
   void interpolate(double t, double[] y, double[] yDot);
 
+  /** Returns how many numbers {@link #keepStep} keeps of the last accepted step. */
+  int keptLength();
+
+  /**
+   * Keeps what describes the solution inside the last accepted step, so that it can be evaluated
+   * when the integration has gone on: some k + 2 vectors of length n with a method of order k.
+   *
+   * @param kept written to from the given place on, {@link #keptLength} numbers
+   * @return evaluates the solution from these numbers
+   * @throws IllegalStateException if there is no such step: before the first one and just after a
+   *     restart
+   */
+  StepPolynomial keepStep(double[] kept, int from);
+
   /**
    * Returns the integration between two steps, its whole history, as bytes; {@link #resume} goes on
    * from them with the same bits. A problem with a state of its own is to be a {@link SavedSystem}.

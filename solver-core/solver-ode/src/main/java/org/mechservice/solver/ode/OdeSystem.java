@@ -1,7 +1,7 @@
 package org.mechservice.solver.ode;
 
 /** An initial value problem's right-hand side, y' = f(t, y). */
-public interface OdeSystem {
+public interface OdeSystem extends SystemParts {
   /** Returns the number of unknowns. */
   int dimension();
 

@@ -6,7 +6,7 @@ package org.mechservice.solver.ode;
  * <p>Components whose derivative does not appear in F (multipliers, say) are algebraic; {@link
  * Component} tells the integrator what each one is.
  */
-public interface ResidualSystem {
+public interface ResidualSystem extends SystemParts {
   /** Returns the number of components, which is that of the equations. */
   int dimension();
 

@@ -3,6 +3,9 @@
  * size and order chosen by the integrator. The package knows no mechanics and can be used on its
  * own; once an integration is under way, no step of it allocates memory.
  *
+ * <p>{@link org.mechservice.solver.ode.solve.Ode} solves a problem in one call, with dense output,
+ * events and options. What follows is for those who take the steps themselves.
+ *
  * <h2>In ten lines</h2>
  *
  * The height of a ball thrown upwards at 20 m/s, every half second:
@@ -125,7 +128,14 @@
  * Between two steps the whole history can be {@linkplain org.mechservice.solver.ode.Integrator#save
  * saved} as bytes and {@linkplain org.mechservice.solver.ode.Integrator#resume taken up} by a new
  * integrator, which goes on with the same bits. A problem that depends on more than t and y is to
- * be a {@link org.mechservice.solver.ode.SavedSystem}.
+ * be a {@link org.mechservice.solver.ode.SavedSystem}. The polynomial of a step can be {@linkplain
+ * org.mechservice.solver.ode.Integrator#keepStep kept} and evaluated later.
+ *
+ * <h2>Problems in problems</h2>
+ *
+ * What a problem tells of itself, such as its band or its Jacobian, are {@link
+ * org.mechservice.solver.ode.SystemParts parts} that integrators ask for; a class that wraps
+ * another problem passes them on.
  *
  * <h2>Modes</h2>
  *

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -107,6 +108,45 @@ public abstract class IntegratorContract extends FailureContract {
   }
 
   // Dense output
+
+  @Test
+  void stepKeptGivesTheBitsOfTheInterpolantWhenTheIntegrationHasGoneOn() {
+    Integrator integrator = create(1e-7);
+    integrator.start(new Kepler(), 0, new Kepler().reference().initialState(), 10);
+    List<Double> places = new ArrayList<>();
+    List<double[]> interpolated = new ArrayList<>();
+    List<double[]> kept = new ArrayList<>();
+    List<StepPolynomial> polynomials = new ArrayList<>();
+    assertThatIllegalStateException()
+        .isThrownBy(() -> integrator.keepStep(new double[100], 0))
+        .withMessageContaining("no step was taken");
+    while (integrator.step() == StepResult.ADVANCED) {
+      double place = integrator.time() - 0.3 * integrator.stepSize();
+      double[] numbers = new double[integrator.keptLength() + 5];
+      double[] y = new double[8];
+      places.add(place);
+      kept.add(numbers);
+      polynomials.add(integrator.keepStep(numbers, 5));
+      interpolated.add(interpolate(integrator, place, y));
+    }
+    for (int i = 0; i < kept.size(); i++) {
+      double[] y = new double[4];
+      double[] yDot = new double[4];
+      polynomials.get(i).evaluate(kept.get(i), 5, places.get(i), y, yDot);
+      assertThat(y).isEqualTo(Arrays.copyOf(interpolated.get(i), 4));
+      assertThat(yDot).isEqualTo(Arrays.copyOfRange(interpolated.get(i), 4, 8));
+    }
+  }
+
+  /** State and derivative in one array. */
+  private static double[] interpolate(Integrator integrator, double t, double[] both) {
+    double[] y = new double[4];
+    double[] yDot = new double[4];
+    integrator.interpolate(t, y, yDot);
+    System.arraycopy(y, 0, both, 0, 4);
+    System.arraycopy(yDot, 0, both, 4, 4);
+    return both;
+  }
 
   @ParameterizedTest
   @ValueSource(doubles = {1e-4, 1e-6, 1e-8, 1e-10})

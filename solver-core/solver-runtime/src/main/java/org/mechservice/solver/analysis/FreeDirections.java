@@ -77,7 +77,7 @@ final class FreeDirections {
     double[] direction = new double[n];
     for (int j = 0; j < freedom(); j++) {
       for (int row = 0; row < rows.length; row++) {
-        rows[row] = loops.jacobian[row * loops.width() + independent[j]];
+        rows[row] = loops.jacobian.get(row, independent[j]);
       }
       complete(rows, direction);
       direction[independent[j]] = 1;

@@ -164,12 +164,12 @@ public record LoopComparison(
     RealMatrix mass = new Array2DRowRealMatrix(n, n);
     RealMatrix rows = new Array2DRowRealMatrix(work.loops.count(), n);
     for (int i = 0; i < n; i++) {
-      double perRoot = 1 / Math.sqrt(work.mass[i * n + i]);
+      double perRoot = 1 / Math.sqrt(work.mass()[i * n + i]);
       for (int j = 0; j < n; j++) {
-        mass.setEntry(i, j, work.mass[i * n + j] * perRoot / Math.sqrt(work.mass[j * n + j]));
+        mass.setEntry(i, j, work.mass()[i * n + j] * perRoot / Math.sqrt(work.mass()[j * n + j]));
       }
       for (int row = 0; row < work.loops.count(); row++) {
-        rows.setEntry(row, i, work.loops.jacobian[row * work.loops.width() + i] * perRoot);
+        rows.setEntry(row, i, work.loops.jacobian.get(row, i) * perRoot);
       }
     }
     double ofMass = new SingularValueDecomposition(mass).getConditionNumber();

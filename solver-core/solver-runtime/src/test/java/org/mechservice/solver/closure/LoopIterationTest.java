@@ -52,7 +52,6 @@ class LoopIterationTest {
     Partition partition = model.completion.ofVelocities();
     int n = model.work.nv;
     int r = partition.rank();
-    int width = model.work.loops.width();
     RealMatrix along = MatrixUtils.createRealMatrix(n, partition.freedom());
     for (int j = 0; j < partition.freedom(); j++) {
       along.setEntry(partition.independent[j], j, 1);
@@ -63,12 +62,12 @@ class LoopIterationTest {
     RealMatrix dependent = MatrixUtils.createRealMatrix(r, r);
     RealMatrix independent = MatrixUtils.createRealMatrix(r, partition.freedom());
     for (int i = 0; i < r; i++) {
-      int at = partition.kept[i] * width;
+      int row = partition.kept[i];
       for (int j = 0; j < r; j++) {
-        dependent.setEntry(i, j, model.work.loops.jacobian[at + partition.dependent[j]]);
+        dependent.setEntry(i, j, model.work.loops.jacobian.get(row, partition.dependent[j]));
       }
       for (int j = 0; j < partition.freedom(); j++) {
-        independent.setEntry(i, j, -model.work.loops.jacobian[at + partition.independent[j]]);
+        independent.setEntry(i, j, -model.work.loops.jacobian.get(row, partition.independent[j]));
       }
     }
     RealMatrix carried = new LUDecomposition(dependent).getSolver().solve(independent);
@@ -173,7 +172,7 @@ class LoopIterationTest {
     assertThat(work.formResidual(0, a, 0, force)).isTrue();
     for (int row = 0; row < lambda.length; row++) {
       for (int k = 0; k < work.nv; k++) {
-        force[k] += lambda[row] * work.loops.jacobian[row * work.loops.width() + k];
+        force[k] += lambda[row] * work.loops.jacobian.get(row, k);
       }
     }
     return Arrays.copyOf(force, work.nv);

@@ -117,8 +117,8 @@ class ReactionsTest {
     // what adds nothing to Jᵀ λ: displacement along the axis, and both tilts out of the plane
     for (int row = 0; row < loops.count(); row++) {
       boolean moves = false;
-      for (int j = 0; j < loops.width(); j++) {
-        moves |= Math.abs(loops.jacobian[row * loops.width() + j]) > 1e-12;
+      for (int j = 0; j < loops.jacobian.columns(); j++) {
+        moves |= Math.abs(loops.jacobian.get(row, j)) > 1e-12;
       }
       if (!moves) {
         assertThat(reactions.multipliers[row]).as(loops.name(row)).isCloseTo(0, within(1e-12));

@@ -123,7 +123,7 @@ class StateJumpTest {
     double largest = 0;
     for (int i = 0; i < n; i++) {
       for (int k = 0; k < n; k++) {
-        impulse[i] += model.work.mass[i * n + k] * (y[nq + k] - before[k]);
+        impulse[i] += model.work.mass()[i * n + k] * (y[nq + k] - before[k]);
       }
       largest = Math.max(largest, Math.abs(impulse[i]));
     }
@@ -140,7 +140,7 @@ class StateJumpTest {
     RealMatrix rows = new Array2DRowRealMatrix(m + 2 * n, n);
     for (int k = 0; k < n; k++) {
       for (int row = 0; row < m; row++) {
-        rows.setEntry(row, k, model.work.loops.jacobian[row * model.work.loops.width() + k]);
+        rows.setEntry(row, k, model.work.loops.jacobian.get(row, k));
       }
       rows.setEntry(m + k, k, set[model.work.nq + k] ? 1 : 0);
     }

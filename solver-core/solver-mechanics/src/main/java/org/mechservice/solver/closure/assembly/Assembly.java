@@ -10,7 +10,7 @@ import org.mechservice.solver.closure.equations.LoopRounding;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
-import org.mechservice.solver.linear.SingularValues;
+import org.mechservice.solver.linear.SparseMatrix;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.StartRole;
 
@@ -25,9 +25,6 @@ public final class Assembly {
 
   /** Residual over its size above which a correction is worth a warning. */
   private static final double NOTEWORTHY = 1e-9;
-
-  /** Singular values below this part of the largest are not divided by. */
-  private static final double NEGLIGIBLE = 1e-9;
 
   private static final int ITERATIONS = 60;
 
@@ -46,8 +43,11 @@ public final class Assembly {
   private final LoopRounding rounding;
   private final CoordinateUnits units;
   private final StartRole[] role;
-  private final SingularValues singular;
-  private final double[] matrix;
+  private final LeastMoves least;
+
+  /** J, rows over their sizes and columns times what they may move. */
+  private final SparseMatrix matrix;
+
   private final double[] right;
   private final double[] step;
   private final int nq;
@@ -71,8 +71,9 @@ public final class Assembly {
         Arrays.fill(role, at, at + count, mechanism.startRoles().get(j));
       }
     }
-    singular = new SingularValues(loops.count(), nv);
-    matrix = new double[loops.count() * nv];
+    matrix = loops.jacobian.sameShape();
+    least =
+        loops.isLarge() ? new SparseLeastMoves(matrix, nv) : new DenseLeastMoves(loops.count(), nv);
     right = new double[loops.count()];
     step = new double[nv];
   }
@@ -168,7 +169,7 @@ public final class Assembly {
     for (int i = 0; i < ITERATIONS && rounding.excess(y) > CLOSED; i++) {
       differentiate(last);
       double[] tried = y.clone();
-      solveStep(damping);
+      least.solve(damping, right, step);
       advance(tried, last);
       double reached = merit(t, tried);
       if (reached < merit) {
@@ -204,12 +205,13 @@ public final class Assembly {
     loops.differentiate(motion);
     double most = mostReady(last);
     for (int row = 0; row < loops.count(); row++) {
-      for (int j = 0; j < nv; j++) {
-        matrix[row * nv + j] =
-            loops.jacobian[row * loops.width() + j] * weight(j, last) / most / loops.size(row);
+      for (int e = matrix.start[row]; e < matrix.start[row + 1]; e++) {
+        int j = matrix.column[e];
+        matrix.value[e] =
+            j < nv ? loops.jacobian.value[e] * weight(j, last) / most / loops.size(row) : 0;
       }
     }
-    singular.decompose(matrix);
+    least.take(matrix);
   }
 
   /** Returns the largest weight over its unit, so that moves are counted in units. */
@@ -219,24 +221,6 @@ public final class Assembly {
       most = Math.max(most, weight(j, last) / units.velocities[j]);
     }
     return most > 0 ? most : 1;
-  }
-
-  private void solveStep(double damping) {
-    if (damping > 0) {
-      double largest = singular.value(0);
-      singular.solveDamped(damping * largest * largest, right, step);
-    } else {
-      singular.solve(rank(), right, step);
-    }
-  }
-
-  private int rank() {
-    int rank = 0;
-    while (rank < Math.min(loops.count(), nv)
-        && singular.value(rank) > NEGLIGIBLE * singular.value(0)) {
-      rank++;
-    }
-    return rank;
   }
 
   private void advance(double[] y, StartRole last) {
@@ -290,7 +274,7 @@ public final class Assembly {
       for (int row = 0; row < loops.count(); row++) {
         right[row] = -loops.rate[row] / loops.size(row);
       }
-      singular.solve(rank(), right, step);
+      least.solve(0, right, step);
       double most = mostReady(last);
       for (int j = 0; j < nv; j++) {
         y[nq + j] += step[j] * weight(j, last) / most;

@@ -1,8 +1,12 @@
 package org.mechservice.solver.closure.assembly;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.kinematics.StateCoordinates;
+import org.mechservice.solver.linear.SparseMatrix;
 
 /**
  * The equations of the positions of the state: Φ(q, t) = 0 and, for each set of Euler parameters,
@@ -21,8 +25,20 @@ public final class PositionEquations {
   /** Left sides. */
   public final double[] value;
 
-  /** ∂/∂q, row by row. */
-  public final double[] matrix;
+  /** ∂/∂q. */
+  public final SparseMatrix matrix;
+
+  /** Where the elements of Euler parameters stand, by the set and the equation. */
+  private final List<BallElements> balls = new ArrayList<>();
+
+  /**
+   * The four elements of a set of Euler parameters in an equation, and the three of its angular
+   * velocity in J.
+   */
+  private record BallElements(int ball, int element, int ofVelocity) {}
+
+  /** For each element of the matrix the element of J it is, or -1. */
+  private final int[] ofVelocity;
 
   public PositionEquations(LoopEquations loops, StateCoordinates coordinates) {
     this.loops = loops;
@@ -30,7 +46,74 @@ public final class PositionEquations {
     count = loops.count() + coordinates.ballCount();
     unknowns = coordinates.positionCount();
     value = new double[count];
-    matrix = new double[count * unknowns];
+    matrix = SparseMatrix.of(pattern(), unknowns);
+    ofVelocity = new int[matrix.column.length];
+    Arrays.fill(ofVelocity, -1);
+    for (int row = 0; row < loops.count(); row++) {
+      findElements(row);
+    }
+  }
+
+  private int[][] pattern() {
+    int[] ballOf = new int[coordinates.velocityCount()];
+    Arrays.fill(ballOf, -1);
+    for (int ball = 0; ball < coordinates.ballCount(); ball++) {
+      int at = coordinates.ballVelocity(ball);
+      Arrays.fill(ballOf, at, at + 3, ball);
+    }
+    int[][] pattern = new int[count][];
+    for (int row = 0; row < loops.count(); row++) {
+      BitSet columns = new BitSet();
+      for (int e = loops.jacobian.start[row]; e < endOfState(row); e++) {
+        int velocity = loops.jacobian.column[e];
+        if (ballOf[velocity] < 0) {
+          columns.set(coordinates.positionOf(velocity));
+        } else {
+          int at = coordinates.ballPosition(ballOf[velocity]);
+          columns.set(at, at + 4);
+        }
+      }
+      pattern[row] = columns.stream().toArray();
+    }
+    for (int ball = 0; ball < coordinates.ballCount(); ball++) {
+      int at = coordinates.ballPosition(ball);
+      pattern[loops.count() + ball] = new int[] {at, at + 1, at + 2, at + 3};
+    }
+    return pattern;
+  }
+
+  private int endOfState(int row) {
+    int end = loops.jacobian.start[row + 1];
+    while (end > loops.jacobian.start[row]
+        && loops.jacobian.column[end - 1] >= coordinates.velocityCount()) {
+      end--;
+    }
+    return end;
+  }
+
+  private void findElements(int row) {
+    int[] jacobianColumn = loops.jacobian.column;
+    for (int e = loops.jacobian.start[row]; e < endOfState(row); e++) {
+      int position = coordinates.positionOf(jacobianColumn[e]);
+      if (position >= 0) {
+        ofVelocity[element(row, position)] = e;
+      }
+    }
+    for (int ball = 0; ball < coordinates.ballCount(); ball++) {
+      int e =
+          Arrays.binarySearch(
+              jacobianColumn,
+              loops.jacobian.start[row],
+              endOfState(row),
+              coordinates.ballVelocity(ball));
+      if (e >= 0) {
+        balls.add(new BallElements(ball, element(row, coordinates.ballPosition(ball)), e));
+      }
+    }
+  }
+
+  private int element(int row, int position) {
+    return Arrays.binarySearch(matrix.column, matrix.start[row], matrix.start[row + 1], position);
   }
 
   /** Takes Φ and the norms; the equations are placed. */
@@ -47,41 +130,35 @@ public final class PositionEquations {
 
   /** Forms the matrix from J, which is evaluated. */
   public void differentiate(double[] q) {
-    Arrays.fill(matrix, 0);
-    for (int row = 0; row < loops.count(); row++) {
-      for (int i = 0; i < unknowns; i++) {
-        int velocity = coordinates.velocityOf(i);
-        if (velocity >= 0) {
-          matrix[row * unknowns + i] = loops.jacobian[row * loops.width() + velocity];
-        }
+    for (int e = 0; e < ofVelocity.length; e++) {
+      if (ofVelocity[e] >= 0) {
+        matrix.value[e] = loops.jacobian.value[ofVelocity[e]];
       }
     }
+    for (int i = 0; i < balls.size(); i++) {
+      differentiateBall(q, balls.get(i));
+    }
     for (int ball = 0; ball < coordinates.ballCount(); ball++) {
-      differentiateBall(q, ball);
+      int norm = matrix.start[loops.count() + ball];
+      System.arraycopy(q, coordinates.ballPosition(ball), matrix.value, norm, 4);
     }
   }
 
   /** δθ = 2 vec(δe ∘ e*) / |e|² = 2 (e0 δe_v − δe0 e_v + e_v × δe_v) / |e|², row · δθ. */
-  private void differentiateBall(double[] q, int ball) {
-    int at = coordinates.ballPosition(ball);
-    int velocity = coordinates.ballVelocity(ball);
+  private void differentiateBall(double[] q, BallElements elements) {
+    int at = coordinates.ballPosition(elements.ball);
     double scale = 2 / square(q, at);
     double w = scale * q[at];
     double x = scale * q[at + 1];
     double y = scale * q[at + 2];
     double z = scale * q[at + 3];
-    for (int row = 0; row < loops.count(); row++) {
-      int j = row * loops.width() + velocity;
-      double jx = loops.jacobian[j];
-      double jy = loops.jacobian[j + 1];
-      double jz = loops.jacobian[j + 2];
-      int p = row * unknowns + at;
-      matrix[p] = -(jx * x + jy * y + jz * z);
-      matrix[p + 1] = w * jx + z * jy - y * jz;
-      matrix[p + 2] = w * jy + x * jz - z * jx;
-      matrix[p + 3] = w * jz + y * jx - x * jy;
-    }
-    int norm = (loops.count() + ball) * unknowns + at;
-    System.arraycopy(q, at, matrix, norm, 4);
+    double jx = loops.jacobian.value[elements.ofVelocity];
+    double jy = loops.jacobian.value[elements.ofVelocity + 1];
+    double jz = loops.jacobian.value[elements.ofVelocity + 2];
+    int p = elements.element;
+    matrix.value[p] = -(jx * x + jy * y + jz * z);
+    matrix.value[p + 1] = w * jx + z * jy - y * jz;
+    matrix.value[p + 2] = w * jy + x * jz - z * jx;
+    matrix.value[p + 3] = w * jz + y * jx - x * jy;
   }
 }

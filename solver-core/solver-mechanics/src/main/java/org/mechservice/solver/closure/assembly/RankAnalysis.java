@@ -15,8 +15,7 @@ import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
-import org.mechservice.solver.linear.PivotedElimination;
-import org.mechservice.solver.linear.SingularValues;
+import org.mechservice.solver.linear.SparseMatrix;
 
 /**
  * How many equations of the loops are independent (NUMERICS §3): the rank of J M^(−1/2) with rows
@@ -27,12 +26,6 @@ import org.mechservice.solver.linear.SingularValues;
  * <p>For setting up: allocates freely.
  */
 public final class RankAnalysis {
-  /** Ratio of neighbouring singular values that separates equations from repetitions. */
-  private static final double GAP = 1e4;
-
-  /** What lies beyond the gap is smaller than this part of the largest. */
-  private static final double NEGLIGIBLE = 1e-8;
-
   /**
    * A row smaller than this part of what it could be is zero: than what its products would add up
    * to, or than a change by the mechanism's size with every coordinate changed by its unit.
@@ -96,50 +89,47 @@ public final class RankAnalysis {
 
   /** Returns the rank at a state, and takes over a rank larger than the one known. */
   private int judge(double t, double[] y) {
-    double[] scaled = scaledJacobian(t, y);
-    SingularValues singular = new SingularValues(m, n);
-    singular.decompose(scaled);
-    int found = singular.rank(GAP, NEGLIGIBLE);
-    if (found >= rank) {
-      rank = found;
-      redundant = redundant(scaled, found);
+    motion.sweep(t, y);
+    loops.place(motion, t);
+    loops.differentiate(motion);
+    IndependentRows rows =
+        loops.isLarge()
+            ? new SparseIndependentRows(scaledInUnits(), n)
+            : new DenseIndependentRows(scaledByMass(), m, n);
+    if (rows.rank() >= rank) {
+      rank = rows.rank();
+      redundant = rows.redundant();
+      smallestPivot = rows.smallestPivot();
     }
-    return found;
-  }
-
-  private List<Integer> redundant(double[] scaled, int found) {
-    PivotedElimination elimination = new PivotedElimination(m, n);
-    int kept = elimination.eliminate(scaled, found);
-    smallestPivot = elimination.lastOverFirst();
-    return IntStream.range(kept, m).map(elimination::row).sorted().boxed().toList();
+    return rows.rank();
   }
 
   /**
    * J M^(−1/2), its rows of unit length, or zero where nothing but rounding is left of them. With
    * bodies that only loops give inertia M has no inverse, and columns count in units.
    */
-  private double[] scaledJacobian(double t, double[] y) {
-    motion.sweep(t, y);
-    loops.place(motion, t);
-    loops.differentiate(motion);
-    double[] bounds = new double[loops.jacobian.length];
-    loops.addBounds(motion, bounds);
+  private double[] scaledByMass() {
+    SparseMatrix bounds = loops.bounds(motion);
     open.formMassMatrix();
     double[] dense = new double[n * n];
     open.massMatrix().toDense(dense);
     boolean regular = open.factorMassMatrix() == ExplicitModel.REGULAR;
     double[] scaled = new double[m * n];
+    SparseMatrix jacobian = loops.jacobian;
     for (int row = 0; row < m; row++) {
       double size = 0;
       double bound = 0;
       double largest = 0;
-      for (int j = 0; j < n; j++) {
-        double perMass = regular ? 1 / Math.sqrt(dense[j * n + j]) : units.velocities[j];
-        double element = loops.jacobian[row * loops.width() + j];
-        scaled[row * n + j] = regular ? element : element * perMass;
-        size = Math.hypot(size, element * perMass);
-        largest = Math.max(largest, Math.abs(element) * units.velocities[j]);
-        bound = Math.hypot(bound, bounds[row * loops.width() + j] * perMass);
+      for (int e = jacobian.start[row]; e < jacobian.start[row + 1]; e++) {
+        int j = jacobian.column[e];
+        if (j < n) {
+          double perMass = regular ? 1 / Math.sqrt(dense[j * n + j]) : units.velocities[j];
+          double element = jacobian.value[e];
+          scaled[row * n + j] = regular ? element : element * perMass;
+          size = Math.hypot(size, element * perMass);
+          largest = Math.max(largest, Math.abs(element) * units.velocities[j]);
+          bound = Math.hypot(bound, bounds.value[e] * perMass);
+        }
       }
       if (regular) {
         open.massMatrix().halfSolve(scaled, row * n);
@@ -158,6 +148,29 @@ public final class RankAnalysis {
     for (int j = 0; j < n; j++) {
       scaled[row * n + j] = counts ? scaled[row * n + j] / length : 0;
     }
+  }
+
+  /** J with columns in units and rows of unit length, or zero likewise. */
+  private SparseMatrix scaledInUnits() {
+    SparseMatrix bounds = loops.bounds(motion);
+    SparseMatrix scaled = loops.jacobian.sameShape();
+    for (int row = 0; row < m; row++) {
+      double length = 0;
+      double bound = 0;
+      double largest = 0;
+      for (int e = scaled.start[row]; e < scaled.start[row + 1]; e++) {
+        double unit = scaled.column[e] < n ? units.velocities[scaled.column[e]] : 0;
+        scaled.value[e] = loops.jacobian.value[e] * unit;
+        length = Math.hypot(length, scaled.value[e]);
+        largest = Math.max(largest, Math.abs(scaled.value[e]));
+        bound = Math.hypot(bound, bounds.value[e] * unit);
+      }
+      boolean counts = largest > NOTHING * loops.size(row) && length > NOTHING * bound;
+      for (int e = scaled.start[row]; e < scaled.start[row + 1]; e++) {
+        scaled.value[e] = counts ? scaled.value[e] / length : 0;
+      }
+    }
+    return scaled;
   }
 
   /** Returns the number of independent equations. */

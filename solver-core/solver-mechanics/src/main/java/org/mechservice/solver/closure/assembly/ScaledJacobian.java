@@ -33,10 +33,10 @@ public final class ScaledJacobian {
 
   /** Takes the J that the loops have now. */
   public void decompose() {
+    loops.jacobian.toDense(scaled, unit.length);
     for (int row = 0; row < ofRows.length; row++) {
       for (int j = 0; j < unit.length; j++) {
-        scaled[row * unit.length + j] =
-            loops.jacobian[row * loops.width() + j] * unit[j] / loops.size(row);
+        scaled[row * unit.length + j] = scaled[row * unit.length + j] * unit[j] / loops.size(row);
       }
     }
     singular.decompose(scaled);

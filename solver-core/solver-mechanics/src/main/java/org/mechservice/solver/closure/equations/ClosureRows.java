@@ -1,5 +1,6 @@
 package org.mechservice.solver.closure.equations;
 
+import java.util.BitSet;
 import org.mechservice.solver.force.applied.Couplings;
 import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.kinematics.TreeMotion;
@@ -79,6 +80,15 @@ abstract class ClosureRows {
    * @param factor what they are multiplied by
    */
   abstract void linearise(double[] multipliers, int at, double factor, ForceJacobian sink);
+
+  /**
+   * Adds what the equations depend on.
+   *
+   * @param ways links whose joints they depend on; added to
+   * @param loaded links on which {@link #addForces} puts wrenches; added to
+   * @param velocities extended velocities on which it puts forces; added to
+   */
+  abstract void addSupport(BitSet ways, BitSet loaded, BitSet velocities);
 
   /** Gives the pairs of links that {@link #linearise} couples. */
   abstract void couplings(Couplings couplings);

@@ -1,5 +1,6 @@
 package org.mechservice.solver.closure.equations;
 
+import java.util.BitSet;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
@@ -39,6 +40,9 @@ abstract class CouplingLeaf {
   int[] links() {
     return new int[0];
   }
+
+  /** As {@link ClosureRows#addSupport}. */
+  void addSupport(BitSet ways, BitSet loaded, BitSet velocities) {}
 
   abstract void addRow(TreeMotion motion, double factor, double[] rows, int at);
 

@@ -1,6 +1,7 @@
 package org.mechservice.solver.closure.equations;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Tape;
@@ -151,6 +152,13 @@ final class CouplingRows extends ClosureRows {
       for (int j = 0; j < leaves.length; j++) {
         leaves[j].linearise(force * change[j], leaves[i], sink);
       }
+    }
+  }
+
+  @Override
+  void addSupport(BitSet ways, BitSet loaded, BitSet velocities) {
+    for (CouplingLeaf leaf : leaves) {
+      leaf.addSupport(ways, loaded, velocities);
     }
   }
 

@@ -1,6 +1,7 @@
 package org.mechservice.solver.closure.equations;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.stream.IntStream;
 import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.kinematics.CountedPositions;
@@ -69,6 +70,14 @@ final class CutLeaf extends CouplingLeaf {
     return IntStream.of(cut.relative().linkA(), cut.relative().linkB())
         .filter(link -> link != TreeGeometry.ROOT)
         .toArray();
+  }
+
+  @Override
+  void addSupport(BitSet ways, BitSet loaded, BitSet velocities) {
+    cut.relative().addWays(ways);
+    for (int link : links()) {
+      loaded.set(link);
+    }
   }
 
   @Override

@@ -2,12 +2,14 @@ package org.mechservice.solver.closure.equations;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import org.mechservice.solver.force.applied.Couplings;
 import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.kinematics.CountedPositions;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.linear.SparseMatrix;
 import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
@@ -24,6 +26,12 @@ import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
  * the {@link #size} of what it measures, which makes residuals comparable.
  */
 public final class LoopEquations {
+  /**
+   * Velocities of the state from which matrices are kept in their sparsity: below, dense ones are
+   * as fast.
+   */
+  public static final int LARGE = 100;
+
   private final TreeGeometry tree;
   private final List<ClosureRows> closures = new ArrayList<>();
   private final ClosureRows[] closureOfRow;
@@ -44,10 +52,13 @@ public final class LoopEquations {
   public final double[] acceleration;
 
   /**
-   * J, row by row, one number per extended velocity: the state's first, then those of driven
-   * joints.
+   * J by the extended velocities: the state's first, then those of driven joints. An equation
+   * depends on the joints of its ways to the common ancestor alone.
    */
-  public final double[] jacobian;
+  public final SparseMatrix jacobian;
+
+  /** A row with all its columns; zero between calls. */
+  private final double[] wholeRow;
 
   /** Prepares the equations of a tree's mechanism, its parameters at their values in the file. */
   public LoopEquations(TreeGeometry tree) {
@@ -80,7 +91,37 @@ public final class LoopEquations {
     value = new double[count];
     rate = new double[count];
     acceleration = new double[count];
-    jacobian = new double[count * tree.velocityCount];
+    jacobian = SparseMatrix.of(pattern(), tree.velocityCount);
+    wholeRow = new double[tree.velocityCount];
+  }
+
+  private int[][] pattern() {
+    int[][] pattern = new int[closureOfRow.length][];
+    for (int row = 0; row < pattern.length; row++) {
+      RowSupport support = support(row);
+      BitSet columns = new BitSet();
+      for (int velocity : support.velocities()) {
+        columns.set(velocity);
+      }
+      for (int link : support.ways()) {
+        if (tree.kind[link].velocityCount() > 0) {
+          int at = tree.velocityAt[link];
+          columns.set(at, at + tree.kind[link].velocityCount());
+        }
+      }
+      pattern[row] = columns.stream().toArray();
+    }
+    return pattern;
+  }
+
+  /** Returns what an equation depends on. */
+  public RowSupport support(int row) {
+    BitSet ways = new BitSet();
+    BitSet loaded = new BitSet();
+    BitSet velocities = new BitSet();
+    closureOfRow[row].addSupport(ways, loaded, velocities);
+    return new RowSupport(
+        ways.stream().toArray(), loaded.stream().toArray(), velocities.stream().toArray());
   }
 
   private ClosureRows rows(LoopClosure closure) {
@@ -109,9 +150,9 @@ public final class LoopEquations {
     return closureOfRow.length;
   }
 
-  /** Returns the length of a row of J: the number of extended velocities. */
-  public int width() {
-    return tree.velocityCount;
+  /** Returns whether the mechanism is so large that matrices are to be kept in their sparsity. */
+  public boolean isLarge() {
+    return tree.stateVelocityCount > LARGE;
   }
 
   /** Returns the closure an equation belongs to. */
@@ -161,9 +202,16 @@ public final class LoopEquations {
 
   /** Evaluates J after {@link #place}. */
   public void differentiate(TreeMotion motion) {
-    Arrays.fill(jacobian, 0);
     for (int row = 0; row < closureOfRow.length; row++) {
-      closureOfRow[row].addJacobian(motion, rowInClosure[row], jacobian, row * width());
+      closureOfRow[row].addJacobian(motion, rowInClosure[row], wholeRow, 0);
+      takeWholeRow(row, jacobian);
+    }
+  }
+
+  private void takeWholeRow(int row, SparseMatrix matrix) {
+    for (int e = matrix.start[row]; e < matrix.start[row + 1]; e++) {
+      matrix.value[e] = wholeRow[matrix.column[e]];
+      wholeRow[matrix.column[e]] = 0;
     }
   }
 
@@ -183,10 +231,13 @@ public final class LoopEquations {
    * @param rows {@link #count} times {@code columns} numbers; overwritten
    */
   public void scaledRows(double[] rows, int columns) {
+    Arrays.fill(rows, 0, count() * columns, 0);
     for (int row = 0; row < closureOfRow.length; row++) {
       double perSize = 1 / size(row);
-      for (int j = 0; j < columns; j++) {
-        rows[row * columns + j] = perSize * jacobian[row * width() + j];
+      for (int e = jacobian.start[row]; e < jacobian.start[row + 1]; e++) {
+        if (jacobian.column[e] < columns) {
+          rows[row * columns + jacobian.column[e]] = perSize * jacobian.value[e];
+        }
       }
     }
   }
@@ -203,7 +254,7 @@ public final class LoopEquations {
     System.arraycopy(terms, m, rate, 0, m);
     for (int row = 0; row < m; row++) {
       int at = LoopTerms.jacobianAt(m) + row * velocities;
-      System.arraycopy(terms, at, jacobian, row * width(), velocities);
+      jacobian.setRow(row, terms, at);
       closureOfRow[row].measure(terms[LoopTerms.sizeAt(m, velocities) + row]);
     }
   }
@@ -219,15 +270,18 @@ public final class LoopEquations {
   }
 
   /**
-   * Adds bounds of the elements of J, after {@link #place}: a row far below them is zero but for
+   * Returns bounds of the elements of J, after {@link #place}: a row far below them is zero but for
    * rounding.
    *
-   * @param bounds like {@link #jacobian}; added to
+   * @return of the pattern of {@link #jacobian}
    */
-  public void addBounds(TreeMotion motion, double[] bounds) {
+  public SparseMatrix bounds(TreeMotion motion) {
+    SparseMatrix bounds = jacobian.sameShape();
     for (int row = 0; row < closureOfRow.length; row++) {
-      closureOfRow[row].addBounds(motion, rowInClosure[row], bounds, row * width());
+      closureOfRow[row].addBounds(motion, rowInClosure[row], wholeRow, 0);
+      takeWholeRow(row, bounds);
     }
+    return bounds;
   }
 
   /**

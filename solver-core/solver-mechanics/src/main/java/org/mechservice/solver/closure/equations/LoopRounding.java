@@ -2,6 +2,7 @@ package org.mechservice.solver.closure.equations;
 
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.linear.SparseMatrix;
 
 /**
  * How large residuals of the loops are by rounding alone: coordinates and fixed points are rounded,
@@ -45,21 +46,25 @@ public final class LoopRounding {
    * @param y state that begins with the positions; not modified
    */
   double part(int row, double[] y) {
-    int at = row * loops.width();
+    SparseMatrix jacobian = loops.jacobian;
+    int end = jacobian.start[row];
     double sum = 0;
-    for (int i = 0; i < coordinates.positionCount(); i++) {
-      int velocity = coordinates.velocityOf(i);
-      if (velocity >= 0) {
-        sum += Math.abs(loops.jacobian[at + velocity]) * Math.ulp(y[i]);
+    for (; end < jacobian.start[row + 1] && isOfState(jacobian.column[end]); end++) {
+      int position = coordinates.positionOf(jacobian.column[end]);
+      if (position >= 0) {
+        sum += Math.abs(jacobian.value[end]) * Math.ulp(y[position]);
       }
     }
-    for (int ball = 0; ball < coordinates.ballCount(); ball++) {
-      int velocity = at + coordinates.ballVelocity(ball);
-      for (int k = 0; k < 3; k++) {
-        sum += Math.abs(loops.jacobian[velocity + k]) * OF_ROTATION;
+    for (int e = jacobian.start[row]; e < end && coordinates.ballCount() > 0; e++) {
+      if (coordinates.positionOf(jacobian.column[e]) < 0) {
+        sum += Math.abs(jacobian.value[e]) * OF_ROTATION;
       }
     }
     return ROUNDINGS * (sum / loops.size(row) + (loops.unit(row).equals("rad") ? 0 : ofPlaces));
+  }
+
+  private boolean isOfState(int velocity) {
+    return velocity < coordinates.velocityCount();
   }
 
   /** Returns how far an equation's residual last placed lies above its rounding, over its size. */

@@ -2,6 +2,7 @@ package org.mechservice.solver.closure.equations;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.force.applied.Couplings;
@@ -230,6 +231,17 @@ final class PairRows extends ClosureRows {
         gradient,
         curvature,
         (on, by, byPlace) -> sink.wrenchByLink(on, by, byPlace, NO_RATES));
+  }
+
+  @Override
+  void addSupport(BitSet ways, BitSet loaded, BitSet velocities) {
+    relative.addWays(ways);
+    if (relative.linkA() != TreeGeometry.ROOT) {
+      loaded.set(relative.linkA());
+    }
+    if (relative.linkB() != TreeGeometry.ROOT) {
+      loaded.set(relative.linkB());
+    }
   }
 
   @Override

@@ -1,5 +1,6 @@
 package org.mechservice.solver.closure.equations;
 
+import java.util.BitSet;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.kinematics.LinkKind;
@@ -60,6 +61,12 @@ final class TreeLeaf extends CouplingLeaf {
   @Override
   int[] links() {
     return new int[] {link};
+  }
+
+  @Override
+  void addSupport(BitSet ways, BitSet loaded, BitSet velocities) {
+    ways.set(link);
+    velocities.set(velocity);
   }
 
   @Override

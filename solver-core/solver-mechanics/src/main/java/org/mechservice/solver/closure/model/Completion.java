@@ -12,6 +12,7 @@ import org.mechservice.solver.closure.equations.CoordinateUnits;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.closure.equations.LoopRounding;
 import org.mechservice.solver.kinematics.StateCoordinates;
+import org.mechservice.solver.linear.SparseMatrix;
 
 /**
  * Finds dependent positions and velocities from independent ones: positions by Newton's method,
@@ -64,7 +65,7 @@ public final class Completion {
   private final double[] velocityCorrection;
   private final SingularityMonitor watch;
   private final Partition before;
-  private final double[] acceptedJacobian;
+  private final SparseMatrix acceptedJacobian;
   private final double[] acceptedOffset;
   private double acceptedSpeed;
 
@@ -81,13 +82,14 @@ public final class Completion {
     positions = new PositionEquations(loops, coordinates);
     nq = work.nq;
     nv = work.nv;
-    ofPositions = new Partition(positions.count, nq, rank + coordinates.ballCount());
-    ofVelocities = new Partition(loops.count(), nv, rank);
+    boolean large = loops.isLarge();
+    ofPositions = Partition.of(positions.matrix, nq, rank + coordinates.ballCount(), large);
+    ofVelocities = Partition.of(loops.jacobian, nv, rank, large);
     correction = new double[ofPositions.rank()];
     velocityCorrection = new double[rank];
     watch = new SingularityMonitor(loops, ofVelocities, notes);
-    before = new Partition(loops.count(), nv, rank);
-    acceptedJacobian = new double[loops.jacobian.length];
+    before = Partition.of(loops.jacobian, nv, rank, large);
+    acceptedJacobian = loops.jacobian.sameShape();
     acceptedOffset = new double[loops.count()];
   }
 
@@ -107,7 +109,7 @@ public final class Completion {
   }
 
   /** Returns the equations of positions, differentiated, as formed last. */
-  double[] positionMatrix() {
+  SparseMatrix positionMatrix() {
     return positions.matrix;
   }
 
@@ -134,8 +136,8 @@ public final class Completion {
     ofPositions.scale(rows, units.positions);
     ofVelocities.scale(rows, units.velocities);
     remember(y);
-    boolean positionsChosen = ofPositions.choose(positions.matrix, nq);
-    boolean velocitiesChosen = ofVelocities.choose(loops.jacobian, loops.width());
+    boolean positionsChosen = ofPositions.choose(positions.matrix);
+    boolean velocitiesChosen = ofVelocities.choose(loops.jacobian);
     return watch.begin(t) && positionsChosen && velocitiesChosen;
   }
 
@@ -173,7 +175,7 @@ public final class Completion {
     for (int i = 0; i < ITERATIONS; i++) {
       work.placeLoops(t, y);
       differentiate(y);
-      if (!ofPositions.factor(positions.matrix, nq)) {
+      if (!ofPositions.factor(positions.matrix)) {
         return false;
       }
       double size = correct(y);
@@ -209,7 +211,7 @@ public final class Completion {
 
   private boolean completeVelocities(double t, double[] y) {
     work.place(t, y);
-    if (!keptAreClosed(y) || !ofVelocities.factor(loops.jacobian, loops.width())) {
+    if (!keptAreClosed(y) || !ofVelocities.factor(loops.jacobian)) {
       return false;
     }
     for (int i = 0; i < velocityCorrection.length; i++) {
@@ -229,14 +231,14 @@ public final class Completion {
   /** Whether the equations of the last accepted state give nearly the same velocities. */
   private boolean asBefore(double[] y, double tolerance) {
     before.copyChoice(ofVelocities);
-    if (!before.factor(acceptedJacobian, loops.width())) {
+    if (!before.factor(acceptedJacobian)) {
       return false;
     }
     for (int i = 0; i < velocityCorrection.length; i++) {
       int row = ofVelocities.kept[i];
       double rate = acceptedOffset[row];
-      for (int j = 0; j < nv; j++) {
-        rate += acceptedJacobian[row * loops.width() + j] * y[nq + j];
+      for (int e = acceptedJacobian.start[row]; e < endOfState(row); e++) {
+        rate += acceptedJacobian.value[e] * y[nq + acceptedJacobian.column[e]];
       }
       velocityCorrection[i] = rate;
     }
@@ -249,14 +251,23 @@ public final class Completion {
     return change <= tolerance;
   }
 
+  /** Returns where the elements of a row of J end that belong to velocities of the state. */
+  private int endOfState(int row) {
+    int end = loops.jacobian.start[row + 1];
+    while (end > loops.jacobian.start[row] && loops.jacobian.column[end - 1] >= nv) {
+      end--;
+    }
+    return end;
+  }
+
   /** Keeps what the next state is compared with: J and Φ_t = Φ' − J v. */
   private void remember(double[] y) {
     acceptedSpeed = units.speed(y, nq);
-    System.arraycopy(loops.jacobian, 0, acceptedJacobian, 0, acceptedJacobian.length);
+    acceptedJacobian.copy(loops.jacobian);
     for (int row = 0; row < loops.count(); row++) {
       double rate = loops.rate[row];
-      for (int j = 0; j < nv; j++) {
-        rate -= loops.jacobian[row * loops.width() + j] * y[nq + j];
+      for (int e = acceptedJacobian.start[row]; e < endOfState(row); e++) {
+        rate -= acceptedJacobian.value[e] * y[nq + acceptedJacobian.column[e]];
       }
       acceptedOffset[row] = rate;
     }
@@ -278,7 +289,7 @@ public final class Completion {
   int stateLength() {
     return ofPositions.stateLength()
         + ofVelocities.stateLength()
-        + acceptedJacobian.length
+        + acceptedJacobian.value.length
         + acceptedOffset.length
         + 1
         + watch.stateLength();
@@ -291,8 +302,8 @@ public final class Completion {
     next += ofPositions.stateLength();
     ofVelocities.save(state, next);
     next += ofVelocities.stateLength();
-    System.arraycopy(acceptedJacobian, 0, state, next, acceptedJacobian.length);
-    next += acceptedJacobian.length;
+    System.arraycopy(acceptedJacobian.value, 0, state, next, acceptedJacobian.value.length);
+    next += acceptedJacobian.value.length;
     System.arraycopy(acceptedOffset, 0, state, next, acceptedOffset.length);
     next += acceptedOffset.length;
     state[next] = acceptedSpeed;
@@ -306,8 +317,8 @@ public final class Completion {
     next += ofPositions.stateLength();
     ofVelocities.restore(state, next);
     next += ofVelocities.stateLength();
-    System.arraycopy(state, next, acceptedJacobian, 0, acceptedJacobian.length);
-    next += acceptedJacobian.length;
+    System.arraycopy(state, next, acceptedJacobian.value, 0, acceptedJacobian.value.length);
+    next += acceptedJacobian.value.length;
     System.arraycopy(state, next, acceptedOffset, 0, acceptedOffset.length);
     next += acceptedOffset.length;
     acceptedSpeed = state[next];
@@ -332,8 +343,8 @@ public final class Completion {
     work.place(t, y);
     differentiate(y);
     remember(y);
-    boolean other = renew(ofPositions, positions.matrix, nq);
-    boolean others = renew(ofVelocities, loops.jacobian, loops.width()) || other;
+    boolean other = renew(ofPositions, positions.matrix);
+    boolean others = renew(ofVelocities, loops.jacobian) || other;
     watch.accepted(t);
     return others;
   }
@@ -347,12 +358,12 @@ public final class Completion {
     work.place(t, y);
     differentiate(y);
     remember(y);
-    ofVelocities.chooseBetter(loops.jacobian, loops.width(), Double.POSITIVE_INFINITY);
+    ofVelocities.chooseBetter(loops.jacobian, Double.POSITIVE_INFINITY);
     watch.jumped(t, closed);
   }
 
-  private static boolean renew(Partition partition, double[] matrix, int stride) {
-    double pivot = partition.smallestPivot(matrix, stride);
-    return partition.chooseBetter(matrix, stride, BETTER * pivot);
+  private static boolean renew(Partition partition, SparseMatrix matrix) {
+    double pivot = partition.smallestPivot(matrix);
+    return partition.chooseBetter(matrix, BETTER * pivot);
   }
 }

@@ -9,6 +9,7 @@ import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
+import org.mechservice.solver.linear.SparseMatrix;
 
 /**
  * RR-JF with closed loops by the second velocity transformation. The equations of an implicit step
@@ -29,8 +30,8 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
 
   private final Partition positions;
   private final ProjectedMotion directions;
-  private final double[] loopJacobian;
-  private final double[] positionMatrix;
+  private final SparseMatrix loopJacobian;
+  private final SparseMatrix positionMatrix;
 
   /** λ at the state of the last linearisation. */
   public final double[] lambda;
@@ -64,17 +65,16 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     iteration = new TreeIteration(work.tree, pattern, jacobian);
     int rank = closed.rank();
     int f = closed.freedom();
-    velocities = new Partition(work.loops.count(), work.nv, rank);
+    boolean large = work.loops.isLarge();
+    velocities = Partition.of(work.loops.jacobian, work.nv, rank, large);
     positions =
-        new Partition(
-            work.loops.count() + work.coordinates.ballCount(),
-            work.nq,
-            rank + work.coordinates.ballCount());
+        Partition.of(
+            completion.positionMatrix(), work.nq, rank + work.coordinates.ballCount(), large);
     directions = new ProjectedMotion(work.nv, velocities);
-    linearised = new Partition(work.loops.count(), work.nv, rank);
+    linearised = Partition.of(work.loops.jacobian, work.nv, rank, large);
     linearised.copyChoice(completion.ofVelocities());
-    loopJacobian = new double[work.loops.jacobian.length];
-    positionMatrix = new double[completion.positionMatrix().length];
+    loopJacobian = work.loops.jacobian.sameShape();
+    positionMatrix = completion.positionMatrix().sameShape();
     lambda = new double[work.loops.count()];
     full = new double[work.nv * work.nv];
     reduced = new double[f * f];
@@ -122,15 +122,15 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     if (evaluate(t, y, yDot) != REGULAR) {
       return false;
     }
-    projected.multipliers(force, lambda);
+    projected().multipliers(force, lambda);
     if (!work.linearise(t, acceleration, 0, lambda, jacobian)) {
       fail(work.forces.defect());
       return false;
     }
     iteration.setState(y);
     completion.formPositionMatrix(y);
-    System.arraycopy(work.loops.jacobian, 0, loopJacobian, 0, loopJacobian.length);
-    System.arraycopy(completion.positionMatrix(), 0, positionMatrix, 0, positionMatrix.length);
+    loopJacobian.copy(work.loops.jacobian);
+    positionMatrix.copy(completion.positionMatrix());
     return jacobian.isFinite();
   }
 
@@ -138,12 +138,11 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
   public boolean factor(double hGamma) {
     velocities.copyChoice(completion.ofVelocities());
     positions.copyChoice(completion.ofPositions());
-    if (!velocities.factor(loopJacobian, work.loops.width())
-        || !positions.factor(positionMatrix, work.nq)) {
+    if (!velocities.factor(loopJacobian) || !positions.factor(positionMatrix)) {
       singular = velocities.dependent[0];
       return false;
     }
-    directions.formTransformation(loopJacobian, work.loops.width());
+    directions.formTransformation(loopJacobian);
     iteration.form(hGamma);
     iteration.matrix().toDense(full);
     directions.reduceSquare(full, reduced);
@@ -176,8 +175,12 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
   private void completePositions(double[] r) {
     for (int i = 0; i < dependent.length; i++) {
       double sum = 0;
-      for (int j : positions.independent) {
-        sum -= positionMatrix[positions.kept[i] * work.nq + j] * r[j];
+      int row = positions.kept[i];
+      for (int e = positionMatrix.start[row]; e < positionMatrix.start[row + 1]; e++) {
+        int j = positionMatrix.column[e];
+        if (positions.isIndependent(j)) {
+          sum -= positionMatrix.value[e] * r[j];
+        }
       }
       dependent[i] = sum;
     }

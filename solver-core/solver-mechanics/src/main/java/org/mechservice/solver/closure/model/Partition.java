@@ -1,22 +1,19 @@
 package org.mechservice.solver.closure.model;
 
 import java.util.Arrays;
-import org.mechservice.solver.linear.DenseLu;
-import org.mechservice.solver.linear.LinearSolver;
-import org.mechservice.solver.linear.PivotedElimination;
+import org.mechservice.solver.linear.SparseMatrix;
 
 /**
  * Which unknowns of m equations in n unknowns, r of them independent, are found from the others,
  * and by which r equations: A_kept,dependent is the block that is solved with. Workspace of one
- * thread; nothing allocates after construction.
+ * thread.
+ *
+ * <p>Matrices have m rows, of which the first n columns count; all have one pattern.
  */
-public final class Partition {
-  private final int m;
-  private final int n;
-  private final int rank;
-  private final PivotedElimination elimination;
-  private final PivotedElimination block;
-  private final DenseLu factors;
+public abstract class Partition {
+  final int m;
+  final int n;
+  final int rank;
 
   /** Kept equations and dependent unknowns, r of each; independent unknowns, n − r. */
   public final int[] kept;
@@ -26,39 +23,40 @@ public final class Partition {
   private final boolean[] isIndependent;
 
   /** What rows and columns are multiplied by before pivots are compared. */
-  private final double[] rowScale;
+  final double[] rowScale;
 
-  private final double[] columnScale;
-  private final double[] scaled;
-  private final double[] blockElements;
+  final double[] columnScale;
 
-  /** Number of pivots in the matrix last looked at. */
-  private int found;
-
-  /**
-   * @param equations m
-   * @param unknowns n
-   * @param rank r, the number of independent equations
-   */
   Partition(int equations, int unknowns, int rank) {
     m = equations;
     n = unknowns;
     this.rank = rank;
-    elimination = new PivotedElimination(m, n);
-    block = new PivotedElimination(rank, rank);
-    factors = new DenseLu(rank);
     kept = new int[rank];
     dependent = new int[rank];
     independent = new int[n - rank];
     isIndependent = new boolean[n];
     rowScale = new double[m];
     columnScale = new double[n];
-    scaled = new double[m * n];
-    blockElements = new double[rank * rank];
   }
 
-  /** Takes over the choice of another of the same size. */
+  /**
+   * Returns a partition that has not chosen yet: of small systems by full pivoting, of large ones
+   * in their sparsity.
+   *
+   * @param pattern of the matrices, m rows
+   * @param unknowns n
+   * @param rank r, the number of independent equations
+   * @param large whether the system is large
+   */
+  static Partition of(SparseMatrix pattern, int unknowns, int rank, boolean large) {
+    return large
+        ? new SparsePartition(pattern, unknowns, rank)
+        : new DensePartition(pattern.rows(), unknowns, rank);
+  }
+
+  /** Takes over choice and scales of another of the same size. */
   void copyChoice(Partition other) {
+    scale(other.rowScale, other.columnScale);
     System.arraycopy(other.kept, 0, kept, 0, rank);
     System.arraycopy(other.dependent, 0, dependent, 0, rank);
     System.arraycopy(other.independent, 0, independent, 0, n - rank);
@@ -66,26 +64,26 @@ public final class Partition {
   }
 
   /** Returns r. */
-  public int rank() {
+  public final int rank() {
     return rank;
   }
 
   /** Returns the number of unknowns that are not found from others. */
-  public int freedom() {
+  public final int freedom() {
     return n - rank;
   }
 
-  boolean isIndependent(int unknown) {
+  final boolean isIndependent(int unknown) {
     return isIndependent[unknown];
   }
 
   /**
    * Sets what makes equations and unknowns comparable, for choices and pivots from now on.
    *
-   * @param rows factor per equation; 0 for one that must not be kept
+   * @param rows factor per equation
    * @param columns factor per unknown
    */
-  void scale(double[] rows, double[] columns) {
+  final void scale(double[] rows, double[] columns) {
     System.arraycopy(rows, 0, rowScale, 0, m);
     System.arraycopy(columns, 0, columnScale, 0, n);
   }
@@ -93,39 +91,21 @@ public final class Partition {
   /**
    * Chooses kept equations and dependent unknowns by the largest pivots.
    *
-   * @param a m rows of {@code stride} numbers, of which the first n count; not modified
+   * @param a not modified
    * @return whether there are r pivots
    */
-  boolean choose(double[] a, int stride) {
-    formScaled(a, stride);
-    if (bestPivot(scaled) == 0) {
-      return false;
-    }
-    takeChoice();
-    return true;
-  }
+  abstract boolean choose(SparseMatrix a);
 
-  private void formScaled(double[] a, int stride) {
-    for (int i = 0; i < m; i++) {
-      for (int j = 0; j < n; j++) {
-        scaled[i * n + j] = rowScale[i] * a[i * stride + j] * columnScale[j];
-      }
-    }
-  }
-
-  private void takeChoice() {
+  /** Takes r equations and unknowns. */
+  final void take(int[] equations, int[] unknowns) {
     Arrays.fill(isIndependent, true);
-    for (int k = 0; k < rank; k++) {
-      kept[k] = elimination.row(k);
-      dependent[k] = elimination.column(k);
-      isIndependent[dependent[k]] = false;
+    System.arraycopy(equations, 0, kept, 0, rank);
+    System.arraycopy(unknowns, 0, dependent, 0, rank);
+    for (int unknown : dependent) {
+      isIndependent[unknown] = false;
     }
     Arrays.sort(kept);
     Arrays.sort(dependent);
-    listIndependent();
-  }
-
-  private void listIndependent() {
     int next = 0;
     for (int j = 0; j < n; j++) {
       if (isIndependent[j]) {
@@ -139,7 +119,7 @@ public final class Partition {
    *
    * @param leftOut length m; overwritten
    */
-  void listLeftOut(boolean[] leftOut) {
+  final void listLeftOut(boolean[] leftOut) {
     Arrays.fill(leftOut, true);
     for (int row : kept) {
       leftOut[row] = false;
@@ -147,7 +127,7 @@ public final class Partition {
   }
 
   /** Returns the length of what {@link #save} writes. */
-  int stateLength() {
+  final int stateLength() {
     return 2 * rank;
   }
 
@@ -161,13 +141,11 @@ public final class Partition {
 
   /** Takes up a choice that {@link #save} wrote. */
   void restore(double[] state, int at) {
-    Arrays.fill(isIndependent, true);
-    for (int k = 0; k < rank; k++) {
-      kept[k] = (int) state[at + k];
-      dependent[k] = (int) state[at + rank + k];
-      isIndependent[dependent[k]] = false;
-    }
-    listIndependent();
+    int[] equations = new int[rank];
+    int[] unknowns = new int[rank];
+    Arrays.setAll(equations, k -> (int) state[at + k]);
+    Arrays.setAll(unknowns, k -> (int) state[at + rank + k]);
+    take(equations, unknowns);
   }
 
   /**
@@ -175,69 +153,39 @@ public final class Partition {
    *
    * @return whether the choice is another
    */
-  boolean chooseBetter(double[] a, int stride, double bound) {
-    formScaled(a, stride);
-    if (!(bestPivot(scaled) > bound)) {
-      return false;
-    }
-    takeChoice();
-    return true;
-  }
+  abstract boolean chooseBetter(SparseMatrix a, double bound);
 
-  /** Returns the matrix that was last chosen from, in scaled units. */
-  double[] scaled() {
-    return scaled;
-  }
+  /** Returns how many numbers {@link #bestPivot(double[])} asks for. */
+  abstract int scaledLength();
+
+  /**
+   * Returns the elements of the matrix that was last chosen from, in scaled units; not to be
+   * modified.
+   */
+  abstract double[] scaled();
 
   /**
    * Returns the smallest pivot of the best choice in a matrix of scaled units; 0 if it has none.
+   *
+   * @param elements in the order of {@link #scaled}; not modified
    */
-  double bestPivot(double[] matrix) {
-    found = elimination.eliminate(matrix, rank);
-    return bestPivot();
-  }
+  abstract double bestPivot(double[] elements);
 
   /** Returns the same of the matrix that was last chosen from or looked at. */
-  double bestPivot() {
-    return rank == 0 ? 1 : found < rank ? 0 : elimination.pivot(rank - 1);
-  }
+  abstract double bestPivot();
 
   /** Returns the equation that had the smallest pivot when a matrix was last looked at. */
-  int weakestRow() {
-    return rank == 0 ? 0 : elimination.row(rank - 1);
-  }
+  abstract int weakestRow();
 
   /** Returns the smallest pivot of the dependent block in scaled units; 0 if it is singular. */
-  double smallestPivot(double[] a, int stride) {
-    for (int i = 0; i < rank; i++) {
-      for (int j = 0; j < rank; j++) {
-        blockElements[i * rank + j] =
-            rowScale[kept[i]] * a[kept[i] * stride + dependent[j]] * columnScale[dependent[j]];
-      }
-    }
-    if (rank == 0) {
-      return 1;
-    }
-    return block.eliminate(blockElements, rank) < rank ? 0 : block.pivot(rank - 1);
-  }
+  abstract double smallestPivot(SparseMatrix a);
 
   /** Factors the dependent block; returns whether it is regular. */
-  boolean factor(double[] a, int stride) {
-    for (int i = 0; i < rank; i++) {
-      for (int j = 0; j < rank; j++) {
-        blockElements[i * rank + j] = a[kept[i] * stride + dependent[j]];
-      }
-    }
-    return factors.factor(blockElements) == LinearSolver.NONSINGULAR;
-  }
+  abstract boolean factor(SparseMatrix a);
 
   /** Solves A_kept,dependent x = b in place. */
-  void solve(double[] b) {
-    factors.solve(b);
-  }
+  abstract void solve(double[] b);
 
   /** Solves A_kept,dependentᵀ x = b in place. */
-  void solveTransposed(double[] b) {
-    factors.solveTransposed(b);
-  }
+  abstract void solveTransposed(double[] b);
 }

@@ -41,7 +41,7 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
     super(closed, userForces);
     this.settings = settings;
     projection = new LoopProjection(work, settings);
-    partition = new Partition(work.loops.count(), work.nv, closed.rank());
+    partition = Partition.of(work.loops.jacobian, work.nv, closed.rank(), work.loops.isLarge());
     watch = new SingularityMonitor(work.loops, partition, this::note);
     right = new double[work.nv];
     offset = new double[work.loops.count()];
@@ -54,7 +54,7 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
     double[] rows = new double[work.loops.count()];
     Arrays.setAll(rows, row -> 1 / work.loops.size(row));
     partition.scale(rows, work.units.velocities);
-    partition.choose(work.loops.jacobian, work.loops.width());
+    partition.choose(work.loops.jacobian);
     watch.begin(t);
   }
 
@@ -94,14 +94,14 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
   @Override
   public final void accepted(double t, double[] y) {
     work.place(t, y);
-    partition.choose(work.loops.jacobian, work.loops.width());
+    partition.choose(work.loops.jacobian);
     watch.accepted(t);
     work.accepted(t);
   }
 
   @Override
   final void jumped(double t, double[] y, boolean closed) {
-    partition.choose(work.loops.jacobian, work.loops.width());
+    partition.choose(work.loops.jacobian);
     watch.jumped(t, closed);
   }
 

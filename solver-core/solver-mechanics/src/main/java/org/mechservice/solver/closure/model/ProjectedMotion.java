@@ -2,6 +2,7 @@ package org.mechservice.solver.closure.model;
 
 import java.util.Arrays;
 import org.mechservice.solver.linear.Cholesky;
+import org.mechservice.solver.linear.SparseMatrix;
 
 /**
  * The second velocity transformation: accelerations from the equations of motion in directions that
@@ -38,6 +39,9 @@ final class ProjectedMotion {
   private final double[] right;
   private final double[] column;
 
+  /** Where each independent velocity stands among them. */
+  private final int[] place;
+
   ProjectedMotion(int velocities, Partition partition) {
     n = velocities;
     this.partition = partition;
@@ -51,13 +55,27 @@ final class ProjectedMotion {
     force = new double[n];
     right = new double[f];
     column = new double[r];
+    place = new int[n];
   }
 
   /** Forms R; the partition has been factored. */
-  void formTransformation(double[] jacobian, int width) {
+  void formTransformation(SparseMatrix jacobian) {
+    Arrays.fill(transformation, -0.0);
+    for (int j = 0; j < f; j++) {
+      place[partition.independent[j]] = j;
+    }
+    for (int i = 0; i < r; i++) {
+      int row = partition.kept[i];
+      for (int e = jacobian.start[row]; e < jacobian.start[row + 1]; e++) {
+        int j = jacobian.column[e];
+        if (j < n && partition.isIndependent(j)) {
+          transformation[i * f + place[j]] = -jacobian.value[e];
+        }
+      }
+    }
     for (int j = 0; j < f; j++) {
       for (int i = 0; i < r; i++) {
-        column[i] = -jacobian[partition.kept[i] * width + partition.independent[j]];
+        column[i] = transformation[i * f + j];
       }
       partition.solve(column);
       for (int i = 0; i < r; i++) {

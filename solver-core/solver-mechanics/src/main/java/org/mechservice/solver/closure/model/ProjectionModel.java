@@ -17,7 +17,8 @@ import org.mechservice.solver.force.user.UserForceSource;
  */
 public class ProjectionModel extends LoopModel implements DependentStates, ModelState {
   public final Completion completion;
-  final ProjectedMotion projected;
+  private Optional<ProjectedMotion> projected = Optional.empty();
+  private Optional<RecursiveAccelerations> recursive = Optional.empty();
 
   /** Why the motion cannot go on from the last accepted state. */
   private Optional<Defect> broken = Optional.empty();
@@ -32,7 +33,9 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
   public ProjectionModel(ClosedMechanism closed, UserForceSource userForces) {
     super(closed, userForces);
     completion = new Completion(work, closed.rank(), this::note);
-    projected = new ProjectedMotion(work.nv, completion.ofVelocities());
+    if (work.isLarge()) {
+      recursive = Optional.of(new RecursiveAccelerations(work, completion.ofVelocities()));
+    }
     if (!completion.begin(closed.startTime(), closed.start())) {
       broken = Optional.of(completion.startsSingular());
     }
@@ -102,12 +105,20 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
     return broken.isEmpty();
   }
 
+  /** Returns the equations in free directions. */
+  final ProjectedMotion projected() {
+    if (projected.isEmpty()) {
+      projected = Optional.of(new ProjectedMotion(work.nv, completion.ofVelocities()));
+    }
+    return projected.get();
+  }
+
   /** Forms R at the state last placed. */
   final int formDirections() {
-    if (!completion.ofVelocities().factor(work.loops.jacobian, work.loops.width())) {
+    if (!completion.ofVelocities().factor(work.loops.jacobian)) {
       return fail(completion.locked());
     }
-    projected.formTransformation(work.loops.jacobian, work.loops.width());
+    projected().formTransformation(work.loops.jacobian);
     return REGULAR;
   }
 
@@ -116,6 +127,15 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
     if (!goesOn()) {
       return DEFECT;
     }
+    int solved =
+        recursive.isPresent() ? solveByRecursion(t, y, yDot) : solveInFreeDirections(t, y, yDot);
+    if (solved == REGULAR) {
+      work.coordinates.rates(y, 0, y, work.nq, yDot, 0);
+    }
+    return solved;
+  }
+
+  private int solveInFreeDirections(double t, double[] y, double[] yDot) {
     work.placeEquations(t, y);
     int begun = formDirections();
     if (begun != REGULAR) {
@@ -125,12 +145,24 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
       return fail(work.forces.defect());
     }
     work.formMass();
-    int singular = projected.reduce(work.mass);
+    int singular = projected().reduce(work.mass());
     if (singular != ProjectedMotion.REGULAR) {
       return closed.jointOfVelocity(singular);
     }
-    work.coordinates.rates(y, 0, y, work.nq, yDot, 0);
-    projected.accelerations(work.mass, work.bias(), work.loops.acceleration, yDot, work.nq);
+    projected().accelerations(work.mass(), work.bias(), work.loops.acceleration, yDot, work.nq);
     return REGULAR;
+  }
+
+  /** The same in the sparsity of the tree; by R where M alone has no inverse. */
+  private int solveByRecursion(double t, double[] y, double[] yDot) {
+    work.placeRates(t, y);
+    if (!work.formBias(t)) {
+      return fail(work.forces.defect());
+    }
+    RecursiveAccelerations.Solved solved = recursive.get().solve(yDot, work.nq);
+    if (solved == RecursiveAccelerations.Solved.WITHOUT_INERTIA) {
+      return solveInFreeDirections(t, y, yDot);
+    }
+    return solved == RecursiveAccelerations.Solved.LOCKED ? fail(completion.locked()) : REGULAR;
   }
 }

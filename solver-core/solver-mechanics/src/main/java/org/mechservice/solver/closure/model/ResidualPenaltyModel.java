@@ -125,7 +125,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     ofVelocity = new double[m];
     ofPosition = new double[m];
     mu = new double[m];
-    independent = new Partition(m, n, closed.rank());
+    independent = Partition.of(work.loops.jacobian, n, closed.rank(), work.loops.isLarge());
     double[] sizes = new double[m];
     Arrays.setAll(sizes, row -> 1 / work.loops.size(row));
     independent.scale(sizes, work.units.velocities);
@@ -154,7 +154,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     int at = work.nq + n;
     Arrays.fill(y, at, at + 2 * m, 0);
     Arrays.fill(yDot, at, at + 2 * m, 0);
-    System.arraycopy(projection.equations().multipliers, 0, y, at, m);
+    System.arraycopy(projection.equations().multipliers(), 0, y, at, m);
     return done;
   }
 
@@ -196,7 +196,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
 
   /** Finds the rows that repeat others where the loops are placed. */
   private void findRepeated() {
-    if (independent.choose(work.loops.jacobian, work.loops.width())) {
+    if (independent.choose(work.loops.jacobian)) {
       independent.listLeftOut(isRepeated);
     }
   }

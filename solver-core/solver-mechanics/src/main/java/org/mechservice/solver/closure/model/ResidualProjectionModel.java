@@ -39,9 +39,9 @@ public class ResidualProjectionModel extends ProjectionModel implements Residual
       return begun;
     }
     work.formGamma(t);
-    projected.formOffset(work.loops.acceleration);
+    projected().formOffset(work.loops.acceleration);
     System.arraycopy(yDot, work.nq, acceleration, 0, work.nv);
-    projected.compose(acceleration, 0);
+    projected().compose(acceleration, 0);
     return work.formResidual(t, acceleration, 0, force) ? REGULAR : fail(work.forces.defect());
   }
 
@@ -56,7 +56,7 @@ public class ResidualProjectionModel extends ProjectionModel implements Residual
     for (int i = 0; i < work.nq; i++) {
       residual[i] = completion.independent(i) ? yDot[i] - residual[i] : 0;
     }
-    projected.project(force, reduced);
+    projected().project(force, reduced);
     for (int j = 0; j < work.nv; j++) {
       residual[work.nq + j] = 0;
     }

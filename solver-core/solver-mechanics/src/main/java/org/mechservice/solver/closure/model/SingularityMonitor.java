@@ -80,7 +80,7 @@ final class SingularityMonitor {
     this.loops = loops;
     this.partition = partition;
     this.notes = notes;
-    before = new double[partition.scaled().length];
+    before = new double[partition.scaledLength()];
     between = new double[before.length];
   }
 

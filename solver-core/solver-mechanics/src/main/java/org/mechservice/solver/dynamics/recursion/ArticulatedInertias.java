@@ -15,7 +15,7 @@ import org.mechservice.solver.kinematics.TreeMotion;
  * Articulated inertias [J, H; Hᵀ, M] and bias forces of the links, in link axes at their reference
  * points, and the way they take to the parent. Workspace of one thread.
  */
-final class ArticulatedInertias {
+public final class ArticulatedInertias {
   private final TreeGeometry tree;
   private final LinkInertias rigid;
   private final TreeMotion motion;
@@ -31,7 +31,7 @@ final class ArticulatedInertias {
 
   private final double[] work = new double[36];
 
-  ArticulatedInertias(TreeMotion motion, LinkInertias rigid) {
+  public ArticulatedInertias(TreeMotion motion, LinkInertias rigid) {
     tree = motion.tree();
     this.motion = motion;
     this.rigid = rigid;
@@ -43,12 +43,20 @@ final class ArticulatedInertias {
 
   /** Begins with the link alone: its rigid-body inertia and V ×* (I V). */
   void start(int link) {
+    startAtRest(link);
+    if (!rigid.massless[link]) {
+      rigid.velocityForce(motion, link, work, bias);
+    }
+  }
+
+  /** Begins with the rigid-body inertia of the link alone, and no bias force. */
+  public void startAtRest(int link) {
     int at = 9 * link;
+    Arrays.fill(bias, 6 * link, 6 * link + 6, 0);
     if (rigid.massless[link]) {
       Arrays.fill(blockJ, at, at + 9, 0);
       Arrays.fill(blockH, at, at + 9, 0);
       Arrays.fill(blockM, at, at + 9, 0);
-      Arrays.fill(bias, 6 * link, 6 * link + 6, 0);
       return;
     }
     System.arraycopy(rigid.second, at, blockJ, at, 9);
@@ -69,7 +77,6 @@ final class ArticulatedInertias {
     blockM[at] = rigid.mass[link];
     blockM[at + 4] = rigid.mass[link];
     blockM[at + 8] = rigid.mass[link];
-    rigid.velocityForce(motion, link, work, bias);
   }
 
   /** Writes Iᴬ x for x = [0; s]. */
@@ -85,7 +92,7 @@ final class ArticulatedInertias {
   }
 
   /** Writes Iᴬ x. */
-  void applyTo(int link, double[] x, int ix, double[] out, int at) {
+  public void applyTo(int link, double[] x, int ix, double[] out, int at) {
     applyToTurning(link, x, ix, out, at);
     apply(blockH, 9 * link, x, ix + 3, work, 0);
     apply(blockM, 9 * link, x, ix + 3, work, 3);
@@ -95,7 +102,7 @@ final class ArticulatedInertias {
   }
 
   /** Iᴬ −= U D⁻¹ Uᵀ for one column U. */
-  void eliminate(int link, double[] u, int at, double perPivot) {
+  public void eliminate(int link, double[] u, int at, double perPivot) {
     for (int i = 0; i < 3; i++) {
       double angular = u[at + i] * perPivot;
       double linear = u[at + 3 + i] * perPivot;
@@ -120,7 +127,7 @@ final class ArticulatedInertias {
   }
 
   /** Adds X* Iᴬ X and X* p to the parent; the link's own are spent. */
-  void addToParent(int link) {
+  public void addToParent(int link) {
     rotateToParentAxes(link);
     shiftToParentPoint(link);
   }

@@ -12,7 +12,7 @@ import org.mechservice.solver.kinematics.TreeMotion;
  * judged by. A pivot that is small against it has been cancelled by the joints beyond and holds
  * nothing but rounding (NUMERICS §2). Workspace of one thread.
  */
-final class RigidComposites {
+public final class RigidComposites {
   private final TreeGeometry tree;
   private final LinkInertias inertias;
 
@@ -27,7 +27,7 @@ final class RigidComposites {
 
   private final double[] turned = new double[3];
 
-  RigidComposites(TreeGeometry tree, LinkInertias inertias) {
+  public RigidComposites(TreeGeometry tree, LinkInertias inertias) {
     this.tree = tree;
     this.inertias = inertias;
     mass = new double[tree.linkCount];
@@ -36,7 +36,7 @@ final class RigidComposites {
   }
 
   /** Begins the sweep inwards with the links alone. */
-  void start() {
+  public void start() {
     System.arraycopy(inertias.mass, 0, mass, 0, mass.length);
     System.arraycopy(inertias.moment, 0, moment, 0, moment.length);
     for (int link = 0; link < trace.length; link++) {
@@ -46,7 +46,7 @@ final class RigidComposites {
   }
 
   /** Returns the size a pivot of the link's joint would have if nothing beyond could move. */
-  double scale(int link) {
+  public double scale(int link) {
     if (tree.kind[link] == LinkKind.SLIDE) {
       return mass[link];
     }
@@ -55,7 +55,7 @@ final class RigidComposites {
   }
 
   /** Adds a link's composite to its parent: m, R h + m p, tr J + 4 pᵀ R h + 2 m pᵀ p. */
-  void addToParent(TreeMotion motion, int link) {
+  public void addToParent(TreeMotion motion, int link) {
     int parent = tree.parent[link];
     double[] p = motion.position;
     double m = mass[link];

@@ -6,6 +6,7 @@ import static org.mechservice.solver.spatial.Blocks.applyTransposed;
 import static org.mechservice.solver.spatial.Blocks.cross;
 import static org.mechservice.solver.spatial.Blocks.dot;
 
+import java.util.BitSet;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
@@ -69,6 +70,18 @@ public final class RelativeMotion {
   /** Returns the link of body B, or {@link TreeGeometry#ROOT}. */
   public int linkB() {
     return linkB;
+  }
+
+  /** Adds the links whose joints move B relative to A: those from either to the common ancestor. */
+  public void addWays(BitSet links) {
+    addWay(linkA, links);
+    addWay(linkB, links);
+  }
+
+  private void addWay(int from, BitSet links) {
+    for (int link = from; link != ancestor; link = tree.parent[link]) {
+      links.set(link);
+    }
   }
 
   /** Takes rotation and position from places in the world. */

@@ -152,6 +152,11 @@ final class AdamsHistory implements Manifold.History {
     subtract(derivative, extrapolated[1], discrepancy);
   }
 
+  /** Returns the derivative at the end of the step as it was extrapolated; not to be modified. */
+  double[] foreseen() {
+    return extrapolated[1];
+  }
+
   /** Returns ‖φ^p_i + d‖, the discrepancy as a formula of order i − 1 would have had it. */
   double discrepancyNorm(ErrorNorm norm, int i) {
     return norm.ofSum(extrapolated[i], discrepancy);

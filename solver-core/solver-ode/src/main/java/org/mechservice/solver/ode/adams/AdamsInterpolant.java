@@ -19,9 +19,16 @@ import java.util.Arrays;
 final class AdamsInterpolant {
   private static final int LENGTH = AdamsCoefficients.HIGHEST_ORDER + 2;
 
+  /** Steps kept are evaluated by any thread; each has its own tables. */
+  private static final ThreadLocal<AdamsInterpolant> TABLES =
+      ThreadLocal.withInitial(AdamsInterpolant::new);
+
   private final double[] g = new double[LENGTH];
   private final double[] rho = new double[LENGTH];
   private final double[] w = new double[LENGTH];
+
+  /** ψ_1 … ψ_k of a step that was kept. */
+  private final double[] keptPsi = new double[LENGTH];
 
   /**
    * Evaluates the polynomial.
@@ -44,6 +51,55 @@ final class AdamsInterpolant {
     }
     for (int l = 0; l < n; l++) {
       y[l] = state[l] + s * y[l];
+    }
+  }
+
+  /** Returns how many numbers {@link #keep} writes: t_n, k, ψ_1 … ψ_k, y_n, φ_{k+1} … φ_1. */
+  static int keptLength(int k, int dimension) {
+    return 2 + k + (k + 2) * dimension;
+  }
+
+  /** Keeps the polynomial of a step of order k that ended at t. */
+  static void keep(double t, int k, double[] psi, AdamsHistory history, double[] kept, int from) {
+    int n = history.state().length;
+    kept[from] = t;
+    kept[from + 1] = k;
+    System.arraycopy(psi, 1, kept, from + 2, k);
+    int place = from + 2 + k;
+    System.arraycopy(history.state(), 0, kept, place, n);
+    for (int i = k + 1; i >= 1; i--) {
+      place += n;
+      System.arraycopy(history.difference(i), 0, kept, place, n);
+    }
+  }
+
+  /** Evaluates a polynomial that was kept. */
+  static void evaluateKept(double[] kept, int from, double t, double[] y, double[] yDot) {
+    TABLES.get().evaluateFrom(kept, from, t, y, yDot);
+  }
+
+  private void evaluateFrom(double[] kept, int from, double t, double[] y, double[] yDot) {
+    int n = y.length;
+    int k = (int) kept[from + 1];
+    double s = t - kept[from];
+    System.arraycopy(kept, from + 2, keptPsi, 1, k);
+    formTables(s, k, keptPsi);
+    Arrays.fill(y, 0);
+    Arrays.fill(yDot, 0);
+    int state = from + 2 + k;
+    for (int i = k + 1; i >= 1; i--) {
+      int difference = state + (k + 2 - i) * n;
+      addTerm(g[i], kept, difference, y);
+      addTerm(rho[i], kept, difference, yDot);
+    }
+    for (int l = 0; l < n; l++) {
+      y[l] = kept[state + l] + s * y[l];
+    }
+  }
+
+  private static void addTerm(double factor, double[] kept, int from, double[] sum) {
+    for (int l = 0; l < sum.length; l++) {
+      sum[l] += factor * kept[from + l];
     }
   }
 

@@ -7,6 +7,7 @@ import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
 import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.SavedState;
+import org.mechservice.solver.ode.StepPolynomial;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.TrialOutcome;
 import org.mechservice.solver.ode.jumps.JumpSearch;
@@ -30,6 +31,8 @@ abstract class AdamsPece extends SteppingIntegrator {
   private static final double FIRST_SHARE_OF_INTERVAL = 0.1;
 
   private static final double UNIT_ROUNDOFF = Math.ulp(1.0);
+
+  private static final StepPolynomial KEPT = AdamsInterpolant::evaluateKept;
 
   private final ErrorNorm norm;
   private final StepBounds bounds;
@@ -297,11 +300,13 @@ abstract class AdamsPece extends SteppingIntegrator {
         ? -1
         : poles.component(
             equations,
+            norm,
             progress.time(),
             triedTime,
             history.state(),
             history.corrected(),
             history.difference(1),
+            history.foreseen(),
             history.derivative);
   }
 
@@ -400,6 +405,18 @@ abstract class AdamsPece extends SteppingIntegrator {
   public final void interpolate(double t, double[] y, double[] yDot) {
     progress.requireInLastStep(t);
     interpolant.evaluate(t - progress.time(), progress.order(), coefficients.psi, history, y, yDot);
+  }
+
+  @Override
+  public final int keptLength() {
+    return AdamsInterpolant.keptLength(progress.order(), history.state().length);
+  }
+
+  @Override
+  public final StepPolynomial keepStep(double[] kept, int from) {
+    progress.requireStep();
+    AdamsInterpolant.keep(progress.time(), progress.order(), coefficients.psi, history, kept, from);
+    return KEPT;
   }
 
   @Override

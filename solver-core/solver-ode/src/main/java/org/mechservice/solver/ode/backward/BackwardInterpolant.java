@@ -40,6 +40,52 @@ public final class BackwardInterpolant {
     }
   }
 
+  /** Returns how many numbers {@link #keep} writes: t_n, h, k, y_n, ∇^1 … ∇^k. */
+  public static int keptLength(int k, int dimension) {
+    return 3 + (k + 1) * dimension;
+  }
+
+  /** Keeps the polynomial of a step of size h and order k that ended at t. */
+  public static void keep(
+      double t, double h, int k, BackwardDifferences differences, double[] kept, int from) {
+    int n = differences.state().length;
+    kept[from] = t;
+    kept[from + 1] = h;
+    kept[from + 2] = k;
+    int place = from + 3;
+    System.arraycopy(differences.state(), 0, kept, place, n);
+    for (int m = 1; m <= k; m++) {
+      place += n;
+      System.arraycopy(differences.accepted(m), 0, kept, place, n);
+    }
+  }
+
+  /** Evaluates a polynomial that was kept. */
+  public static void evaluateKept(double[] kept, int from, double t, double[] y, double[] yDot) {
+    double h = kept[from + 1];
+    double s = (t - kept[from]) / h;
+    int k = (int) kept[from + 2];
+    int n = y.length;
+    int place = from + 3;
+    System.arraycopy(kept, place, y, 0, n);
+    Arrays.fill(yDot, 0);
+    double c = 1;
+    double slope = 0;
+    for (int m = 1; m <= k; m++) {
+      place += n;
+      slope = (slope * (s + m - 1) + c) / m;
+      c *= (s + m - 1) / m;
+      addTerm(c, kept, place, y);
+      addTerm(slope / h, kept, place, yDot);
+    }
+  }
+
+  private static void addTerm(double factor, double[] kept, int from, double[] sum) {
+    for (int l = 0; l < sum.length; l++) {
+      sum[l] += factor * kept[from + l];
+    }
+  }
+
   private static void addTerm(
       double[] difference, double c, double slope, double[] y, double[] yDot) {
     for (int l = 0; l < difference.length; l++) {

@@ -5,6 +5,7 @@ import org.mechservice.solver.ode.CompletedSystem;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.SavedSystem;
+import org.mechservice.solver.ode.SystemParts;
 import org.mechservice.solver.ode.step.RightHandSide;
 
 /**
@@ -45,8 +46,8 @@ final class EventValues {
   }
 
   /** Prepares for a problem. */
-  void prepare(Object system, int dimension) {
-    completed = system instanceof CompletedSystem some ? some : CompletedSystem.NOTHING_PASSIVE;
+  void prepare(SystemParts system, int dimension) {
+    completed = system.part(CompletedSystem.class).orElse(CompletedSystem.NOTHING_PASSIVE);
     y = new double[dimension];
     yDot = new double[dimension];
   }

@@ -1,8 +1,10 @@
 package org.mechservice.solver.ode.jumps;
 
 import java.util.Arrays;
+import java.util.List;
 import org.mechservice.solver.ode.PiecewiseSystem;
 import org.mechservice.solver.ode.SavedState;
+import org.mechservice.solver.ode.SystemParts;
 
 /** The places at which the equations jump, in the direction of integration. */
 public final class Breakpoints {
@@ -20,23 +22,22 @@ public final class Breakpoints {
   /**
    * Begins a problem.
    *
-   * @param system the problem, asked whether it is a {@link PiecewiseSystem}
+   * @param system the problem, asked for its {@link PiecewiseSystem} part
    * @throws IllegalArgumentException if a place is not a number
    */
-  public void begin(Object system, double t0, double tEnd) {
+  public void begin(SystemParts system, double t0, double tEnd) {
     direction = tEnd < t0 ? -1 : 1;
-    ahead = new double[] {Double.POSITIVE_INFINITY};
-    if (system instanceof PiecewiseSystem pieces) {
-      ahead =
-          pieces.breakpoints().stream()
-              .mapToDouble(place -> direction * requireNumber(place))
-              .filter(place -> place >= direction * t0)
-              .distinct()
-              .sorted()
-              .toArray();
-      ahead = Arrays.copyOf(ahead, ahead.length + 1);
-      ahead[ahead.length - 1] = Double.POSITIVE_INFINITY;
-    }
+    List<Double> places =
+        system.part(PiecewiseSystem.class).map(PiecewiseSystem::breakpoints).orElse(List.of());
+    ahead =
+        places.stream()
+            .mapToDouble(place -> direction * requireNumber(place))
+            .filter(place -> place >= direction * t0)
+            .distinct()
+            .sorted()
+            .toArray();
+    ahead = Arrays.copyOf(ahead, ahead.length + 1);
+    ahead[ahead.length - 1] = Double.POSITIVE_INFINITY;
     next = 0;
     first = Double.NEGATIVE_INFINITY;
     last = Math.nextDown(ahead[0]);

@@ -1,6 +1,7 @@
 package org.mechservice.solver.ode.jumps;
 
 import org.mechservice.solver.ode.SavedState;
+import org.mechservice.solver.ode.step.ErrorNorm;
 import org.mechservice.solver.ode.step.RightHandSide;
 
 /**
@@ -64,26 +65,33 @@ public final class PoleProbe {
    * Returns the component with a pole inside a step, −1 if there is none.
    *
    * @param equations asked for further derivatives if it looks like a pole
+   * @param norm what changes less in a step than it allows as an error is not looked at
    * @param t beginning of the step
    * @param end end of the step
    * @param y state at its beginning
    * @param yEnd state at its end
    * @param derivative at its beginning
+   * @param foreseen derivative at its end, extrapolated from what came before: a change of sign that
+   *     it shows is no pole
    * @param derivativeAtEnd at its end
    */
   public int component(
       RightHandSide equations,
+      ErrorNorm norm,
       double t,
       double end,
       double[] y,
       double[] yEnd,
       double[] derivative,
+      double[] foreseen,
       double[] derivativeAtEnd) {
     if (known == 0) {
       return -1;
     }
     for (int l = 0; l < y.length; l++) {
-      if (suspect(l, t, derivative[l], derivativeAtEnd[l], end - t)
+      if (foreseen[l] * derivative[l] > 0
+          && Math.abs((end - t) * derivativeAtEnd[l]) * norm.weight(l) > 1
+          && suspect(l, t, derivative[l], derivativeAtEnd[l], end - t)
           && narrowed(equations, l, t, end, y, yEnd, derivative[l], derivativeAtEnd[l])) {
         return l;
       }

@@ -3,6 +3,7 @@ package org.mechservice.solver.ode.newton;
 import java.util.BitSet;
 import org.mechservice.solver.linear.MatrixLayout;
 import org.mechservice.solver.ode.SparseSystem;
+import org.mechservice.solver.ode.SystemParts;
 
 /**
  * The columns of a matrix of derivatives in groups that share no row: one evaluation with all
@@ -11,7 +12,7 @@ import org.mechservice.solver.ode.SparseSystem;
  * left, in their order, every one that shares no row with those it has (Curtis, Powell and Reid, J.
  * Inst. Maths Applics 13 (1974) 117).
  */
-final class ColumnGroups {
+public final class ColumnGroups {
   private static final int NONE = -1;
 
   /** First column of each group. */
@@ -30,13 +31,16 @@ final class ColumnGroups {
   }
 
   /**
+   * Returns the groups of a problem's columns.
+   *
    * @param system the problem, asked for its pattern
    * @param layout of its matrix
    */
-  static ColumnGroups of(Object system, MatrixLayout layout) {
-    return system instanceof SparseSystem sparse
-        ? ofPattern(sparse, layout.dimension())
-        : ofLayout(layout);
+  public static ColumnGroups of(SystemParts system, MatrixLayout layout) {
+    return system
+        .part(SparseSystem.class)
+        .map(sparse -> ofPattern(sparse, layout.dimension()))
+        .orElseGet(() -> ofLayout(layout));
   }
 
   private static ColumnGroups ofLayout(MatrixLayout layout) {
@@ -90,22 +94,23 @@ final class ColumnGroups {
     }
   }
 
-  int count() {
+  /** Returns the number of groups. */
+  public int count() {
     return first.length;
   }
 
   /** Returns the first column of a group. */
-  int first(int group) {
+  public int first(int group) {
     return first[group];
   }
 
   /** Returns the column that follows in the group; negative if it is the last. */
-  int next(int column) {
+  public int next(int column) {
     return next[column];
   }
 
   /** Returns whether an element that the layout has may differ from zero. */
-  boolean couples(int row, int column) {
+  public boolean couples(int row, int column) {
     return rows.length == 0 || rows[column].get(row);
   }
 }

@@ -1,6 +1,7 @@
 package org.mechservice.solver.ode.newton;
 
 import java.util.Arrays;
+import java.util.Optional;
 import org.mechservice.solver.linear.CondensedLu;
 import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.ode.BandedSystem;
@@ -34,6 +35,10 @@ public final class ExplicitEquations extends StepEquations {
   private static final double SQRT_ROUNDOFF = Math.sqrt(Math.ulp(1.0));
 
   private final RightHandSide rightHandSide;
+
+  /** The Jacobian that the problem knows. */
+  private final Optional<JacobianSystem> known;
+
   private final JacobianMatrix jacobian;
   private final JacobianDifferences differencing;
   private final CompletedFunction function = new CompletedFunction();
@@ -65,8 +70,9 @@ public final class ExplicitEquations extends StepEquations {
     super(new Manifold(rightHandSide.system()), MatrixDrift.none());
     this.rightHandSide = rightHandSide;
     OdeSystem system = rightHandSide.system();
+    known = system.part(JacobianSystem.class);
     LinearSolver solver =
-        condensing && !(system instanceof BandedSystem)
+        condensing && system.part(BandedSystem.class).isEmpty()
             ? new CondensedLu(smallSizes.length)
             : IterationMatrix.solverFor(system, smallSizes.length);
     jacobian = new JacobianMatrix(solver.layout());
@@ -123,9 +129,7 @@ public final class ExplicitEquations extends StepEquations {
   @Override
   TrialOutcome formDerivatives(double t, double[] y) {
     TrialOutcome attempt =
-        rightHandSide.system() instanceof JacobianSystem known
-            ? evaluateKnown(known, t, y)
-            : evaluateByDifferences(t, y);
+        known.isPresent() ? evaluateKnown(known.get(), t, y) : evaluateByDifferences(t, y);
     if (attempt == TrialOutcome.PASSED) {
       jacobian.replace();
     }

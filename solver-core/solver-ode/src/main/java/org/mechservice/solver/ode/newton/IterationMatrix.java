@@ -1,11 +1,13 @@
 package org.mechservice.solver.ode.newton;
 
+import java.util.Optional;
 import org.mechservice.solver.linear.BandLayout;
 import org.mechservice.solver.linear.BandLu;
 import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.linear.MatrixLayout;
 import org.mechservice.solver.ode.BandedSystem;
+import org.mechservice.solver.ode.SystemParts;
 import org.mechservice.solver.ode.step.Manifold;
 
 /**
@@ -41,9 +43,11 @@ final class IterationMatrix {
    * @param dimension n
    * @throws IllegalArgumentException if the band is wider than the matrix
    */
-  static LinearSolver solverFor(Object system, int dimension) {
-    return system instanceof BandedSystem banded
-        ? new BandLu(new BandLayout(dimension, banded.lowerBandwidth(), banded.upperBandwidth()))
+  static LinearSolver solverFor(SystemParts system, int dimension) {
+    Optional<BandedSystem> band = system.part(BandedSystem.class);
+    return band.isPresent()
+        ? new BandLu(
+            new BandLayout(dimension, band.get().lowerBandwidth(), band.get().upperBandwidth()))
         : new DenseLu(dimension);
   }
 

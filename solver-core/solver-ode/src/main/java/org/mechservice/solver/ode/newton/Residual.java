@@ -85,9 +85,7 @@ public final class Residual {
   void transfer(SavedState state) {
     evaluations = state.integer(evaluations);
     breakpoints.transfer(state);
-    if (system instanceof SavedSystem saved) {
-      saved.transfer(state);
-    }
+    system.part(SavedSystem.class).ifPresent(saved -> saved.transfer(state));
     manifold.refresh();
   }
 }

@@ -34,6 +34,10 @@ public final class ResidualJacobians implements ResidualLinearisation {
   private static final double SHARE_OF_STATE = 0x1p-26;
 
   private final ResidualSystem system;
+
+  /** The derivatives that the problem knows. */
+  private final Optional<ResidualJacobianSystem> known;
+
   private final Residual residual;
   private final JacobianMatrix fy;
   private final JacobianMatrix fyDot;
@@ -76,6 +80,7 @@ public final class ResidualJacobians implements ResidualLinearisation {
   public ResidualJacobians(ResidualSystem system, Residual residual, double[] smallSizes) {
     int n = smallSizes.length;
     this.system = system;
+    known = system.part(ResidualJacobianSystem.class);
     this.residual = residual;
     this.smallSizes = smallSizes;
     smallSlopes = smallSizes.clone();
@@ -107,7 +112,7 @@ public final class ResidualJacobians implements ResidualLinearisation {
 
   @Override
   public boolean formsMatrix() {
-    return !(system instanceof ResidualJacobianSystem);
+    return known.isEmpty();
   }
 
   @Override
@@ -145,8 +150,8 @@ public final class ResidualJacobians implements ResidualLinearisation {
   @Override
   public TrialOutcome form(double t, double[] y, double[] yDot) {
     TrialOutcome attempt =
-        system instanceof ResidualJacobianSystem known
-            ? evaluateKnown(known, t, y, yDot)
+        known.isPresent()
+            ? evaluateKnown(known.get(), t, y, yDot)
             : evaluateByDifferences(t, y, yDot);
     if (attempt == TrialOutcome.PASSED) {
       fy.replace();
@@ -158,11 +163,11 @@ public final class ResidualJacobians implements ResidualLinearisation {
   }
 
   private TrialOutcome evaluateKnown(
-      ResidualJacobianSystem known, double t, double[] y, double[] yDot) {
+      ResidualJacobianSystem derivatives, double t, double[] y, double[] yDot) {
     if (residual.stopped()) {
       return TrialOutcome.STOPPED;
     }
-    known.jacobians(
+    derivatives.jacobians(
         residual.breakpoints().inside(t), y, yDot, fy.formingFromZero(), fyDot.formingFromZero());
     notFiniteComponent = Math.max(fy.rowNotFinite(), fyDot.rowNotFinite());
     return notFiniteComponent < 0 ? TrialOutcome.PASSED : TrialOutcome.NOT_FINITE;

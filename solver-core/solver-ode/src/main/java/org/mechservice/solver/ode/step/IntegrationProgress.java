@@ -174,6 +174,13 @@ public final class IntegrationProgress {
     }
   }
 
+  /** Requires an accepted step that the history belongs to. */
+  public void requireStep() {
+    if (order == 0) {
+      throw new IllegalStateException("no step was taken since the start or the last restart");
+    }
+  }
+
   public double time() {
     return time;
   }

@@ -6,6 +6,7 @@ import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.ProjectedSystem;
 import org.mechservice.solver.ode.ResidualSystem;
 import org.mechservice.solver.ode.ResidualSystem.Component;
+import org.mechservice.solver.ode.SystemParts;
 import org.mechservice.solver.ode.UnitNormGroups;
 
 /**
@@ -31,7 +32,7 @@ public final class Manifold {
   private boolean anyAlgebraic;
 
   /**
-   * @param system the problem, asked for what it implements
+   * @param system the problem, asked for its parts
    */
   public Manifold(OdeSystem system) {
     this(system, system.dimension());
@@ -39,7 +40,7 @@ public final class Manifold {
   }
 
   /**
-   * @param system the problem, asked for what it implements
+   * @param system the problem, asked for its parts
    */
   public Manifold(ResidualSystem system) {
     this(system, system.dimension());
@@ -50,11 +51,11 @@ public final class Manifold {
     choose();
   }
 
-  private Manifold(Object system, int dimension) {
-    completed = system instanceof CompletedSystem known ? known : NOTHING;
-    projected = system instanceof ProjectedSystem known ? known : NOTHING;
-    groups = system instanceof ErrorWeightGroups known ? known : NOTHING;
-    units = system instanceof UnitNormGroups known ? known : NOTHING;
+  private Manifold(SystemParts system, int dimension) {
+    completed = system.part(CompletedSystem.class).orElse(NOTHING);
+    projected = system.part(ProjectedSystem.class).orElse(NOTHING);
+    groups = system.part(ErrorWeightGroups.class).orElse(NOTHING);
+    units = system.part(UnitNormGroups.class).orElse(NOTHING);
     algebraic = new boolean[dimension];
     independent = new boolean[dimension];
     tested = new boolean[dimension];

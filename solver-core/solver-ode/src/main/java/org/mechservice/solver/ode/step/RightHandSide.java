@@ -56,9 +56,7 @@ public final class RightHandSide {
   public void transfer(SavedState state) {
     evaluations = state.integer(evaluations);
     breakpoints.transfer(state);
-    if (system instanceof SavedSystem saved) {
-      saved.transfer(state);
-    }
+    system.part(SavedSystem.class).ifPresent(saved -> saved.transfer(state));
   }
 
   public long evaluations() {

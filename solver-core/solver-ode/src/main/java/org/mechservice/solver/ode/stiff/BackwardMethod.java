@@ -7,6 +7,7 @@ import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
 import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.SavedState;
+import org.mechservice.solver.ode.StepPolynomial;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.TrialOutcome;
 import org.mechservice.solver.ode.backward.BackwardFormulas;
@@ -29,6 +30,8 @@ import org.mechservice.solver.ode.step.SteppingIntegrator;
 abstract class BackwardMethod extends SteppingIntegrator {
   /** Part of the tolerances for systems with algebraic components. */
   private static final double ALGEBRAIC_PART = 1.0 / 3;
+
+  private static final StepPolynomial KEPT = BackwardInterpolant::evaluateKept;
 
   private final BackwardFormulas formulas;
   private final BackwardStep step;
@@ -212,6 +215,19 @@ abstract class BackwardMethod extends SteppingIntegrator {
     int k = atStart ? 1 : progress.order();
     double place = (t - progress.time()) / size;
     BackwardInterpolant.evaluate(place, size, k, step.differences(), y, yDot);
+  }
+
+  @Override
+  public final int keptLength() {
+    return BackwardInterpolant.keptLength(progress.order(), equations().manifold().dimension());
+  }
+
+  @Override
+  public final StepPolynomial keepStep(double[] kept, int from) {
+    progress.requireStep();
+    BackwardInterpolant.keep(
+        progress.time(), progress.stepSize(), progress.order(), step.differences(), kept, from);
+    return KEPT;
   }
 
   @Override

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -14,10 +15,11 @@ import org.mechservice.solver.linear.DenseLayout;
 import org.mechservice.solver.linear.MatrixLayout;
 import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.SparseSystem;
+import org.mechservice.solver.ode.SystemParts;
 import org.mechservice.solver.ode.suite.Ode;
 
 class ColumnGroupsTest {
-  private static List<List<Integer>> groups(Object system, MatrixLayout layout) {
+  private static List<List<Integer>> groups(SystemParts system, MatrixLayout layout) {
     ColumnGroups groups = ColumnGroups.of(system, layout);
     List<List<Integer>> columns = new ArrayList<>();
     for (int group = 0; group < groups.count(); group++) {
@@ -31,7 +33,16 @@ class ColumnGroupsTest {
   }
 
   private static List<List<Integer>> groups(int n, SparseSystem pattern) {
-    return groups(pattern, new DenseLayout(n));
+    return groups(declaring(pattern), new DenseLayout(n));
+  }
+
+  private static SystemParts declaring(SparseSystem pattern) {
+    return new SystemParts() {
+      @Override
+      public <T> Optional<T> part(Class<T> kind) {
+        return kind.isInstance(pattern) ? Optional.of(kind.cast(pattern)) : Optional.empty();
+      }
+    };
   }
 
   private static boolean shareARow(SparseSystem pattern, int n, int column1, int column2) {

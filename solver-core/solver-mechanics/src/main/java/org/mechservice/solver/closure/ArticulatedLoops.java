@@ -1,0 +1,409 @@
+package org.mechservice.solver.closure;
+
+import static org.mechservice.solver.spatial.Blocks.addCross;
+import static org.mechservice.solver.spatial.Blocks.applyTransposed;
+
+import java.util.Arrays;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.closure.equations.LoopEquations;
+import org.mechservice.solver.dynamics.recursion.ArticulatedInertias;
+import org.mechservice.solver.dynamics.recursion.LinkInertias;
+import org.mechservice.solver.dynamics.recursion.RigidComposites;
+import org.mechservice.solver.dynamics.tree.PivotCheck;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.linear.SparseSymmetric;
+
+/**
+ * Factors of M x + Jᵀ λ = f, J x + c = 0 by recursion, without M: articulated bodies that carry the
+ * equations of the loops inwards with them. An equation is eliminated at its {@link LoopFronts
+ * home}; from there inwards it is part of the articulated inertia (Popov and Vereshchagin 1978;
+ * Sathya and Carpentier 2024, constrained articulated-body algorithm with early elimination). What
+ * loops share on the root is a sparse matrix, factored in an order of least degree.
+ *
+ * <p>The cost is one number of operations per link and equation that is open in it, squared,
+ * instead of the cube of the mechanism's size. With K the wrenches of the multipliers as a link
+ * feels them, U = Iᴬ S, D = Sᵀ U, κ = Kᵀ S + g, where g are the forces of multipliers on the joint
+ * itself:
+ *
+ * <pre>
+ * Iᴬ −= U Uᵀ / D,  K −= U κᵀ / D,  Λ += κ κᵀ / D   for each freedom of a joint
+ * Iᴬ += K_e K_eᵀ / Λ_ee,  K −= K_e Λ_e / Λ_ee        for each equation e at home
+ * </pre>
+ *
+ * <p>Workspace of one thread; nothing allocates after construction. It does not hold rods with
+ * mass, which couple two bodies.
+ */
+public final class ArticulatedLoops {
+  private static final double[] NONE = {};
+
+  private final TreeGeometry tree;
+  private final TreeMotion motion;
+  private final LoopEquations loops;
+  private final LoopFronts fronts;
+  private final SparseSymmetric multipliers;
+  private final ArticulatedInertias inertia;
+  private final RigidComposites rigid;
+  private final PivotCheck check = new PivotCheck();
+
+  /** U, 6 per extended velocity; D, and u of the last solution, one each. */
+  private final double[] projected;
+
+  private final double[] pivot;
+  private final double[] push;
+
+  /** K, 6 per entry of a front; of an entry that is eliminated as it was then. */
+  private final double[] wrench;
+
+  /** κ of each velocity, for the entries of its link's front that are open in it. */
+  private final int[] couplingAt;
+
+  private final double[] coupling;
+
+  /** g of each velocity, likewise. */
+  private final double[] direct;
+
+  /** Wrenches and forces of one multiplier; zero between calls. */
+  private final double[] ofMultiplier;
+
+  private final double[] ofVelocity;
+
+  /** p, then accelerations, 6 per link; c + what is known of J x, then multipliers, by place. */
+  private final double[] spatial;
+
+  private final double[] row;
+  private final double[] carried = new double[6];
+  private final int[] places;
+  private boolean[] heldAt = {};
+
+  /**
+   * @param rows equations that count, by their rows; independent of each other
+   */
+  public ArticulatedLoops(TreeMotion motion, LoopEquations loops, int[] rows) {
+    tree = motion.tree();
+    this.motion = motion;
+    this.loops = loops;
+    fronts = new LoopFronts(tree, loops, rows);
+    multipliers = fronts.matrix;
+    LinkInertias inertias = new LinkInertias(tree);
+    inertia = new ArticulatedInertias(motion, inertias);
+    rigid = new RigidComposites(tree, inertias);
+    projected = new double[6 * tree.velocityCount];
+    pivot = new double[tree.velocityCount];
+    push = new double[tree.velocityCount];
+    wrench = new double[6 * fronts.place.length];
+    couplingAt = new int[tree.velocityCount + 1];
+    int at = 0;
+    for (int k = 0; k < tree.velocityCount; k++) {
+      int link = tree.linkOfVelocity[k];
+      couplingAt[k] = at;
+      at += fronts.start[link + 1] - fronts.open[link];
+    }
+    couplingAt[tree.velocityCount] = at;
+    coupling = new double[at];
+    direct = new double[at];
+    ofMultiplier = new double[6 * tree.linkCount];
+    ofVelocity = new double[tree.velocityCount];
+    spatial = new double[6 * tree.linkCount];
+    row = new double[rows.length];
+    places = fronts.place;
+  }
+
+  /** Returns whether these are the factors for a set of equations. */
+  public boolean areOf(int[] rows) {
+    return Arrays.equals(fronts.rows, rows);
+  }
+
+  /**
+   * Factors where the loops are placed.
+   *
+   * @return {@link ExplicitModel#REGULAR}; or the velocity of the state that no inertia resists; or
+   *     −2 − the equation that repeats others there
+   */
+  public int factor() {
+    return factor(NONE, new boolean[0]);
+  }
+
+  /**
+   * Factors M x + Jᵀ λ = f, J x + c = C λ with a compliance C, so that equations may repeat each
+   * other.
+   *
+   * @param compliance one number per row of the loops, or empty for none; not modified
+   * @param held velocities of the state at which x is zero; empty if there are none
+   * @return as {@link #factor()}
+   */
+  public int factor(double[] compliance, boolean[] held) {
+    check.start();
+    rigid.start();
+    multipliers.clear();
+    load();
+    heldAt = held;
+    for (int i = 0; i < fronts.rows.length && compliance.length > 0; i++) {
+      multipliers.addDiagonal(multipliers.placeOf(i), compliance[fronts.rows[i]]);
+    }
+    for (int link = 0; link < tree.linkCount; link++) {
+      inertia.startAtRest(link);
+    }
+    for (int link = tree.linkCount - 1; link >= 0; link--) {
+      int singular = eliminateAtHome(link);
+      if (singular == ExplicitModel.REGULAR) {
+        singular = eliminateJoint(link);
+      }
+      if (singular != ExplicitModel.REGULAR) {
+        return singular;
+      }
+      carryInwards(link);
+    }
+    for (int at = 0; at < multipliers.size(); at++) {
+      if (fronts.isAtHomeOnRoot(at) && !multipliers.eliminate(at)) {
+        return -2 - fronts.rows[multipliers.rowAt(at)];
+      }
+    }
+    return ExplicitModel.REGULAR;
+  }
+
+  /** Takes K and g of the multipliers where they act. */
+  private void load() {
+    Arrays.fill(wrench, 0);
+    Arrays.fill(direct, 0);
+    for (int i = 0; i < fronts.rows.length; i++) {
+      loops.addForces(fronts.rows[i], 1, ofMultiplier, ofVelocity);
+      for (int l = 0; l < fronts.loaded[i].length; l++) {
+        int from = 6 * fronts.loaded[i][l];
+        if (fronts.loadedEntry[i][l] >= 0) {
+          System.arraycopy(ofMultiplier, from, wrench, 6 * fronts.loadedEntry[i][l], 6);
+        }
+        Arrays.fill(ofMultiplier, from, from + 6, 0);
+      }
+      for (int l = 0; l < fronts.pushed[i].length; l++) {
+        int k = fronts.pushed[i][l];
+        int link = tree.linkOfVelocity[k];
+        direct[couplingAt[k] + fronts.pushedEntry[i][l] - fronts.open[link]] = ofVelocity[k];
+      }
+      for (int k : fronts.velocities[i]) {
+        ofVelocity[k] = 0;
+      }
+    }
+  }
+
+  private int eliminateAtHome(int link) {
+    for (int e = fronts.start[link]; e < fronts.open[link]; e++) {
+      int at = places[e];
+      if (!multipliers.eliminate(at)) {
+        return -2 - fronts.rows[multipliers.rowAt(at)];
+      }
+      int later = multipliers.start(at);
+      int end = multipliers.start(at + 1);
+      for (int other = e + 1; other < fronts.start[link + 1] && later < end; other++) {
+        while (later < end && multipliers.later(later) < places[other]) {
+          later++;
+        }
+        if (later < end && multipliers.later(later) == places[other]) {
+          addScaled(wrench, 6 * other, wrench, 6 * e, -multipliers.lower(later));
+        }
+      }
+      inertia.eliminate(link, wrench, 6 * e, -1 / multipliers.pivot(at));
+    }
+    return ExplicitModel.REGULAR;
+  }
+
+  /** Takes the freedoms of a link's joint out, one after the other. */
+  private int eliminateJoint(int link) {
+    if (tree.driven[link]) {
+      return ExplicitModel.REGULAR;
+    }
+    int first = tree.velocityAt[link];
+    int count = fronts.start[link + 1] - fronts.open[link];
+    for (int k = first; k < first + tree.kind[link].velocityCount(); k++) {
+      if (isHeld(k)) {
+        continue;
+      }
+      inertia.applyTo(link, motion.subspace, 6 * k, projected, 6 * k);
+      pivot[k] = dot(motion.subspace, 6 * k, projected, 6 * k);
+      if (!check.regular(k, pivot[k], rigid.scale(link))) {
+        return k;
+      }
+      double perPivot = 1 / pivot[k];
+      for (int i = 0; i < count; i++) {
+        int e = fronts.open[link] + i;
+        double moved = dot(motion.subspace, 6 * k, wrench, 6 * e) + direct[couplingAt[k] + i];
+        coupling[couplingAt[k] + i] = moved;
+        addScaled(wrench, 6 * e, projected, 6 * k, -moved * perPivot);
+      }
+      multipliers.addSquare(places, fronts.open[link], coupling, couplingAt[k], count, perPivot);
+      inertia.eliminate(link, projected, 6 * k, perPivot);
+    }
+    return ExplicitModel.REGULAR;
+  }
+
+  private boolean isHeld(int velocity) {
+    return velocity < heldAt.length && heldAt[velocity];
+  }
+
+  /**
+   * Returns about the largest element on the diagonal of M, from above, where the tree is placed:
+   * the largest inertia that a joint moves while no other does.
+   *
+   * @param units of the velocities of the state, by which displacements are lengths
+   */
+  public double largestInertia(double[] units) {
+    rigid.start();
+    double largest = 0;
+    for (int link = tree.linkCount - 1; link >= 0; link--) {
+      int first = tree.velocityAt[link];
+      for (int k = first; k < first + tree.kind[link].velocityCount(); k++) {
+        double unit = tree.driven[link] ? 0 : units[k];
+        largest = Math.max(largest, rigid.scale(link) * unit * unit);
+      }
+      if (tree.parent[link] != TreeGeometry.ROOT) {
+        rigid.addToParent(motion, link);
+      }
+    }
+    return largest;
+  }
+
+  private void carryInwards(int link) {
+    if (tree.parent[link] == TreeGeometry.ROOT) {
+      return;
+    }
+    inertia.addToParent(link);
+    rigid.addToParent(motion, link);
+    for (int e = fronts.open[link]; e < fronts.start[link + 1]; e++) {
+      System.arraycopy(wrench, 6 * e, carried, 0, 6);
+      motion.wrenches.toParent(link, carried, 0);
+      addScaled(wrench, 6 * fronts.inParent[e], carried, 0, 1);
+    }
+  }
+
+  /**
+   * Solves with the last factors.
+   *
+   * @param force f, one number per velocity of the state; not modified
+   * @param offset c, one number per row of the loops; not modified
+   * @param x from {@code at}, one number per velocity of the state; overwritten
+   * @param lambda one number per row of the loops, those that do not count being zero; overwritten
+   */
+  public void solve(double[] force, double[] offset, double[] x, int at, double[] lambda) {
+    Arrays.fill(spatial, 0);
+    for (int i = 0; i < fronts.rows.length; i++) {
+      row[multipliers.placeOf(i)] = offset[fronts.rows[i]];
+    }
+    for (int link = tree.linkCount - 1; link >= 0; link--) {
+      pushInwards(link, force);
+    }
+    for (int place = 0; place < row.length; place++) {
+      if (fronts.isAtHomeOnRoot(place)) {
+        passOn(place);
+      }
+    }
+    for (int place = row.length - 1; place >= 0; place--) {
+      if (fronts.isAtHomeOnRoot(place)) {
+        row[place] = -row[place] / multipliers.pivot(place) - ofLater(place);
+      }
+    }
+    for (int link = 0; link < tree.linkCount; link++) {
+      moveOutwards(link, x, at);
+    }
+    Arrays.fill(lambda, 0);
+    for (int place = 0; place < row.length; place++) {
+      lambda[fronts.rows[multipliers.rowAt(place)]] = -row[place];
+    }
+  }
+
+  /** Subtracts what an equation's elimination takes from those after it. */
+  private void passOn(int place) {
+    for (int e = multipliers.start(place); e < multipliers.start(place + 1); e++) {
+      row[multipliers.later(e)] -= multipliers.lower(e) * row[place];
+    }
+  }
+
+  private double ofLater(int place) {
+    double sum = 0;
+    for (int e = multipliers.start(place); e < multipliers.start(place + 1); e++) {
+      sum += multipliers.lower(e) * row[multipliers.later(e)];
+    }
+    return sum;
+  }
+
+  private void pushInwards(int link, double[] force) {
+    for (int e = fronts.start[link]; e < fronts.open[link]; e++) {
+      int place = places[e];
+      passOn(place);
+      addScaled(spatial, 6 * link, wrench, 6 * e, row[place] / multipliers.pivot(place));
+    }
+    if (!tree.driven[link]) {
+      int first = tree.velocityAt[link];
+      for (int k = first; k < first + tree.kind[link].velocityCount(); k++) {
+        if (isHeld(k)) {
+          continue;
+        }
+        push[k] = force[k] - dot(motion.subspace, 6 * k, spatial, 6 * link);
+        double part = push[k] / pivot[k];
+        for (int e = fronts.open[link]; e < fronts.start[link + 1]; e++) {
+          row[places[e]] += coupling[couplingAt[k] + e - fronts.open[link]] * part;
+        }
+        addScaled(spatial, 6 * link, projected, 6 * k, part);
+      }
+    }
+    if (tree.parent[link] != TreeGeometry.ROOT) {
+      System.arraycopy(spatial, 6 * link, carried, 0, 6);
+      motion.wrenches.toParent(link, carried, 0);
+      addScaled(spatial, 6 * tree.parent[link], carried, 0, 1);
+    }
+  }
+
+  private void moveOutwards(int link, double[] x, int at) {
+    carryAcceleration(link);
+    if (!tree.driven[link]) {
+      moveJoint(link, x, at);
+    }
+    for (int e = fronts.open[link] - 1; e >= fronts.start[link]; e--) {
+      int place = places[e];
+      double known = row[place] + dot(wrench, 6 * e, spatial, 6 * link);
+      row[place] = -known / multipliers.pivot(place) - ofLater(place);
+    }
+  }
+
+  private void moveJoint(int link, double[] x, int at) {
+    int first = tree.velocityAt[link];
+    for (int k = first + tree.kind[link].velocityCount() - 1; k >= first; k--) {
+      if (isHeld(k)) {
+        x[at + k] = 0;
+        continue;
+      }
+      double sum = push[k] - dot(projected, 6 * k, spatial, 6 * link);
+      for (int e = fronts.open[link]; e < fronts.start[link + 1]; e++) {
+        sum += coupling[couplingAt[k] + e - fronts.open[link]] * row[places[e]];
+      }
+      x[at + k] = sum / pivot[k];
+      addScaled(spatial, 6 * link, motion.subspace, 6 * k, x[at + k]);
+    }
+  }
+
+  private void carryAcceleration(int link) {
+    int to = 6 * link;
+    int parent = tree.parent[link];
+    if (parent == TreeGeometry.ROOT) {
+      Arrays.fill(spatial, to, to + 6, 0);
+      return;
+    }
+    applyTransposed(motion.rotation, 9 * link, spatial, 6 * parent, spatial, to);
+    System.arraycopy(spatial, 6 * parent + 3, carried, 0, 3);
+    addCross(spatial, 6 * parent, motion.position, 3 * link, carried, 0);
+    applyTransposed(motion.rotation, 9 * link, carried, 0, spatial, to + 3);
+  }
+
+  private static void addScaled(double[] sum, int is, double[] x, int ix, double factor) {
+    for (int i = 0; i < 6; i++) {
+      sum[is + i] += factor * x[ix + i];
+    }
+  }
+
+  private static double dot(double[] a, int ia, double[] b, int ib) {
+    double sum = 0;
+    for (int i = 0; i < 6; i++) {
+      sum += a[ia + i] * b[ib + i];
+    }
+    return sum;
+  }
+}

@@ -1,0 +1,157 @@
+package org.mechservice.solver.closure;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.mechservice.solver.closure.equations.LoopEquations;
+import org.mechservice.solver.closure.equations.RowSupport;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.linear.SparseSymmetric;
+
+/**
+ * Where the equations of loops are open in the tree: from the links that they depend on inwards to
+ * their <i>home</i>, the last link that all their ways share. There they are eliminated, the
+ * outermost homes first; those that are at home on the root follow by least degree.
+ *
+ * <p>The front of a link holds the equations that are open in a link outside of it, those at home
+ * here first. Immutable.
+ */
+final class LoopFronts {
+  /** Equations that are eliminated, by the rows of the loops. */
+  final int[] rows;
+
+  /** Matrix of the multipliers, one row per equation of {@link #rows}, of which this is the order. */
+  final SparseSymmetric matrix;
+
+  /** Where the front of each link begins, and where those begin that are not at home on it. */
+  final int[] start;
+
+  final int[] open;
+
+  /** Place of each entry's equation in the order of elimination. */
+  final int[] place;
+
+  /** Entry of the same equation in the front of the parent, or -1. */
+  final int[] inParent;
+
+  /** For each equation and link loaded by it: the link and the entry there. */
+  final int[][] loaded;
+
+  final int[][] loadedEntry;
+
+  /** For each equation the extended velocities it puts forces on. */
+  final int[][] velocities;
+
+  /** Those of the state among them, and the entries in the fronts of their links. */
+  final int[][] pushed;
+
+  final int[][] pushedEntry;
+
+  private final TreeGeometry tree;
+  private final int[] home;
+
+  LoopFronts(TreeGeometry tree, LoopEquations loops, int[] rows) {
+    this.tree = tree;
+    this.rows = rows.clone();
+    int count = rows.length;
+    RowSupport[] support = new RowSupport[count];
+    Arrays.setAll(support, i -> loops.support(rows[i]));
+    home = new int[count];
+    Arrays.setAll(home, i -> home(support[i]));
+    List<List<Integer>> through = new ArrayList<>();
+    for (int link = 0; link < tree.linkCount; link++) {
+      through.add(new ArrayList<>());
+    }
+    for (int i = 0; i < count; i++) {
+      for (int link : linksThrough(support[i], home[i])) {
+        through.get(link).add(i);
+      }
+    }
+    List<int[]> cliques = new ArrayList<>();
+    through.forEach(list -> cliques.add(list.stream().mapToInt(Integer::intValue).toArray()));
+    int[] first =
+        IntStream.range(0, count)
+            .filter(i -> home[i] != TreeGeometry.ROOT)
+            .boxed()
+            .sorted(Comparator.comparing((Integer i) -> -home[i]))
+            .mapToInt(Integer::intValue)
+            .toArray();
+    matrix = new SparseSymmetric(count, cliques, first);
+    start = new int[tree.linkCount + 1];
+    open = new int[tree.linkCount];
+    int[][] front = new int[tree.linkCount][];
+    for (int link = 0; link < tree.linkCount; link++) {
+      int own = link;
+      int[] here = IntStream.range(0, count).filter(i -> home[i] == own).toArray();
+      front[link] =
+          IntStream.concat(Arrays.stream(here), Arrays.stream(cliques.get(link)))
+              .map(matrix::placeOf)
+              .sorted()
+              .toArray();
+      start[link + 1] = start[link] + front[link].length;
+      open[link] = start[link] + here.length;
+    }
+    place = Arrays.stream(front).flatMapToInt(Arrays::stream).toArray();
+    inParent = new int[place.length];
+    for (int link = 0; link < tree.linkCount; link++) {
+      for (int e = start[link]; e < start[link + 1]; e++) {
+        boolean ends = e < open[link] || tree.parent[link] == TreeGeometry.ROOT;
+        inParent[e] = ends ? -1 : entry(tree.parent[link], place[e]);
+      }
+    }
+    loaded = new int[count][];
+    loadedEntry = new int[count][];
+    velocities = new int[count][];
+    pushed = new int[count][];
+    pushedEntry = new int[count][];
+    for (int i = 0; i < count; i++) {
+      int at = matrix.placeOf(i);
+      loaded[i] = support[i].loaded();
+      loadedEntry[i] = Arrays.stream(loaded[i]).map(link -> entry(link, at)).toArray();
+      velocities[i] = support[i].velocities();
+      pushed[i] =
+          Arrays.stream(support[i].velocities()).filter(k -> k < tree.stateVelocityCount).toArray();
+      pushedEntry[i] =
+          Arrays.stream(pushed[i]).map(k -> entry(tree.linkOfVelocity[k], at)).toArray();
+    }
+  }
+
+  /** Returns whether the equation at a place of the order is at home on the root. */
+  boolean isAtHomeOnRoot(int ofPlace) {
+    return home[matrix.rowAt(ofPlace)] == TreeGeometry.ROOT;
+  }
+
+  private int home(RowSupport support) {
+    int home = Integer.MIN_VALUE;
+    for (int link : support.ways()) {
+      int parent = tree.parent[link];
+      home = home == Integer.MIN_VALUE ? parent : tree.commonAncestor(home, parent);
+    }
+    return home == Integer.MIN_VALUE ? TreeGeometry.ROOT : home;
+  }
+
+  private int[] linksThrough(RowSupport support, int home) {
+    BitSet links = new BitSet();
+    for (int[] group : new int[][] {support.ways(), support.loaded()}) {
+      for (int from : group) {
+        for (int link = from; link > home && !links.get(link); link = tree.parent[link]) {
+          links.set(link);
+        }
+      }
+    }
+    return links.stream().toArray();
+  }
+
+  /** Returns the entry of an equation in a front, or -1 if it is not there. */
+  private int entry(int link, int ofPlace) {
+    for (int e = start[link]; e < start[link + 1]; e++) {
+      if (place[e] == ofPlace) {
+        return e;
+      }
+    }
+    return -1;
+  }
+}

@@ -1,0 +1,49 @@
+package org.mechservice.solver.closure.assembly;
+
+import org.mechservice.solver.linear.SingularValues;
+import org.mechservice.solver.linear.SparseMatrix;
+
+/** By singular values. */
+final class DenseLeastMoves implements LeastMoves {
+  /** Singular values below this part of the largest are not divided by. */
+  private static final double NEGLIGIBLE = 1e-9;
+
+  private final SingularValues singular;
+  private final int most;
+  private final int columns;
+  private final double[] dense;
+
+  /**
+   * @param columns of the matrix that count, the first ones
+   */
+  DenseLeastMoves(int rows, int columns) {
+    singular = new SingularValues(rows, columns);
+    most = Math.min(rows, columns);
+    this.columns = columns;
+    dense = new double[rows * columns];
+  }
+
+  @Override
+  public void take(SparseMatrix matrix) {
+    matrix.toDense(dense, columns);
+    singular.decompose(dense);
+  }
+
+  @Override
+  public void solve(double damping, double[] right, double[] x) {
+    if (damping > 0) {
+      double largest = singular.value(0);
+      singular.solveDamped(damping * largest * largest, right, x);
+    } else {
+      singular.solve(rank(), right, x);
+    }
+  }
+
+  private int rank() {
+    int rank = 0;
+    while (rank < most && singular.value(rank) > NEGLIGIBLE * singular.value(0)) {
+      rank++;
+    }
+    return rank;
+  }
+}

@@ -1,0 +1,56 @@
+package org.mechservice.solver.closure.model;
+
+import java.util.Optional;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.closure.ArticulatedLoops;
+import org.mechservice.solver.closure.ClosedTree;
+
+/**
+ * The accelerations of a large mechanism, M v' + b − τ + Jᵀ λ = 0 and J v' + γ = 0, by {@link
+ * ArticulatedLoops}: for the equations that a {@link Partition} keeps, which change only where
+ * others follow from the rest. Workspace of one thread.
+ */
+final class RecursiveAccelerations {
+  /** What became of a solution. */
+  enum Solved {
+    /** There are accelerations. */
+    REGULAR,
+    /** The equations of the loops repeat each other here. */
+    LOCKED,
+    /** The tree without its loops has a joint that moves no inertia. */
+    WITHOUT_INERTIA
+  }
+
+  private final ClosedTree work;
+  private final Partition partition;
+  private Optional<ArticulatedLoops> factors = Optional.empty();
+  private final double[] force;
+  private final double[] lambda;
+
+  RecursiveAccelerations(ClosedTree work, Partition partition) {
+    this.work = work;
+    this.partition = partition;
+    force = new double[work.nv];
+    lambda = new double[work.loops.count()];
+  }
+
+  /**
+   * Solves where the work is placed and its bias formed.
+   *
+   * @param a accelerations from {@code at}; overwritten
+   */
+  Solved solve(double[] a, int at) {
+    if (factors.isEmpty() || !factors.get().areOf(partition.kept)) {
+      factors = Optional.of(new ArticulatedLoops(work.motion, work.loops, partition.kept));
+    }
+    int factored = factors.get().factor();
+    if (factored != ExplicitModel.REGULAR) {
+      return factored >= 0 ? Solved.WITHOUT_INERTIA : Solved.LOCKED;
+    }
+    for (int j = 0; j < force.length; j++) {
+      force[j] = -work.bias()[j];
+    }
+    factors.get().solve(force, work.loops.acceleration, a, at, lambda);
+    return Solved.REGULAR;
+  }
+}

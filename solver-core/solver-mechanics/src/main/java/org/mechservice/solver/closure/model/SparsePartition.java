@@ -1,0 +1,176 @@
+package org.mechservice.solver.closure.model;
+
+import java.util.Arrays;
+import java.util.Optional;
+import org.mechservice.solver.linear.SparseElimination;
+import org.mechservice.solver.linear.SparseLu;
+import org.mechservice.solver.linear.SparseMatrix;
+
+/**
+ * Chooses in the sparsity of the equations: pivots are large beside what their rows have left, and
+ * make few new elements. Allocates where it chooses, at every accepted step; what each evaluation
+ * does allocates nothing.
+ */
+final class SparsePartition extends Partition {
+  private final SparseElimination elimination;
+  private final SparseMatrix scaled;
+  private SparseLu factors;
+
+  /** Where each equation stands among the kept, and each unknown among the dependent ones. */
+  private final int[] keptPlace;
+
+  private final int[] dependentPlace;
+  private final double[] work;
+
+  /** Whose order of pivots the factors have taken over, if they have. */
+  private Optional<SparseLu> orderedBy = Optional.empty();
+
+  private int found;
+
+  SparsePartition(SparseMatrix pattern, int unknowns, int rank) {
+    super(pattern.rows(), unknowns, rank);
+    elimination = new SparseElimination(m, n);
+    scaled = pattern.sameShape();
+    factors = new SparseLu(elimination, 0, n);
+    keptPlace = new int[m];
+    dependentPlace = new int[n];
+    work = new double[rank];
+  }
+
+  @Override
+  void copyChoice(Partition other) {
+    super.copyChoice(other);
+    SparsePartition sparse = (SparsePartition) other;
+    if (orderedBy.isEmpty() || orderedBy.get() != sparse.factors) {
+      orderedBy = Optional.of(sparse.factors);
+      factors = sparse.factors.sameOrder();
+      findPlaces();
+    }
+  }
+
+  /** {@inheritDoc} In the order of the pivots, on which the last bits of what is solved depend. */
+  @Override
+  void save(double[] state, int at) {
+    for (int k = 0; k < factors.size(); k++) {
+      state[at + k] = factors.row(k);
+      state[at + rank + k] = factors.column(k);
+    }
+  }
+
+  @Override
+  void restore(double[] state, int at) {
+    super.restore(state, at);
+    int[] rows = new int[rank];
+    int[] columns = new int[rank];
+    Arrays.setAll(rows, k -> (int) state[at + k]);
+    Arrays.setAll(columns, k -> (int) state[at + rank + k]);
+    SparseElimination again = new SparseElimination(m, n);
+    again.repeat(scaled, rows, columns);
+    orderedBy = Optional.empty();
+    factors = new SparseLu(again, rank, n);
+    findPlaces();
+  }
+
+  @Override
+  boolean choose(SparseMatrix a) {
+    return chooseBetter(a, 0);
+  }
+
+  @Override
+  boolean chooseBetter(SparseMatrix a, double bound) {
+    formScaled(a);
+    eliminate(scaled);
+    if (!(bestPivot() > bound)) {
+      return false;
+    }
+    int[] rows = new int[rank];
+    int[] columns = new int[rank];
+    Arrays.setAll(rows, elimination::row);
+    Arrays.setAll(columns, elimination::column);
+    take(rows, columns);
+    orderedBy = Optional.empty();
+    factors = new SparseLu(elimination, rank, n);
+    findPlaces();
+    return true;
+  }
+
+  private void eliminate(SparseMatrix matrix) {
+    found = elimination.eliminate(matrix, rank, 0);
+  }
+
+  private void formScaled(SparseMatrix a) {
+    for (int i = 0; i < m; i++) {
+      for (int e = a.start[i]; e < a.start[i + 1]; e++) {
+        int j = a.column[e];
+        scaled.value[e] = j < n ? rowScale[i] * a.value[e] * columnScale[j] : 0;
+      }
+    }
+  }
+
+  private void findPlaces() {
+    for (int k = 0; k < rank; k++) {
+      keptPlace[kept[k]] = k;
+      dependentPlace[dependent[k]] = k;
+    }
+  }
+
+  @Override
+  int scaledLength() {
+    return scaled.value.length;
+  }
+
+  @Override
+  double[] scaled() {
+    return scaled.value;
+  }
+
+  @Override
+  double bestPivot(double[] elements) {
+    SparseMatrix looked = scaled.sameShape();
+    System.arraycopy(elements, 0, looked.value, 0, looked.value.length);
+    eliminate(looked);
+    return bestPivot();
+  }
+
+  @Override
+  double bestPivot() {
+    return found < rank ? 0 : elimination.smallestPivot();
+  }
+
+  @Override
+  int weakestRow() {
+    return found == 0 ? 0 : elimination.row(found < rank ? found : elimination.weakest());
+  }
+
+  @Override
+  double smallestPivot(SparseMatrix a) {
+    return factor(a) ? factors.smallestPivot() : 0;
+  }
+
+  @Override
+  boolean factor(SparseMatrix a) {
+    return factors.factor(a, rowScale, columnScale);
+  }
+
+  @Override
+  void solve(double[] b) {
+    for (int k = 0; k < rank; k++) {
+      work[k] = b[keptPlace[factors.row(k)]];
+    }
+    factors.solve(work);
+    for (int k = 0; k < rank; k++) {
+      b[dependentPlace[factors.column(k)]] = work[k];
+    }
+  }
+
+  @Override
+  void solveTransposed(double[] b) {
+    for (int k = 0; k < rank; k++) {
+      work[k] = b[dependentPlace[factors.column(k)]];
+    }
+    factors.solveTransposed(work);
+    for (int k = 0; k < rank; k++) {
+      b[keptPlace[factors.row(k)]] = work[k];
+    }
+  }
+}

@@ -1,0 +1,113 @@
+package org.mechservice.solver.ode.solve;
+
+import org.mechservice.solver.ode.IntegrationFailure;
+import org.mechservice.solver.ode.IntegrationFailure.Cause;
+
+/**
+ * An integration that could not go on. It carries the solution up to there; its message says where
+ * and why the integration ended and what to try instead.
+ */
+public final class IntegrationException extends RuntimeException {
+  private static final long serialVersionUID = 1;
+
+  private final transient OdeSolution solution;
+  private final transient IntegrationFailure failure;
+
+  IntegrationException(OdeSolution solution, IntegrationFailure failure, long maxSteps) {
+    super(message(solution, failure, maxSteps));
+    this.solution = solution;
+    this.failure = failure;
+  }
+
+  /** Returns the solution as far as it is known. */
+  public OdeSolution solution() {
+    return solution;
+  }
+
+  /** Returns the failure with its component, tolerance and last steps. */
+  public IntegrationFailure failure() {
+    return failure;
+  }
+
+  /** Returns what kind of failure it is. */
+  public Cause reason() {
+    return failure.cause();
+  }
+
+  /** Returns where the interval begins in which the solution is lost. */
+  public double lostFrom() {
+    return failure.time();
+  }
+
+  /** Returns where that interval ends: the end of the step that was tried last. */
+  public double lostTo() {
+    return solution.end() + failure.stepSize();
+  }
+
+  /** Returns what to try instead. */
+  public String advice() {
+    return advice(failure.cause());
+  }
+
+  private static String message(OdeSolution solution, IntegrationFailure failure, long maxSteps) {
+    StringBuilder text = new StringBuilder();
+    text.append("the integration from t = ").append(solution.start());
+    text.append(" to ").append(solution.requestedEnd());
+    text.append(" ended at t = ").append(solution.end());
+    text.append(" (step ").append(failure.stepSize()).append("): ");
+    text.append(cause(failure.cause(), maxSteps));
+    if (failure.worstComponent() >= 0) {
+      text.append("; y[").append(failure.worstComponent()).append("] limits it");
+    }
+    if (failure.time() != solution.end()) {
+      text.append("; the difficulty begins at t = ").append(failure.time());
+    }
+    return text.append(". ").append(advice(failure.cause())).toString();
+  }
+
+  private static String cause(Cause cause, long maxSteps) {
+    return switch (cause) {
+      case STEP_TOO_SMALL -> "the error test fails however small the step";
+      case UNBOUNDED -> "the solution grows beyond every bound there";
+      case TOLERANCE_TOO_TIGHT -> "the tolerance asks for more digits than the arithmetic has";
+      case NOT_FINITE -> "the equations are not finite there, also with shorter steps";
+      case NO_CONVERGENCE -> "the equations of a step cannot be solved, however small it is";
+      case SINGULAR_MATRIX -> "the matrix of the equations of a step is singular";
+      case NOT_COMPLETED -> "components that follow from others cannot be found";
+      case EVENTS_ACCUMULATE -> "events follow each other ever closer";
+      case EVENT_NOT_FINITE -> "an event function is not finite there";
+      case INCONSISTENT_START -> "no values at the start were found that obey the equations";
+      case TOO_MANY_STEPS -> "the " + maxSteps + " steps allowed are used up";
+    };
+  }
+
+  private static String advice(Cause cause) {
+    return switch (cause) {
+      case STEP_TOO_SMALL ->
+          "Look at the equations near this place: the solution may end here or jump. Declare jumps"
+              + " by withBreakpoints or by an event, or loosen the tolerances.";
+      case UNBOUNDED ->
+          "Ask for an earlier end, or end the integration before the pole by a terminal event.";
+      case TOLERANCE_TOO_TIGHT -> "Loosen rtol or atol.";
+      case NOT_FINITE ->
+          "Look for a division by zero or a root or logarithm of a negative number in the"
+              + " equations, or end the integration before that place by a terminal event.";
+      case NO_CONVERGENCE ->
+          "Check an analytic Jacobian, a band or a pattern against the equations; declare jumps by"
+              + " withBreakpoints or by an event.";
+      case SINGULAR_MATRIX ->
+          "Check that each unknown is determined by an equation, that the index is at most 1, and"
+              + " that a Jacobian, band or pattern belongs to these equations.";
+      case NOT_COMPLETED -> "Check the initial state and the part that completes or projects it.";
+      case EVENTS_ACCUMULATE ->
+          "Make the event terminal after some count, give it a hysteresis, or describe the state"
+              + " of rest behind it by other equations.";
+      case EVENT_NOT_FINITE -> "Define the event function for every state the solution can reach.";
+      case INCONSISTENT_START ->
+          "Give initial values nearer to a solution of F(t0, y0, y'0) = 0, declare algebraic"
+              + " components by withAlgebraic, and check that the index is at most 1.";
+      case TOO_MANY_STEPS ->
+          "Raise maxSteps, loosen the tolerances, or use AUTO or ODE15S if the problem is stiff.";
+    };
+  }
+}

@@ -1,0 +1,254 @@
+package org.mechservice.solver.ode.solve;
+
+import java.util.Arrays;
+import java.util.Optional;
+import org.mechservice.solver.ode.IntegrationFailure;
+import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.SavedState;
+import org.mechservice.solver.ode.StepResult;
+import org.mechservice.solver.ode.events.EventIntegration;
+
+/** One integration from its start, or from a checkpoint, to its end. */
+final class IntegrationRun {
+  /** Part of the interval by which to look ahead of the start. */
+  private static final double AHEAD = 0x1p-20;
+
+  private final PosedProblem problem;
+  private final OdeOptions options;
+  private final ComposedEvents events;
+  private final Integrator integrator;
+  private final SolvedStep step;
+
+  private final double[] y;
+  private final double[] yDot;
+
+  /** Arrays, as an iterator of a list would be made anew in each step. */
+  private final StepHandler[] stepHandlers;
+
+  private RequestedTimes[] outputs = {};
+  private Optional<KeptSteps> kept = Optional.empty();
+
+  /** Where the solution begins, is to end, and up to where its steps were told. */
+  private double start;
+
+  private double tEnd;
+  private double reached;
+  private double[] startState = {};
+
+  /** State up to where steps were told; a step that was cancelled may have gone beyond. */
+  private final double[] standing;
+
+  private StepResult result = StepResult.ADVANCED;
+  private long steps;
+
+  /** Whether consistent values of the start were found. */
+  private boolean started = true;
+
+  /** Whether a step was cut short by the cancel signal, and whether the signal is left alone. */
+  private boolean interrupted;
+
+  private boolean completing;
+
+  /**
+   * @throws IllegalArgumentException if the options do not fit the problem
+   */
+  IntegrationRun(PosedProblem problem, OdeOptions options) {
+    this.problem = problem;
+    this.options = options;
+    events = new ComposedEvents(options.events());
+    Integrator steps =
+        problem.integrator(
+            options.settings(() -> !completing && options.cancelled().getAsBoolean()));
+    integrator = options.events().isEmpty() ? steps : new EventIntegration(steps, events);
+    stepHandlers = options.stepHandlers().toArray(StepHandler[]::new);
+    step = new SolvedStep(integrator, problem.dimension());
+    y = new double[problem.dimension()];
+    yDot = new double[problem.dimension()];
+    standing = new double[problem.dimension()];
+  }
+
+  /** Integrates from a start. */
+  OdeSolution solve(double t0, double[] y0, double t1) {
+    double[] begin = y0.clone();
+    if (y0.length == problem.dimension()) {
+      lookForEventsAtStart(t0, begin, t1);
+    }
+    result = problem.start(integrator, t0, begin, t1);
+    started = result != StepResult.FAILED && result != StepResult.STOPPED;
+    if (started) {
+      integrator.interpolate(t0, begin, yDot);
+    }
+    place(t0, begin, t0, t1);
+    if (started) {
+      tellOutputs(false);
+    }
+    if (started && events.terminal()) {
+      result = StepResult.REACHED_END;
+    }
+    return goOn();
+  }
+
+  private void lookForEventsAtStart(double t0, double[] y0, double t1) {
+    if (t1 != t0 && events.anyZeroAtStart(t0, y0)) {
+      double ahead = t0 + AHEAD * (t1 - t0);
+      events.lookAtStart(t0, y0, ahead, problem.solutionAhead(t0, y0, ahead));
+    }
+  }
+
+  private void place(double from, double[] state, double t0, double t1) {
+    start = from;
+    startState = state;
+    reached = from;
+    tEnd = t1;
+    outputs =
+        options.outputs().stream()
+            .map(request -> RequestedTimes.of(request, t0, t1))
+            .toArray(RequestedTimes[]::new);
+    kept =
+        options.keepsSteps()
+            ? Optional.of(new KeptSteps(from, t1 < t0 ? -1 : 1))
+            : Optional.empty();
+  }
+
+  /** Integrates from a checkpoint. */
+  OdeSolution resume(OdeCheckpoint checkpoint) {
+    SavedState.restore(checkpoint.bytes(), this::transfer);
+    if (lastEnd() != reached) {
+      tellStep();
+    }
+    return goOn();
+  }
+
+  /** Carries the run between two steps over. */
+  private void transfer(SavedState state) {
+    state.require("kind of checkpoint", "solve");
+    byte[] inner = state.bytes(state.restoring() ? new byte[0] : integrator.save());
+    double t0 = state.number(start);
+    double t1 = state.number(tEnd);
+    double from = state.number(reached);
+    int length = state.integer(y.length);
+    if (length != y.length) {
+      throw new IllegalArgumentException(
+          "the problem has " + y.length + " unknowns, but that of the checkpoint has " + length);
+    }
+    if (!state.restoring() && lastEnd() == reached) {
+      readEnd(standing);
+    }
+    state.numbers(standing);
+    if (state.restoring()) {
+      result = problem.resume(integrator, inner);
+      place(from, standing.clone(), t0, t1);
+    }
+    state.require("number of output requests", outputs.length);
+    Arrays.stream(outputs).forEach(times -> times.transfer(state));
+    events.transferFound(state, reached, direction());
+  }
+
+  private double direction() {
+    return tEnd < start ? -1 : 1;
+  }
+
+  /** Takes steps until there is a reason to end. */
+  private OdeSolution goOn() {
+    while (result == StepResult.ADVANCED && !step.stopAsked()) {
+      result = integrator.step();
+      if (result != StepResult.STOPPED && lastEnd() != reached) {
+        tellStep();
+      }
+    }
+    interrupted = result == StepResult.STOPPED;
+    OdeSolution solution = solution();
+    if (result == StepResult.FAILED && !options.returnsFailures()) {
+      throw new IntegrationException(solution, integrator.failure(), options.maxSteps());
+    }
+    return solution;
+  }
+
+  /** Returns where the last step ends; DE may have stepped past the end. */
+  private double lastEnd() {
+    double time = integrator.time();
+    return direction() * (time - tEnd) > 0 ? tEnd : time;
+  }
+
+  /** Tells the last step to all who want to know it. */
+  private void tellStep() {
+    double end = lastEnd();
+    step.place(reached, end);
+    if (kept.isPresent()) {
+      kept.get().add(integrator, end);
+    }
+    reached = end;
+    steps++;
+    tellOutputs(true);
+    for (StepHandler handler : stepHandlers) {
+      handler.accept(step);
+    }
+    if (options.checkpointDistance() > 0 && steps % options.checkpointDistance() == 0) {
+      options.checkpointHandler().ifPresent(handler -> handler.accept(checkpoint()));
+    }
+  }
+
+  private void tellOutputs(boolean inside) {
+    for (RequestedTimes times : outputs) {
+      while (times.hasNext() && direction() * (times.next() - reached) <= 0) {
+        if (inside && times.next() != reached) {
+          integrator.interpolate(times.next(), y, yDot);
+        } else {
+          readEnd(y);
+        }
+        times.tell(y);
+      }
+    }
+  }
+
+  /** Reads the state where the run stands, behind an event that happened there. */
+  private void readEnd(double[] state) {
+    if (events.happenedAt(reached) && reached != start) {
+      System.arraycopy(events.after(), 0, state, 0, state.length);
+    } else if (steps == 0 && reached == start) {
+      System.arraycopy(startState, 0, state, 0, state.length);
+    } else {
+      integrator.interpolate(reached, state, yDot);
+    }
+  }
+
+  private OdeSolution solution() {
+    readEnd(standing);
+    boolean failed = result == StepResult.FAILED;
+    Optional<IntegrationFailure> failure =
+        failed ? Optional.of(integrator.failure()) : Optional.empty();
+    return new OdeSolution(
+        new OdeSolution.Interval(start, startState, reached, standing.clone(), tEnd),
+        reason(),
+        failure,
+        kept,
+        events.found(),
+        integrator.statistics(),
+        integrator.methodChanges(),
+        this::checkpoint);
+  }
+
+  private EndReason reason() {
+    return switch (result) {
+      case REACHED_END -> events.terminal() ? EndReason.EVENT : EndReason.REACHED_END;
+      case FAILED -> EndReason.FAILED;
+      case STOPPED -> EndReason.CANCELLED;
+      case ADVANCED -> EndReason.STOPPED;
+    };
+  }
+
+  private OdeCheckpoint checkpoint() {
+    if (started && interrupted) {
+      completing = true;
+      result = integrator.step();
+      interrupted = false;
+    }
+    if (!started || result == StepResult.FAILED) {
+      throw new IllegalStateException(
+          "the integration failed or was cancelled at t = "
+              + reached
+              + " before a step from which it could go on");
+    }
+    return OdeCheckpoint.of(SavedState.save(this::transfer));
+  }
+}

@@ -1,0 +1,186 @@
+package org.mechservice.solver.ode.solve;
+
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import org.mechservice.solver.ode.JacobianSystem;
+import org.mechservice.solver.ode.OdeSystem;
+import org.mechservice.solver.ode.SparseSystem;
+
+/**
+ * An explicit problem y' = f(t, y), composed of f and of what is known about it. Made by {@link
+ * Ode#system}; immutable, each {@code with} method returns another problem.
+ *
+ * <pre>{@code
+ * OdeProblem heat = Ode.system(n, f).withBand(1, 1).withBreakpoints(0.5);
+ * OdeProblem counted = heat.withFunction(g -> (t, y, yDot) -> { count++; g.evaluate(t, y, yDot); });
+ * }</pre>
+ *
+ * <p>A part that is given replaces one of the same kind. What each method uses: every method the
+ * breakpoints, and the parts of {@link #with}; {@code ODE15S}, {@code ODE15SR} and {@code AUTO}
+ * also band, pattern and Jacobian. {@code ODE113} and {@code DE} solve no equations and never ask
+ * for those three, which are aids and do not change the solution.
+ */
+public final class OdeProblem implements OdeSystem {
+  private final int dimension;
+  private final OdeFunction function;
+  private final PartsOfProblem parts;
+
+  OdeProblem(int dimension, OdeFunction function, PartsOfProblem parts) {
+    if (dimension < 0) {
+      throw new IllegalArgumentException(
+          "the number of unknowns is " + dimension + "; it must not be negative");
+    }
+    this.dimension = dimension;
+    this.function = function;
+    this.parts = parts;
+  }
+
+  /** The Jacobian of f, as a lambda. */
+  @FunctionalInterface
+  public interface Jacobian {
+    /**
+     * Evaluates ∂f/∂y.
+     *
+     * @param fy ∂f_i/∂y_j at i n + j; with a band (l, u) at i (l + u + 1) + j − i + l. All zero
+     *     when handed in: elements that are zero need not be written
+     */
+    void evaluate(double t, double[] y, double[] fy);
+  }
+
+  /** The product of the Jacobian of f with a vector, as a lambda. */
+  @FunctionalInterface
+  public interface JacobianProduct {
+    /**
+     * Evaluates ∂f/∂y v.
+     *
+     * @param v length n; not to be modified
+     * @param product length n; every component is to be written
+     */
+    void evaluate(double t, double[] y, double[] v, double[] product);
+  }
+
+  /** Returns the problem with an analytic Jacobian, in place of differences and of a product. */
+  public OdeProblem withJacobian(Jacobian jacobian) {
+    PartsOfProblem other = parts.without(JacobianProduct.class);
+    return new OdeProblem(
+        dimension, function, other.with(JacobianSystem.class, new KnownJacobian(this, jacobian)));
+  }
+
+  /**
+   * Returns the problem with a Jacobian that is known by its product with vectors, as automatic
+   * differentiation gives it, in place of differences and of an analytic Jacobian. The matrix is
+   * formed from as many products as differences would take evaluations: n, or with a band l + u +
+   * 1, or with a pattern the number of groups of columns that share no row. Equations are solved
+   * with the matrix, not by a Krylov method.
+   */
+  public OdeProblem withJacobianProduct(JacobianProduct product) {
+    return with(JacobianProduct.class, product);
+  }
+
+  /**
+   * Returns the problem with a band: ∂f_i/∂y_j vanishes unless −l ≤ j − i ≤ u.
+   *
+   * @param lower l, diagonals below the main one, from 0 to n − 1
+   * @param upper u, diagonals above the main one, from 0 to n − 1
+   * @throws IllegalArgumentException if one of them is out of range
+   */
+  public OdeProblem withBand(int lower, int upper) {
+    return new OdeProblem(dimension, function, parts.withBand(dimension, lower, upper));
+  }
+
+  /**
+   * Returns the problem with a pattern: {@code (i, j) -> true} where f_i depends on y_j.
+   *
+   * @param pattern asked for all pairs when a problem is begun
+   */
+  public OdeProblem withPattern(SparseSystem pattern) {
+    return with(SparseSystem.class, pattern);
+  }
+
+  /** Returns the problem with the places at which f jumps: no step evaluates f across them. */
+  public OdeProblem withBreakpoints(double... places) {
+    return new OdeProblem(dimension, function, parts.withBreakpoints(places));
+  }
+
+  /**
+   * Returns the problem with a part of any kind that stands beside {@link OdeSystem}, such as
+   * {@code ProjectedSystem.class}, {@code ErrorWeightGroups.class} or {@code SavedSystem.class}.
+   */
+  public <T> OdeProblem with(Class<T> kind, T part) {
+    return new OdeProblem(dimension, function, parts.with(kind, part));
+  }
+
+  /** Returns the problem with another function around f; all parts are kept. */
+  public OdeProblem withFunction(UnaryOperator<OdeFunction> wrapper) {
+    return new OdeProblem(dimension, wrapper.apply(function), parts);
+  }
+
+  /**
+   * Returns the problem M y' = f(t, y).
+   *
+   * @throws IllegalArgumentException if the matrix has another number of rows
+   */
+  public MassProblem withMass(MassMatrix mass) {
+    return new MassProblem(this, mass);
+  }
+
+  @Override
+  public int dimension() {
+    return dimension;
+  }
+
+  @Override
+  public void derivative(double t, double[] y, double[] yDot) {
+    function.evaluate(t, y, yDot);
+  }
+
+  @Override
+  public <T> Optional<T> part(Class<T> kind) {
+    Optional<JacobianProduct> product =
+        kind == JacobianSystem.class ? parts.part(JacobianProduct.class) : Optional.empty();
+    return product.isPresent()
+        ? Optional.of(
+            kind.cast(new FormedJacobian(this, product.get(), new ProductColumns(this, dimension))))
+        : parts.part(kind);
+  }
+
+  /** f with a Jacobian written by the user. */
+  private record KnownJacobian(OdeSystem system, Jacobian known) implements JacobianSystem {
+    @Override
+    public int dimension() {
+      return system.dimension();
+    }
+
+    @Override
+    public void derivative(double t, double[] y, double[] yDot) {
+      system.derivative(t, y, yDot);
+    }
+
+    @Override
+    public void jacobian(double t, double[] y, double[] fy) {
+      known.evaluate(t, y, fy);
+    }
+  }
+
+  /** A Jacobian formed from products with vectors. A workspace, made for one integration. */
+  private record FormedJacobian(OdeSystem system, JacobianProduct known, ProductColumns columns)
+      implements JacobianSystem {
+    @Override
+    public int dimension() {
+      return system.dimension();
+    }
+
+    @Override
+    public void derivative(double t, double[] y, double[] yDot) {
+      system.derivative(t, y, yDot);
+    }
+
+    @Override
+    public void jacobian(double t, double[] y, double[] fy) {
+      for (int group = 0; group < columns.groupCount(); group++) {
+        known.evaluate(t, y, columns.direction(group), columns.product);
+        columns.store(group, fy);
+      }
+    }
+  }
+}

@@ -1,0 +1,91 @@
+package org.mechservice.solver.ode.solve;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.mechservice.solver.linear.BandLayout;
+import org.mechservice.solver.linear.DenseLayout;
+import org.mechservice.solver.linear.MatrixLayout;
+import org.mechservice.solver.ode.BandedSystem;
+import org.mechservice.solver.ode.PiecewiseSystem;
+import org.mechservice.solver.ode.SparseSystem;
+import org.mechservice.solver.ode.SystemParts;
+
+/** Parts given one by one, in front of those of a system that is wrapped. Immutable. */
+final class PartsOfProblem implements SystemParts {
+  static final PartsOfProblem NONE =
+      new PartsOfProblem(
+          new SystemParts() {
+            @Override
+            public <T> Optional<T> part(Class<T> kind) {
+              return Optional.empty();
+            }
+          },
+          Map.of());
+
+  private final SystemParts others;
+  private final Map<Class<?>, Object> own;
+
+  private PartsOfProblem(SystemParts others, Map<Class<?>, Object> own) {
+    this.others = others;
+    this.own = own;
+  }
+
+  static PartsOfProblem of(SystemParts system) {
+    return new PartsOfProblem(system, Map.of());
+  }
+
+  @Override
+  public <T> Optional<T> part(Class<T> kind) {
+    Object given = own.get(kind);
+    return given == null ? others.part(kind) : Optional.of(kind.cast(given));
+  }
+
+  <T> PartsOfProblem with(Class<T> kind, T part) {
+    Map<Class<?>, Object> more = new HashMap<>(own);
+    more.put(kind, part);
+    return new PartsOfProblem(others, Map.copyOf(more));
+  }
+
+  PartsOfProblem without(Class<?> kind) {
+    Map<Class<?>, Object> fewer = new HashMap<>(own);
+    fewer.remove(kind);
+    return new PartsOfProblem(others, Map.copyOf(fewer));
+  }
+
+  PartsOfProblem withBand(int dimension, int lower, int upper) {
+    return with(BandedSystem.class, new Band(new BandLayout(dimension, lower, upper)));
+  }
+
+  PartsOfProblem withPattern(SparseSystem pattern) {
+    return with(SparseSystem.class, pattern);
+  }
+
+  PartsOfProblem withBreakpoints(double... places) {
+    List<Double> all = Arrays.stream(places).boxed().toList();
+    return with(PiecewiseSystem.class, () -> all);
+  }
+
+  /** Returns how a matrix of derivatives is stored: as a band if one is declared, else full. */
+  static MatrixLayout layout(SystemParts parts, int dimension) {
+    Optional<BandedSystem> band = parts.part(BandedSystem.class);
+    return band.isPresent()
+        ? new BandLayout(dimension, band.get().lowerBandwidth(), band.get().upperBandwidth())
+        : new DenseLayout(dimension);
+  }
+
+  /** A band that was declared. */
+  private record Band(BandLayout layout) implements BandedSystem {
+    @Override
+    public int lowerBandwidth() {
+      return layout.lower();
+    }
+
+    @Override
+    public int upperBandwidth() {
+      return layout.upper();
+    }
+  }
+}

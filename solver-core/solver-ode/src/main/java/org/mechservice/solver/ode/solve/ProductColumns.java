@@ -1,0 +1,54 @@
+package org.mechservice.solver.ode.solve;
+
+import java.util.Arrays;
+import org.mechservice.solver.linear.MatrixLayout;
+import org.mechservice.solver.ode.SystemParts;
+import org.mechservice.solver.ode.newton.ColumnGroups;
+
+/** The columns of a matrix of which only products with vectors are known, by groups of columns. */
+final class ProductColumns {
+  private final MatrixLayout layout;
+  private final ColumnGroups groups;
+  private final double[] direction;
+
+  /** The product with {@link #direction}, length n; to be written before {@link #store}. */
+  final double[] product;
+
+  /** A vector of zeros, length n. */
+  final double[] zero;
+
+  /**
+   * @param parts band and pattern of the matrix
+   */
+  ProductColumns(SystemParts parts, int dimension) {
+    layout = PartsOfProblem.layout(parts, dimension);
+    groups = ColumnGroups.of(parts, layout);
+    direction = new double[dimension];
+    product = new double[dimension];
+    zero = new double[dimension];
+  }
+
+  int groupCount() {
+    return groups.count();
+  }
+
+  /** Returns the sum of the unit vectors of a group; not to be modified. */
+  double[] direction(int group) {
+    Arrays.fill(direction, 0);
+    for (int j = groups.first(group); j >= 0; j = groups.next(j)) {
+      direction[j] = 1;
+    }
+    return direction;
+  }
+
+  /** Writes the columns of a group, by the layout of the matrix. */
+  void store(int group, double[] matrix) {
+    for (int j = groups.first(group); j >= 0; j = groups.next(j)) {
+      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+        if (groups.couples(i, j)) {
+          matrix[layout.index(i, j)] = product[i];
+        }
+      }
+    }
+  }
+}
