@@ -165,7 +165,7 @@ public final class Confinement {
           return "a small program did not end behind it within " + PROBE_SECONDS + " s";
         }
         byte[] said = probe.getInputStream().readNBytes(PROBE_OUTPUT);
-        String answer = new String(said, StandardCharsets.UTF_8).strip();
+        String answer = new String(said, StandardCharsets.UTF_8).strip().split("\\R", 2)[0];
         return answer.isEmpty() ? "it ended with status " + probe.exitValue() : answer;
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();

@@ -15,13 +15,18 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * A program that tries many ways out of its process and prints the names of those that work. None
- * of them changes anything outside.
+ * A program that tries many ways out of its process and prints which of them work. None of them
+ * changes anything outside.
  */
 final class EscapeAttempts {
   private interface Attempt {
     void run() throws Throwable;
   }
+
+  /** Begins the line of a way that works, or does not. */
+  static final String WORKED = "+ ";
+
+  static final String FAILED = "- ";
 
   private EscapeAttempts() {}
 
@@ -56,7 +61,7 @@ final class EscapeAttempts {
         "sets what the kernel runs at a crash",
         () -> new FileOutputStream("/proc/sys/kernel/core_pattern", true).close());
     attempt(
-        "raises its own rights at memory shortage",
+        "makes itself safe from memory shortage",
         () -> new FileOutputStream("/proc/self/oom_score_adj", true).close());
     attempt(
         "connects to the loopback interface",
@@ -87,16 +92,15 @@ final class EscapeAttempts {
         "opens private fields of Java",
         () -> String.class.getDeclaredField("value").setAccessible(true));
     attempt("takes the memory beside the heap", () -> ByteBuffer.allocateDirect(1 << 30));
-    System.out.println("tried");
     System.exit(0);
   }
 
   private static void attempt(String name, Attempt way) {
     try {
       way.run();
-      System.out.println(name);
+      System.out.println(WORKED + name);
     } catch (Throwable e) {
-      // It stayed inside.
+      System.out.println(FAILED + name);
     }
   }
 
