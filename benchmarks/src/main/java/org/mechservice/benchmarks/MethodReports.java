@@ -17,6 +17,7 @@ import org.mechservice.report.stability.ExtremeCase;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
 import org.mechservice.sim.host.HostOptions;
+import org.mechservice.sim.worker.UserCodePolicy;
 
 /**
  * Writes the pages that are evidence about the methods: the integrator suite with its peers, the
@@ -131,7 +132,10 @@ public final class MethodReports {
   private static final class EmbeddedService implements AutoCloseable {
     private final MechServerProcess server =
         MechServerProcess.start(
-            new ServerSettings("127.0.0.1", 0, new HostOptions("embedded", 1).withUserCode(true)));
+            new ServerSettings(
+                "127.0.0.1",
+                0,
+                new HostOptions("embedded", 1).withUserCode(UserCodePolicy.UNCONFINED)));
     private final MechConnection connection = MechConnection.open(server.url());
 
     MechConnection connection() {

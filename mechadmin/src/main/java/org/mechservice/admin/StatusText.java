@@ -2,6 +2,7 @@ package org.mechservice.admin;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.stream.Stream;
 import org.mechservice.idl.HostLoad;
 import org.mechservice.idl.HostStatus;
 import org.mechservice.idl.ServerStatus;
@@ -83,6 +84,7 @@ public final class StatusText {
             "QUEUED",
             "CPU",
             "MEMORY",
+            "USER CODE",
             "LAST MESSAGE");
     for (ServerReading reading : readings) {
       if (reading instanceof ServerReading.Answering answering) {
@@ -104,7 +106,17 @@ public final class StatusText {
         Integer.toString(load.queued),
         Measures.load(load.cpuLoad),
         Measures.memory(load.memoryUsed),
+        userCode(load),
         host.text);
+  }
+
+  /** Returns in a word whether classes of users run on a host; empty if the host is older. */
+  private static String userCode(HostLoad load) {
+    return Stream.of(load.statistics)
+        .filter(statistic -> statistic.key.equals("userCode"))
+        .map(statistic -> statistic.text.split(":", 2)[0])
+        .findFirst()
+        .orElse("");
   }
 
   /** Returns simulations, in the order given. */

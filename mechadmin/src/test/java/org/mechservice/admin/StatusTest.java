@@ -45,8 +45,8 @@ class StatusTest {
             lab     localhost:15000  up         2 h 5 min  1      2         1        0       0.1.0
             -       10.0.0.9:15000   no answer
 
-            HOST  SERVER  ADDRESS     STATE  CORES  RUNNING  QUEUED  CPU   MEMORY  LAST MESSAGE
-            big   lab     10.0.0.2:7  up     8      1 of 4   0       25 %  3 MiB
+            HOST  SERVER  ADDRESS     STATE  CORES  RUNNING  QUEUED  CPU   MEMORY  USER CODE  LAST MESSAGE
+            big   lab     10.0.0.2:7  up     8      1 of 4   0       25 %  3 MiB   confined
 
             SIMULATION  HOST  MODEL     OWNER  STATE    TIME              STEPS  STEP SIZE  X REAL TIME  AGE   LAST MESSAGE
             s1          big   pendulum  ann    running  1.500 of 3.000 s  42     0.001000   1000         10 s  step by step
@@ -67,7 +67,8 @@ class StatusTest {
                 List.of()),
             new ServerReading.Silent("b", "S-153 not yours", true));
     assertThat(new StatusText(NOW).all(reading))
-        .containsPattern("big .* no answer .* 3 MiB +silent since 2026-01-02T03:04:05Z: no answer")
+        .containsPattern(
+            "big .* no answer .* 3 MiB +confined +silent since 2026-01-02T03:04:05Z: no answer")
         .containsPattern("- +b +refused");
   }
 
@@ -98,9 +99,13 @@ class StatusTest {
     return NOW.minus(ago).toEpochMilli();
   }
 
+  private static final NameValue[] USER_CODE = {
+    new NameValue("userCode", "confined: bubblewrap with a filter of system calls")
+  };
+
   private static HostStatus host(String name) {
     HostInfo info = new HostInfo(name, "0.1.0", "10.0.0.2:7", 8, 1L << 33, 4, at(Duration.ZERO));
-    HostLoad load = new HostLoad(2, 1, 0, 0.25, 3 << 20, false, new NameValue[0]);
+    HostLoad load = new HostLoad(2, 1, 0, 0.25, 3 << 20, false, USER_CODE);
     return new HostStatus(info, load, true, at(Duration.ZERO), "");
   }
 

@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.service.limits.HostLimits;
+import org.mechservice.sim.worker.UserCodePolicy;
 import picocli.CommandLine.Option;
 
 /** Limits, spool folder and user code of a process that runs simulations. */
@@ -25,9 +26,14 @@ final class HostingOptions {
 
   @Option(
       names = "--allow-user-code",
+      arity = "0..1",
+      paramLabel = "confined|unconfined",
+      fallbackValue = "confined",
       description =
-          "Compile and run the classes of user forces that clients send; for trusted clients only.")
-  private boolean userCode;
+          "Compile and run the classes of user forces that clients send: confined by the operating"
+              + " system, which needs bubblewrap, or (unconfined) also where that is not to be"
+              + " had.")
+  private UserCodePolicy userCode = UserCodePolicy.REFUSED;
 
   /**
    * Returns the options of the host.

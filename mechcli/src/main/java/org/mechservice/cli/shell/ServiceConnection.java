@@ -8,6 +8,7 @@ import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
 import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.service.session.WarmUp;
+import org.mechservice.sim.worker.UserCodePolicy;
 
 /** The service a command asks: one on the network, or one started for this command alone. */
 public final class ServiceConnection implements AutoCloseable {
@@ -45,9 +46,10 @@ public final class ServiceConnection implements AutoCloseable {
           Optional.empty(),
           MechConnection.open(asked.address(), JarCache.ofUser(), asked.identity()));
     }
-    // The user's own force classes may run in the user's own process.
+    // The user's own force classes run as the user, confined where the machine can.
     WarmUp.beginToBuild();
-    HostOptions embedded = new HostOptions(EMBEDDED_NAME, capacity).withUserCode(true);
+    HostOptions embedded =
+        new HostOptions(EMBEDDED_NAME, capacity).withUserCode(UserCodePolicy.UNCONFINED);
     MechServerProcess server =
         MechServerProcess.start(new ServerSettings("127.0.0.1", 0, embedded));
     try {

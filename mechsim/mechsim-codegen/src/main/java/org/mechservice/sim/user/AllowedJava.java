@@ -1,11 +1,13 @@
 package org.mechservice.sim.user;
 
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.objectweb.asm.Handle;
 import org.objectweb.asm.Opcodes;
+import org.objectweb.asm.Type;
 
 /**
  * The allow-list of Java classes and members for user classes: numbers, texts and collections.
@@ -80,12 +82,30 @@ final class AllowedJava {
   private static final Set<String> OPAQUE =
       Set.of("java/lang/Class", "java/util/Locale", "java/util/Spliterator");
 
+  private static final String LOOKUP = "(Ljava/lang/invoke/MethodHandles$Lookup;Ljava/lang/String;";
+
   /** What the compiler links lambdas, string concatenation and records to. */
-  private static final Set<String> BOOTSTRAPS =
-      Set.of(
-          "java/lang/invoke/LambdaMetafactory.metafactory",
-          "java/lang/invoke/StringConcatFactory.makeConcatWithConstants",
-          "java/lang/runtime/ObjectMethods.bootstrap");
+  private static final Handle LAMBDA =
+      bootstrap(
+          "java/lang/invoke/LambdaMetafactory",
+          "metafactory",
+          "Ljava/lang/invoke/MethodType;Ljava/lang/invoke/MethodType;"
+              + "Ljava/lang/invoke/MethodHandle;Ljava/lang/invoke/MethodType;)"
+              + "Ljava/lang/invoke/CallSite;");
+
+  private static final Handle CONCATENATION =
+      bootstrap(
+          "java/lang/invoke/StringConcatFactory",
+          "makeConcatWithConstants",
+          "Ljava/lang/invoke/MethodType;Ljava/lang/String;[Ljava/lang/Object;)"
+              + "Ljava/lang/invoke/CallSite;");
+
+  private static final Handle RECORD =
+      bootstrap(
+          "java/lang/runtime/ObjectMethods",
+          "bootstrap",
+          "Ljava/lang/invoke/TypeDescriptor;Ljava/lang/Class;Ljava/lang/String;"
+              + "[Ljava/lang/invoke/MethodHandle;)Ljava/lang/Object;");
 
   private AllowedJava() {}
 
@@ -122,9 +142,53 @@ final class AllowedJava {
     return CLASSES.contains(internalName) || OPAQUE.contains(internalName);
   }
 
+  private static Handle bootstrap(String owner, String name, String descriptor) {
+    return new Handle(Opcodes.H_INVOKESTATIC, owner, name, LOOKUP + descriptor, false);
+  }
+
   /** Returns whether an {@code invokedynamic} may be linked by this method. */
   static boolean isBootstrap(Handle method) {
-    return method.getTag() == Opcodes.H_INVOKESTATIC
-        && BOOTSTRAPS.contains(method.getOwner() + "." + method.getName());
+    return method.equals(LAMBDA) || method.equals(CONCATENATION) || method.equals(RECORD);
+  }
+
+  /**
+   * Returns whether a method that may link is given as many arguments, and of the kinds, as the
+   * compiler gives it: a lambda its type, code and type at the place; a concatenation its recipe
+   * and plain constants; a record its class, the names of its components and their fields.
+   */
+  static boolean isLinkedAsCompiled(Handle method, Object... arguments) {
+    if (method.equals(LAMBDA)) {
+      return arguments.length == 3
+          && isMethodType(arguments[0])
+          && arguments[1] instanceof Handle
+          && isMethodType(arguments[2]);
+    } else if (method.equals(CONCATENATION)) {
+      return arguments.length > 0
+          && arguments[0] instanceof String
+          && Arrays.stream(arguments).allMatch(AllowedJava::isPlain);
+    }
+    return arguments.length > 1
+        && arguments[0] instanceof Type record
+        && record.getSort() == Type.OBJECT
+        && arguments[1] instanceof String
+        && Arrays.stream(arguments, 2, arguments.length)
+            .allMatch(
+                argument ->
+                    argument instanceof Handle field
+                        && field.getTag() == Opcodes.H_GETFIELD
+                        && field.getOwner().equals(record.getInternalName()));
+  }
+
+  private static boolean isMethodType(Object argument) {
+    return argument instanceof Type type && type.getSort() == Type.METHOD;
+  }
+
+  /** Returns whether a constant is a number or a text, which nothing is computed for. */
+  static boolean isPlain(Object constant) {
+    return constant instanceof String
+        || constant instanceof Integer
+        || constant instanceof Long
+        || constant instanceof Float
+        || constant instanceof Double;
   }
 }

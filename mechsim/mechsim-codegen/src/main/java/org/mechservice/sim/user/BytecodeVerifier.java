@@ -190,6 +190,11 @@ final class BytecodeVerifier extends ClassVisitor {
   /** Checks an annotation and its values. */
   private AnnotationVisitor annotation(String descriptor, String method, int line) {
     requireType(Type.getType(descriptor), "it is annotated with", method, line);
+    return annotationValues(method, line);
+  }
+
+  /** Checks the values of an annotation, given or by default. */
+  private AnnotationVisitor annotationValues(String method, int line) {
     return new AnnotationVisitor(Opcodes.ASM9) {
       @Override
       public void visit(String name, Object value) {
@@ -363,7 +368,7 @@ final class BytecodeVerifier extends ClassVisitor {
     public void visitLdcInsn(Object value) {
       if (value instanceof Type type && type.getSort() != Type.METHOD) {
         requireType(type, "it uses", method, line);
-      } else if (!isPlain(value)) {
+      } else if (!AllowedJava.isPlain(value)) {
         refuse("it uses " + kindOf(value), method, line);
       }
     }
@@ -374,6 +379,11 @@ final class BytecodeVerifier extends ClassVisitor {
       if (!AllowedJava.isBootstrap(bootstrap)) {
         String linked = bootstrap.getOwner().replace('/', '.') + "." + bootstrap.getName();
         refuse("it links to " + linked, method, line);
+      } else if (!AllowedJava.isLinkedAsCompiled(bootstrap, arguments)) {
+        refuse(
+            "it links to " + bootstrap.getName() + " with other arguments than javac writes",
+            method,
+            line);
       }
       requireType(Type.getReturnType(descriptor), "it makes a", method, line);
       requireSignature(descriptor, "it makes something of a", method, line);
@@ -386,7 +396,7 @@ final class BytecodeVerifier extends ClassVisitor {
           requireSignature(type.getDescriptor(), "it refers to a", method, line);
         } else if (argument instanceof Type type) {
           requireType(type, "it refers to", method, line);
-        } else if (!isPlain(argument)) {
+        } else if (!AllowedJava.isPlain(argument)) {
           refuse("it is linked with " + kindOf(argument), method, line);
         }
       }
@@ -398,15 +408,6 @@ final class BytecodeVerifier extends ClassVisitor {
       } else {
         requireType(Type.getType(handle.getDesc()), "it refers to a", method, line);
       }
-    }
-
-    /** Returns whether a constant is a number or a text, which nothing is computed for. */
-    private boolean isPlain(Object constant) {
-      return constant instanceof String
-          || constant instanceof Integer
-          || constant instanceof Long
-          || constant instanceof Float
-          || constant instanceof Double;
     }
 
     private String kindOf(Object constant) {
@@ -465,8 +466,8 @@ final class BytecodeVerifier extends ClassVisitor {
     }
 
     @Override
-    public @Nullable AnnotationVisitor visitAnnotationDefault() {
-      return null; // values of an annotation type that came with the model
+    public AnnotationVisitor visitAnnotationDefault() {
+      return annotationValues(method, line);
     }
   }
 }

@@ -53,7 +53,10 @@ class BytecodeVerifierTest {
             Opcodes.H_INVOKESTATIC,
             "java/lang/invoke/LambdaMetafactory",
             "metafactory",
-            "()V",
+            "(Ljava/lang/invoke/MethodHandles$Lookup;Ljava/lang/String;"
+                + "Ljava/lang/invoke/MethodType;Ljava/lang/invoke/MethodType;"
+                + "Ljava/lang/invoke/MethodHandle;Ljava/lang/invoke/MethodType;)"
+                + "Ljava/lang/invoke/CallSite;",
             false);
     return refusals(
         OBJECT,
@@ -62,7 +65,9 @@ class BytecodeVerifierTest {
                 "get",
                 "()Ljava/util/function/Supplier;",
                 lambda,
-                new Handle(Opcodes.H_INVOKEVIRTUAL, owner, name, "()V", false)));
+                Type.getMethodType("()Ljava/lang/Object;"),
+                new Handle(Opcodes.H_INVOKEVIRTUAL, owner, name, "()V", false),
+                Type.getMethodType("()Ljava/lang/Object;")));
   }
 
   private static Set<String> forbidden() {

@@ -99,8 +99,91 @@ class EscapeClassesTest {
               + "Ljava/lang/String;Ljava/lang/invoke/MethodType;Ljava/lang/String;"
               + "[Ljava/lang/Object;)Ljava/lang/invoke/CallSite;");
 
-  private static Stream<Arguments> escapes() {
+  private static final Handle RECORD =
+      method(
+          "java/lang/runtime/ObjectMethods",
+          "bootstrap",
+          DESCRIPTION
+              + "Ljava/lang/String;Ljava/lang/invoke/TypeDescriptor;Ljava/lang/Class;"
+              + "Ljava/lang/String;[Ljava/lang/invoke/MethodHandle;)Ljava/lang/Object;");
+
+  private static final Type GETS = Type.getMethodType("()Ljava/lang/Object;");
+  private static final Type PUSH = Type.getObjectType("car/Push");
+  private static final Handle OWN = method("car/Push", "own", "()Ljava/lang/Object;");
+
+  /** A call that links something, as the compiler would but for one thing. */
+  private static Arguments linking(
+      String name, String at, String descriptor, Handle bootstrap, Object... arguments) {
+    return inCode(name, code -> code.visitInvokeDynamicInsn(at, descriptor, bootstrap, arguments));
+  }
+
+  private static Stream<Arguments> unusualLinks() {
+    String supplier = "()Ljava/util/function/Supplier;";
+    String text = "()Ljava/lang/String;";
+    Handle own = new Handle(Opcodes.H_GETFIELD, "car/Push", "x", "D", false);
     return Stream.of(
+        linking("a lambda without its type at the place", "get", supplier, LAMBDA, GETS, OWN),
+        linking("a lambda with one argument more", "get", supplier, LAMBDA, GETS, OWN, GETS, 1),
+        linking("a lambda in another order", "get", supplier, LAMBDA, OWN, GETS, GETS),
+        linking("a lambda of a text", "get", supplier, LAMBDA, GETS, "own", GETS),
+        linking("a lambda of nothing", "get", supplier, LAMBDA),
+        linking("a concatenation without a recipe", "c", text, CONCATENATION),
+        linking("a concatenation with a number as its recipe", "c", text, CONCATENATION, 1),
+        linking("a concatenation of a class", "c", text, CONCATENATION, "\2", PUSH),
+        linking("a concatenation of a method", "c", text, CONCATENATION, "\2", OWN),
+        linking("a record without names", "toString", text, RECORD, PUSH),
+        linking("a record whose names are a class", "toString", text, RECORD, PUSH, PUSH),
+        linking("a record without a class", "toString", text, RECORD, "x", "x", own),
+        linking("a record of a method", "toString", text, RECORD, PUSH, "x", OWN),
+        linking(
+            "a record of another's field",
+            "toString",
+            text,
+            RECORD,
+            PUSH,
+            "x",
+            new Handle(Opcodes.H_GETFIELD, "car/Other", "x", "D", false)),
+        linking(
+            "the lambda factory with another type",
+            "get",
+            supplier,
+            method("java/lang/invoke/LambdaMetafactory", "metafactory", "()V"),
+            GETS,
+            OWN,
+            GETS),
+        linking(
+            "the lambda factory of an interface",
+            "get",
+            supplier,
+            new Handle(
+                LAMBDA.getTag(), LAMBDA.getOwner(), LAMBDA.getName(), LAMBDA.getDesc(), true),
+            GETS,
+            OWN,
+            GETS));
+  }
+
+  private static Stream<Arguments> escapes() {
+    return Stream.concat(unusualLinks(), forbiddenUses());
+  }
+
+  private static Stream<Arguments> forbiddenUses() {
+    return Stream.of(
+        escape(
+            "a class as the default of an annotation's value",
+            w -> {
+              MethodVisitor value = w.visitMethod(1024, "value", "()Ljava/lang/Class;", null, null);
+              AnnotationVisitor standard = value.visitAnnotationDefault();
+              standard.visit("", Type.getObjectType("java/lang/Runtime"));
+              standard.visitEnd();
+            }),
+        escape(
+            "an annotation as the default of an annotation's value",
+            w -> {
+              MethodVisitor value = w.visitMethod(1024, "value", "()[I", null, null);
+              AnnotationVisitor list = value.visitAnnotationDefault().visitArray("");
+              list.visitAnnotation("", "Ljava/lang/Runnable;").visitEnd();
+              list.visitEnd();
+            }),
         inCode(
             "a dynamic constant among the arguments of a concatenation",
             code ->
@@ -110,7 +193,7 @@ class EscapeClassesTest {
             "a dynamic constant among the arguments of a lambda",
             code ->
                 code.visitInvokeDynamicInsn(
-                    "get", "()Ljava/util/function/Supplier;", LAMBDA, PROCESS)),
+                    "get", "()Ljava/util/function/Supplier;", LAMBDA, GETS, PROCESS, GETS)),
         inCode("a dynamic constant loaded", code -> code.visitLdcInsn(PROCESS)),
         inCode("a method handle loaded", code -> code.visitLdcInsn(GET_RUNTIME)),
         inCode("a method type loaded", code -> code.visitLdcInsn(Type.getMethodType("()V"))),
@@ -164,16 +247,25 @@ class EscapeClassesTest {
                     "get",
                     "()Ljava/util/function/Supplier;",
                     LAMBDA,
+                    GETS,
                     new Handle(
-                        Opcodes.H_NEWINVOKESPECIAL, "java/lang/Thread", "<init>", "()V", false))),
+                        Opcodes.H_NEWINVOKESPECIAL, "java/lang/Thread", "<init>", "()V", false),
+                    GETS)),
         inCode(
             "a lambda that is a task of a thread",
-            code -> code.visitInvokeDynamicInsn("run", "()Ljava/lang/Runnable;", LAMBDA)),
+            code ->
+                code.visitInvokeDynamicInsn(
+                    "run", "()Ljava/lang/Runnable;", LAMBDA, GETS, OWN, GETS)),
         inCode(
             "a lambda that holds a stream",
             code ->
                 code.visitInvokeDynamicInsn(
-                    "get", "(Ljava/io/InputStream;)Ljava/util/function/Supplier;", LAMBDA)),
+                    "get",
+                    "(Ljava/io/InputStream;)Ljava/util/function/Supplier;",
+                    LAMBDA,
+                    GETS,
+                    OWN,
+                    GETS)),
         inCode(
             "the type of a lambda's method",
             code ->
@@ -181,7 +273,9 @@ class EscapeClassesTest {
                     "get",
                     "()Ljava/util/function/Supplier;",
                     LAMBDA,
-                    Type.getMethodType("(Ljava/lang/Process;)V"))),
+                    Type.getMethodType("(Ljava/lang/Process;)V"),
+                    OWN,
+                    GETS)),
         inCode(
             "a class as a lambda's argument",
             code ->
@@ -309,6 +403,35 @@ class EscapeClassesTest {
         .as(name)
         .isNotEmpty()
         .allMatch(refusal -> refusal.contains("S-156"));
+  }
+
+  /** So the links above are refused for what is unusual about them. */
+  @Test
+  void linksAsTheCompilerWritesThemPass() {
+    assertThat(
+            refusals(
+                classFile(
+                    "car/Push",
+                    OBJECT,
+                    writer -> {
+                      MethodVisitor code = writer.visitMethod(1, "apply", "()V", null, null);
+                      code.visitCode();
+                      code.visitInvokeDynamicInsn(
+                          "get", "()Ljava/util/function/Supplier;", LAMBDA, GETS, OWN, GETS);
+                      code.visitInvokeDynamicInsn(
+                          "c", "()Ljava/lang/String;", CONCATENATION, "a\2", "b");
+                      code.visitInvokeDynamicInsn(
+                          "toString",
+                          "(Lcar/Push;)Ljava/lang/String;",
+                          RECORD,
+                          PUSH,
+                          "x",
+                          new Handle(Opcodes.H_GETFIELD, "car/Push", "x", "D", false));
+                      code.visitInsn(Opcodes.RETURN);
+                      code.visitMaxs(9, 9);
+                      code.visitEnd();
+                    })))
+        .isEmpty();
   }
 
   @ValueSource(

@@ -3,6 +3,7 @@ package org.mechservice.sim.host;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.mechservice.sim.service.limits.HostLimits;
+import org.mechservice.sim.worker.UserCodePolicy;
 
 /**
  * The options of a host.
@@ -11,13 +12,13 @@ import org.mechservice.sim.service.limits.HostLimits;
  * @param capacity simulations it runs at once
  * @param limits of its clients
  * @param spool folder in which ended runs outlive the process; empty: they do not
- * @param userCode whether classes of users may be compiled and run here
+ * @param userCode where classes of users run
  */
 public record HostOptions(
-    String name, int capacity, HostLimits limits, Optional<Path> spool, boolean userCode) {
+    String name, int capacity, HostLimits limits, Optional<Path> spool, UserCodePolicy userCode) {
   /** A host that runs no classes of users. */
   public HostOptions(String name, int capacity, HostLimits limits, Optional<Path> spool) {
-    this(name, capacity, limits, spool, false);
+    this(name, capacity, limits, spool, UserCodePolicy.REFUSED);
   }
 
   /** A host with default limits and without a spool folder. */
@@ -25,8 +26,8 @@ public record HostOptions(
     this(name, capacity, HostLimits.DEFAULT, Optional.empty());
   }
 
-  /** Returns the same host, which may run classes of users or not. */
-  public HostOptions withUserCode(boolean allowed) {
-    return new HostOptions(name, capacity, limits, spool, allowed);
+  /** Returns the same host, which runs classes of users as a policy says. */
+  public HostOptions withUserCode(UserCodePolicy policy) {
+    return new HostOptions(name, capacity, limits, spool, policy);
   }
 }

@@ -2,6 +2,7 @@ package org.mechservice.sim.host;
 
 import com.sun.management.OperatingSystemMXBean;
 import java.lang.management.ManagementFactory;
+import java.util.Arrays;
 import java.util.ServiceLoader;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
@@ -16,9 +17,11 @@ import org.mechservice.idl.LogLine;
 import org.mechservice.idl.MAX_WAIT_MILLIS;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.MechSimHostOperations;
+import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServiceEvent;
+import org.mechservice.idl.Severity;
 import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
@@ -33,6 +36,8 @@ import org.mechservice.sim.service.contract.JournalEntry;
 import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.session.SessionTable;
 import org.mechservice.sim.service.session.WarmUp;
+import org.mechservice.sim.worker.Confinement;
+import org.mechservice.sim.worker.UserCodePolicy;
 import org.mechservice.solver.api.Solver;
 
 /**
@@ -52,6 +57,9 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   private final Runnable shutdown;
   private final long startedAt = System.currentTimeMillis();
   private final AtomicBoolean draining = new AtomicBoolean();
+
+  /** What operators read about classes of users; the wall is known after the warm-up. */
+  private volatile String userCode;
 
   /**
    * Opens a host without sessions.
@@ -76,6 +84,7 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
     this.options = options;
     this.limits = limits;
     this.shutdown = shutdown;
+    userCode = options.userCode() == UserCodePolicy.REFUSED ? "refused" : "allowed";
     journal = new Journal(options.name());
     denials = new DenialLog(journal);
     warmUp = new WarmUp(orb, solver);
@@ -97,9 +106,27 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
     return GuardedServant.of(MechSimHostOperations.class, this, AccessRights.toServe(denials));
   }
 
-  /** Begins to load classes for the first client; clients are served meanwhile. */
+  /**
+   * Begins to load classes for the first client; clients are served meanwhile. Finds out which wall
+   * this machine has for classes of users, if they may run here.
+   */
   public void warmUp() {
     warmUp.begin();
+    if (options.userCode() != UserCodePolicy.REFUSED) {
+      Confinement wall = Confinement.ofThisMachine();
+      userCode = options.userCode().text(wall);
+      journal.log(
+          wall.stands() ? Severity.SEV_INFO : Severity.SEV_WARNING,
+          "classes of users are " + userCode);
+    }
+  }
+
+  /** Returns counts and sizes, and whether classes of users run here. */
+  private NameValue[] statistics() {
+    NameValue[] counts = sessions.statistics();
+    NameValue[] all = Arrays.copyOf(counts, counts.length + 1);
+    all[counts.length] = new NameValue("userCode", userCode);
+    return all;
   }
 
   /** Returns the solver of this process. */
@@ -132,7 +159,7 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
         cpuLoad(),
         machine.totalMemory() - machine.freeMemory(),
         draining.get(),
-        sessions.statistics());
+        statistics());
   }
 
   /** Returns the share of the machine's processors in use, 0 to 1; 0 if it is not known. */

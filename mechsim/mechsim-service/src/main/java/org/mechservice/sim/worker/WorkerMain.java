@@ -3,6 +3,8 @@ package org.mechservice.sim.worker;
 import java.io.BufferedOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -31,10 +33,14 @@ public final class WorkerMain implements ResultSink {
   static final byte CHECKPOINT = 'K';
   static final byte END = 'E';
   static final byte REFUSED = 'X';
+  static final byte THROWN = 'T';
   // To the worker
   static final byte GO_ON = 'G';
   static final byte STOP = 'S';
   static final byte SAVE = 'V';
+
+  /** Longest text of a failure, in characters; 3 bytes each fit into a message. */
+  private static final int MOST_TEXT = 10_000;
 
   private final DataInputStream in;
   private final DataOutputStream out;
@@ -51,7 +57,8 @@ public final class WorkerMain implements ResultSink {
    * Reads the order from standard input, computes, and writes rows and result to standard output.
    */
   public static void main(String[] arguments) throws IOException {
-    OutputStream out = System.out;
+    // Not System.out, which hides that the host has closed its end.
+    OutputStream out = new FileOutputStream(FileDescriptor.out);
     // Nothing a class prints may get between the messages.
     System.setOut(new PrintStream(OutputStream.nullOutputStream(), false, "US-ASCII"));
     new WorkerMain(System.in, out).work();
@@ -70,9 +77,19 @@ public final class WorkerMain implements ResultSink {
       new WorkerResult(report.asMap(), report.outcome()).write(out);
     } catch (IllegalArgumentException e) {
       out.writeByte(REFUSED);
-      out.writeUTF(String.valueOf(e.getMessage()));
+      out.writeUTF(clipped(String.valueOf(e.getMessage())));
+    } catch (OutOfMemoryError e) {
+      throw e; // ends the process with a status of its own
+    } catch (RuntimeException | Error e) {
+      out.writeByte(THROWN);
+      out.writeUTF(clipped(e.toString()));
     }
     out.flush();
+  }
+
+  /** Returns a text that fits into a message. */
+  static String clipped(String text) {
+    return text.length() > MOST_TEXT ? text.substring(0, MOST_TEXT) + "..." : text;
   }
 
   private RunReport run(WorkerOrder order, Checkpoints checkpoints) throws IOException {

@@ -6,13 +6,15 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
-import java.nio.file.Path;
+import java.io.StreamCorruptedException;
+import java.io.UTFDataFormatException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Checkpoints;
@@ -22,6 +24,16 @@ import org.mechservice.solver.api.run.RunControl;
 public final class WorkerProcess {
   /** Exit status of a Java process that runs out of memory, with {@code ExitOnOutOfMemoryError}. */
   private static final int EXIT_OUT_OF_MEMORY = 3;
+
+  /** Added to the number of the signal that has ended a process. */
+  private static final int SIGNALLED = 128;
+
+  private static final int SIGKILL = 9;
+  private static final int SIGTERM = 15;
+  private static final int SIGXCPU = 24;
+
+  private static final String ASK_CLASSES =
+      "Look for what the classes of the model's users do there.";
 
   private static final long WATCH_MILLIS = 20;
 
@@ -34,22 +46,40 @@ public final class WorkerProcess {
   private static final int MOST_CHECKPOINT_BYTES = 1 << 28;
   private static final double MEGABYTE = 1e6;
 
-  private final long memoryBytes;
+  /** The command of a wall, its first process within, and Java. */
+  private static final int PROCESSES_OF_WALL = 3;
+
+  private final Confinement confinement;
+  private final WorkerBounds bounds;
   private volatile Optional<Process> process = Optional.empty();
+  private List<ProcessHandle> processes = List.of();
+  private long cpuNanos;
 
   /**
-   * @param memoryBytes most memory; negative: what Java takes by itself
+   * @param confinement wall around the process
+   * @param bounds what it may use at most
    */
-  public WorkerProcess(long memoryBytes) {
-    this.memoryBytes = memoryBytes;
+  public WorkerProcess(Confinement confinement, WorkerBounds bounds) {
+    this.confinement = confinement;
+    this.bounds = bounds;
   }
 
-  /** Returns the processor time the process has taken, ns; 0 before its start. */
-  public long cpuNanos() {
-    return process
-        .flatMap(running -> running.info().totalCpuDuration())
-        .map(Duration::toNanos)
-        .orElse(0L);
+  /**
+   * Returns the processor time that the process and those of its wall have taken, ns; 0 before its
+   * start.
+   */
+  public synchronized long cpuNanos() {
+    if (process.isPresent() && processes.size() < (confinement.stands() ? PROCESSES_OF_WALL : 1)) {
+      ProcessHandle started = process.get().toHandle();
+      processes = Stream.concat(Stream.of(started), started.descendants()).toList();
+    }
+    long now =
+        processes.stream()
+            .flatMap(running -> running.info().totalCpuDuration().stream())
+            .mapToLong(Duration::toNanos)
+            .sum();
+    cpuNanos = Math.max(cpuNanos, now); // the time of an ended process is not known any more
+    return cpuNanos;
   }
 
   /**
@@ -77,32 +107,23 @@ public final class WorkerProcess {
         DataInputStream in =
             new DataInputStream(new BufferedInputStream(started.getInputStream()))) {
       return new Dialogue(in, out, sink, control, checkpoints).hold(order);
+    } catch (StreamCorruptedException e) {
+      throw new WorkerLostException(
+          "the process of the run sent what makes no sense: " + e.getMessage() + ".",
+          ASK_CLASSES,
+          false);
     } catch (PeerGoneException e) {
-      throw lost(started, memoryBytes);
+      throw lost(started, bounds.heapBytes());
     } finally {
       started.destroyForcibly();
     }
   }
 
   private Process start() throws IOException {
-    List<String> command = new ArrayList<>();
-    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    if (memoryBytes > 0) {
-      command.add("-Xmx" + Math.max(memoryBytes, 1 << 24));
-    }
-    command.addAll(
-        List.of(
-            "-XX:+UseSerialGC",
-            "-XX:+ExitOnOutOfMemoryError",
-            "-XX:TieredStopAtLevel=4",
-            "-Xshare:auto",
-            "-cp",
-            System.getProperty("java.class.path"),
-            WorkerMain.class.getName()));
-    ProcessBuilder builder =
-        new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD);
-    builder.environment().clear();
-    return builder.start();
+    return confinement
+        .command(bounds, WorkerMain.class, List.of())
+        .redirectError(ProcessBuilder.Redirect.DISCARD)
+        .start();
   }
 
   /** Stops the worker on request; kills it if it does not end by itself. */
@@ -138,22 +159,38 @@ public final class WorkerProcess {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
-    return new WorkerLostException("the process of the run does not answer any more.", false);
+    return new WorkerLostException(
+        "the process of the run does not answer any more.", ASK_CLASSES, false);
   }
 
   private static WorkerLostException lost(int status, long memoryBytes) {
-    if (status != EXIT_OUT_OF_MEMORY) {
+    if (status == EXIT_OUT_OF_MEMORY) {
       return new WorkerLostException(
-          "the process of the run ended unexpectedly, with status " + status + ".", false);
+          memoryBytes > 0
+              ? String.format(
+                  Locale.ROOT,
+                  "the run needed more than the %.0f MB of memory that this host allows one"
+                      + " process.",
+                  memoryBytes / MEGABYTE)
+              : "the run needed more memory than its process could get.",
+          ASK_CLASSES,
+          true);
+    } else if (status == SIGNALLED + SIGKILL || status == SIGNALLED + SIGTERM) {
+      return new WorkerLostException(
+          "the process of the run was killed from outside, with signal "
+              + (status - SIGNALLED)
+              + ".",
+          "Start the run again. If this happens again, ask the operator whether the machine has run"
+              + " out of memory.",
+          false);
+    } else if (status == SIGNALLED + SIGXCPU) {
+      return new WorkerLostException(
+          "the process of the run has used up its processor time.", ASK_CLASSES, false);
     }
     return new WorkerLostException(
-        memoryBytes > 0
-            ? String.format(
-                Locale.ROOT,
-                "the run needed more than the %.0f MB of memory that this host allows one process.",
-                memoryBytes / MEGABYTE)
-            : "the run needed more memory than its process could get.",
-        true);
+        "the process of the run ended unexpectedly, with status " + status + ".",
+        ASK_CLASSES,
+        false);
   }
 
   /** The worker has closed its end. */
@@ -206,20 +243,26 @@ public final class WorkerProcess {
             return hear(() -> WorkerResult.read(in));
           }
           case WorkerMain.REFUSED -> throw refused();
-          default -> throw new PeerGoneException(new IOException("message " + kind));
+          case WorkerMain.THROWN -> throw thrown();
+          default -> throw new StreamCorruptedException("a message of the kind " + kind);
         }
       }
     }
 
-    private IllegalArgumentException refused() throws PeerGoneException {
+    private WorkerLostException thrown() throws IOException {
+      return new WorkerLostException(
+          "the process of the run failed: " + hear(in::readUTF) + ".", ASK_CLASSES, false);
+    }
+
+    private IllegalArgumentException refused() throws IOException {
       String why = hear(in::readUTF);
       return new IllegalArgumentException(why);
     }
 
     private List<Variable> columns() throws IOException {
       int count = hear(in::readInt);
-      if (count < 0 || count > MOST_COLUMNS) {
-        throw new PeerGoneException(new IOException(count + " columns"));
+      if (count < 1 || count > MOST_COLUMNS || row.length > 0) {
+        throw new StreamCorruptedException(count + " columns");
       }
       List<Variable> columns = new ArrayList<>();
       for (int i = 0; i < count; i++) {
@@ -231,6 +274,9 @@ public final class WorkerProcess {
     }
 
     private double[] nextRow() throws IOException {
+      if (row.length == 0) {
+        throw new StreamCorruptedException("a row before the columns");
+      }
       for (int i = 0; i < row.length; i++) {
         row[i] = in.readDouble();
       }
@@ -240,7 +286,7 @@ public final class WorkerProcess {
     private byte[] checkpoint() throws IOException {
       int length = in.readInt();
       if (length < 0 || length > MOST_CHECKPOINT_BYTES) {
-        throw new IOException("a checkpoint of " + length + " bytes");
+        throw new StreamCorruptedException("a checkpoint of " + length + " bytes");
       }
       byte[] bytes = in.readNBytes(length);
       if (bytes.length < length) {
@@ -287,9 +333,12 @@ public final class WorkerProcess {
     /**
      * A row that cannot be kept is the host's trouble; a message that does not come, the worker's.
      */
-    private static <T> T hear(Reading<T> message) throws PeerGoneException {
+    private static <T> T hear(Reading<T> message)
+        throws PeerGoneException, StreamCorruptedException {
       try {
         return message.read();
+      } catch (StreamCorruptedException | UTFDataFormatException e) {
+        throw new StreamCorruptedException(String.valueOf(e.getMessage()));
       } catch (IOException e) {
         throw new PeerGoneException(e);
       }

@@ -3,6 +3,7 @@ package org.mechservice.sim.worker;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.io.StreamCorruptedException;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import org.mechservice.solver.api.run.Failure;
@@ -41,7 +42,7 @@ public record WorkerResult(Map<String, Object> report, Outcome outcome) {
       Failure why = failed.failure();
       out.writeByte('f');
       out.writeUTF(why.code().code());
-      out.writeUTF(why.cause());
+      out.writeUTF(WorkerMain.clipped(why.cause()));
       out.writeDouble(why.time());
       out.writeDouble(why.stepSize());
       out.writeInt(why.order());
@@ -55,7 +56,7 @@ public record WorkerResult(Map<String, Object> report, Outcome outcome) {
   static WorkerResult read(DataInputStream in) throws IOException {
     int entries = in.readInt();
     if (entries < 0 || entries > MOST_ENTRIES) {
-      throw new IOException("a report of " + entries + " entries");
+      throw new StreamCorruptedException("a report of " + entries + " entries");
     }
     Map<String, Object> report = new LinkedHashMap<>();
     for (int left = entries; left > 0; left--) {
@@ -76,7 +77,7 @@ public record WorkerResult(Map<String, Object> report, Outcome outcome) {
   private static MessageCode readCode(DataInputStream in) throws IOException {
     String code = in.readUTF();
     return MessageCode.find(code)
-        .orElseThrow(() -> new IOException("there is no message code " + code));
+        .orElseThrow(() -> new StreamCorruptedException("there is no message code " + code));
   }
 
   private static Outcome readOutcome(DataInputStream in) throws IOException {

@@ -10,6 +10,12 @@
  * org.mechservice.sim.worker.WorkerLostException} reports a process that has ended without a
  * result.
  *
+ * <p>{@link org.mechservice.sim.worker.Confinement} is the wall of the operating system around the
+ * process: bubblewrap, which shows it the {@code JavaFiles} alone, and a {@code SystemCallFilter}.
+ * A wall counts only after {@code ConfinementProbe} has tried in vain to get out of it. {@link
+ * org.mechservice.sim.worker.UserCodePolicy} says what happens without one, and {@link
+ * org.mechservice.sim.worker.WorkerBounds} what the process may use.
+ *
  * <p>Depends on mechsim-codegen and the solver, on no package of the service.
  */
 @NullMarked

@@ -245,7 +245,8 @@ public enum MessageCode {
   WARNINGS_REFUSED("S-164"),
   WRONG_SWEEP_JOURNAL("S-165"),
   ENERGY_BALANCE_NOT_WATCHED("S-166"),
-  NOT_THE_OWNER("S-167");
+  NOT_THE_OWNER("S-167"),
+  NO_CONFINEMENT("S-168");
 
   private final String code;
   private final Severity severity;

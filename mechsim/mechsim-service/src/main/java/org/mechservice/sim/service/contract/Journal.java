@@ -58,14 +58,18 @@ public final class Journal {
   /** Adds an event and logs it. */
   public void add(JournalEntry entry) {
     ServiceEvent event = entry.event(source);
-    String text = line(event);
-    if (event.level.value() == Severity._SEV_INFO) {
+    log(event.level, line(event));
+    addEvent(event);
+  }
+
+  /** Logs a line that is about no event. */
+  public void log(Severity level, String text) {
+    if (level.value() == Severity._SEV_INFO) {
       log.info(text);
     } else {
       log.warn(text);
     }
-    addLine(level(event.level), text);
-    addEvent(event);
+    addLine(level(level), text);
   }
 
   /** Adds an event that a host has logged, where a server keeps the events of all its hosts. */

@@ -73,13 +73,15 @@ public enum HostLimit {
       1,
       MessageCode.PROCESSOR_TIME_EXCEEDED,
       "processor time of one run"),
-  MEMORY(
-      "memory",
+  MEMORY("memory", "B", HostLimits.UNLIMITED, 1, MessageCode.OUT_OF_MEMORY, "heap of one host"),
+  /** Enough for the largest model of the examples; many workers fit on one machine. */
+  WORKER_MEMORY(
+      "workerMemory",
       "B",
-      HostLimits.UNLIMITED,
-      1,
+      1L << 30,
+      1 << 24,
       MessageCode.OUT_OF_MEMORY,
-      "memory of one host, or of one worker"),
+      "heap of one process for classes of users"),
   CONNECTIONS(
       "connections",
       "1",

@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.Limit;
 import org.mechservice.idl.LimitExceeded;
+import org.mechservice.sim.worker.WorkerBounds;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** The values of all limits of a host. Immutable. */
@@ -24,6 +25,9 @@ public final class HostLimits {
 
   private static final int RESERVED_CONNECTIONS = 20;
 
+  /** Time within which a host notices that a run has used up its processor time, s. */
+  private static final int GRACE = 30;
+
   private final Map<HostLimit, Long> changed;
 
   private HostLimits(Map<HostLimit, Long> changed) {
@@ -39,6 +43,15 @@ public final class HostLimits {
   public long bound(HostLimit limit) {
     long value = of(limit);
     return value == UNLIMITED ? Long.MAX_VALUE : value;
+  }
+
+  /** Returns what a process for classes of users may use at most. */
+  public WorkerBounds ofWorker() {
+    long heap = Math.min(bound(HostLimit.MEMORY), bound(HostLimit.WORKER_MEMORY));
+    long cpu = of(HostLimit.CPU_TIME);
+    // The kernel ends a worker only if its host has not.
+    return new WorkerBounds(
+        heap == Long.MAX_VALUE ? UNLIMITED : heap, cpu == UNLIMITED ? UNLIMITED : cpu + GRACE);
   }
 
   /** Returns the lease in the contract's unit. */

@@ -7,6 +7,7 @@ import org.mechservice.idl.LimitExceeded;
 import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.service.results.RunColumns;
 import org.mechservice.sim.service.results.RunStore;
+import org.mechservice.sim.worker.WorkerBounds;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.Solver;
@@ -45,11 +46,11 @@ public final class RunFactory {
    * Makes the task of a run: computed in this process, or in a process of its own if the model has
    * classes of users.
    *
-   * @param memoryBytes most memory of a process of its own; negative: what Java takes by itself
+   * @param bounds what a process of its own may use at most
    */
-  public RunTask task(CompiledModel compiled, RunRequest request, long memoryBytes) {
+  public RunTask task(CompiledModel compiled, RunRequest request, WorkerBounds bounds) {
     return compiled.hasUserClasses()
-        ? new WorkerTask(compiled, request, memoryBytes)
+        ? new WorkerTask(compiled, request, bounds)
         : here(compiled, request);
   }
 

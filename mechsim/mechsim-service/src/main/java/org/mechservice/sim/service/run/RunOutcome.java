@@ -61,8 +61,7 @@ record RunOutcome(Optional<Map<String, Object>> report, Outcome outcome) {
             lost.outOfMemory() ? HostLimit.MEMORY.code() : MessageCode.WORKER_ENDED,
             String.valueOf(lost.getMessage()),
             control,
-            "Look for what the classes of the model's users do there; the rows up to then are"
-                + " kept."));
+            lost.advice() + " The rows up to then are kept."));
   }
 
   private static RunOutcome failed(Failure failure) {

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.mechservice.sim.model.CompiledModel;
+import org.mechservice.sim.worker.Confinement;
+import org.mechservice.sim.worker.WorkerBounds;
 import org.mechservice.sim.worker.WorkerOrder;
 import org.mechservice.sim.worker.WorkerProcess;
 import org.mechservice.sim.worker.WorkerResult;
@@ -24,20 +26,20 @@ final class WorkerTask implements RunTask {
   private final List<TunableParameter> parameters;
   private final Map<String, String> values;
   private final RunRequest request;
-  private final long memoryBytes;
+  private final WorkerBounds bounds;
   private final RunCheckpoints checkpoints;
   private final WorkerProcess worker;
 
   /**
-   * @param memoryBytes most memory of the process; negative: what Java takes by itself
+   * @param bounds what the process may use at most
    */
-  WorkerTask(CompiledModel compiled, RunRequest request, long memoryBytes) {
+  WorkerTask(CompiledModel compiled, RunRequest request, WorkerBounds bounds) {
     this(
         compiled,
         compiled.describing().parameters(),
         Map.of(),
         request,
-        memoryBytes,
+        bounds,
         new RunCheckpoints(compiled::sha256, Simulation.canBeSaved(compiled.describing().model())));
   }
 
@@ -46,16 +48,16 @@ final class WorkerTask implements RunTask {
       List<TunableParameter> parameters,
       Map<String, String> values,
       RunRequest request,
-      long memoryBytes,
+      WorkerBounds bounds,
       RunCheckpoints checkpoints) {
     this.compiled = compiled;
     this.parameters = parameters;
     this.values = values;
     this.request = request;
-    this.memoryBytes = memoryBytes;
+    this.bounds = bounds;
     this.checkpoints = checkpoints;
     described = compiled.describing().model(values);
-    worker = new WorkerProcess(memoryBytes);
+    worker = new WorkerProcess(Confinement.ofThisMachine(), bounds);
   }
 
   /** Returns the model, with names and columns but without what its users have written. */
@@ -76,7 +78,7 @@ final class WorkerTask implements RunTask {
         LocalTask.changed(compiled.describing().parameters(), changed),
         changed,
         request,
-        memoryBytes,
+        bounds,
         checkpoints);
   }
 

@@ -6,6 +6,7 @@ import org.mechservice.sim.service.contract.DenialLog;
 import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.results.RunStore;
+import org.mechservice.sim.worker.UserCodePolicy;
 
 /**
  * What the sessions of a host share.
@@ -17,7 +18,7 @@ import org.mechservice.sim.service.results.RunStore;
  * @param denials where refused calls are written down
  * @param store where ended runs go
  * @param callbacks threads that call clients back
- * @param userCode whether classes of users may be compiled and run here
+ * @param userCode where classes of users run
  */
 record HostServices(
     ServiceOrb orb,
@@ -27,4 +28,4 @@ record HostServices(
     DenialLog denials,
     RunStore store,
     Executor callbacks,
-    boolean userCode) {}
+    UserCodePolicy userCode) {}

@@ -60,6 +60,9 @@ import org.mechservice.sim.service.run.RunPlan;
 import org.mechservice.sim.service.run.RunTask;
 import org.mechservice.sim.service.run.SimulationRun;
 import org.mechservice.sim.user.UserFile;
+import org.mechservice.sim.worker.Confinement;
+import org.mechservice.sim.worker.UserCodePolicy;
+import org.mechservice.sim.worker.WorkerBounds;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.simulation.SolverVersion;
@@ -69,6 +72,9 @@ import org.slf4j.LoggerFactory;
 /** Servant of one session: reads a model file, creates simulations and makes JARs of it. */
 final class MechSimServant implements MechSimOperations {
   private static final Logger LOG = LoggerFactory.getLogger(MechSimServant.class);
+
+  /** Whether the allow-list of bytecode is asked; tests of the confinement alone switch it off. */
+  static volatile boolean verifiesUserCode = true;
 
   private final Session session;
   private final ModelLibrary library;
@@ -116,7 +122,7 @@ final class MechSimServant implements MechSimOperations {
               mechml.fileName,
               mechml.content,
               Stream.of(userFiles).map(file -> new UserFile(file.fileName, file.content)).toList(),
-              session.host().userCode());
+              session.host().userCode().compiles());
       times.addTreating(System.nanoTime() - start);
       loaded = Optional.of(read);
       generateAhead(read);
@@ -268,8 +274,8 @@ final class MechSimServant implements MechSimOperations {
     requireUserCodeAllowed(compiled, source);
     RunRequest request =
         new RunRequest(asked.settings(), asked.columns(), asked.strict(), asked.maxDrift());
-    long memory = session.limits().of(HostLimit.MEMORY);
-    RunTask task = ContractErrors.build(() -> runs.task(compiled, request, memory));
+    WorkerBounds bounds = session.limits().ofWorker();
+    RunTask task = ContractErrors.build(() -> runs.task(compiled, request, bounds));
     RunColumns columns = ContractErrors.build(() -> runs.columns(task.model(), request));
     RunPlan plan =
         new RunPlan(
@@ -317,7 +323,11 @@ final class MechSimServant implements MechSimOperations {
 
   private void requireUserCodeAllowed(CompiledModel compiled, LoadedModel source)
       throws NotAvailable, InvalidModel {
-    if (compiled.hasUserClasses() && !session.host().userCode()) {
+    if (!compiled.hasUserClasses()) {
+      return;
+    }
+    UserCodePolicy policy = session.host().userCode();
+    if (policy == UserCodePolicy.REFUSED) {
       throw new NotAvailable(
           MessageCode.USER_CODE_NOT_ALLOWED.code(),
           "host "
@@ -325,9 +335,23 @@ final class MechSimServant implements MechSimOperations {
               + " runs no classes of users, and forces of this model are such classes; run it with"
               + " --mode local or without --server, or ask the operator to start the server with"
               + " --allow-user-code");
+    } else if (!policy.runsBehind(Confinement.ofThisMachine())) {
+      throw new NotAvailable(
+          MessageCode.NO_CONFINEMENT.code(),
+          "host "
+              + hostName()
+              + " cannot confine classes of users, so it does not run them: "
+              + Confinement.ofThisMachine().text()
+              + "; run the model with --mode local or without --server, or ask the operator to make"
+              + " bubblewrap work on the host");
+    }
+    if (!Confinement.ofThisMachine().stands()) {
+      LOG.warn("classes of users run unconfined: {}", Confinement.ofThisMachine().text());
     }
     try {
-      source.userClasses().requireHarmless();
+      if (verifiesUserCode) {
+        source.userClasses().requireHarmless();
+      }
     } catch (MechmlException e) {
       throw ContractErrors.model(e.diagnostics());
     }

@@ -51,6 +51,7 @@ import org.mechservice.sim.service.results.RunStore;
 import org.mechservice.sim.service.run.RunFactory;
 import org.mechservice.sim.service.run.RunQueue;
 import org.mechservice.sim.service.run.SimulationRun;
+import org.mechservice.sim.worker.UserCodePolicy;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.catalogue.MessageCode;
 
@@ -96,7 +97,7 @@ public final class SessionTable implements AutoCloseable {
    * @param solver runs them
    * @param journal logs the sessions
    * @param denials logs refused calls
-   * @param userCode whether classes of users may be compiled and run here
+   * @param userCode where classes of users run
    * @throws IllegalArgumentException with code S-114 if the folder cannot be used
    */
   public SessionTable(
@@ -108,7 +109,7 @@ public final class SessionTable implements AutoCloseable {
       Solver solver,
       Journal journal,
       DenialLog denials,
-      boolean userCode) {
+      UserCodePolicy userCode) {
     RunStore store = new RunStore(spool, limits);
     callbacks = Executors.newCachedThreadPool(named("callback"));
     host = new HostServices(orb, hostName, limits, journal, denials, store, callbacks, userCode);

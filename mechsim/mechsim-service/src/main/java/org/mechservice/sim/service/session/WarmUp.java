@@ -41,6 +41,7 @@ import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.service.results.RunStore;
 import org.mechservice.sim.service.run.RunFactory;
 import org.mechservice.sim.service.run.RunQueue;
+import org.mechservice.sim.worker.UserCodePolicy;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.UserException;
@@ -111,7 +112,14 @@ public final class WarmUp implements AutoCloseable {
       Journal journal = Journal.unlogged();
       HostServices host =
           new HostServices(
-              orb, "warm-up", limits, journal, new DenialLog(journal), store, Runnable::run, false);
+              orb,
+              "warm-up",
+              limits,
+              journal,
+              new DenialLog(journal),
+              store,
+              Runnable::run,
+              UserCodePolicy.REFUSED);
       Session session = new Session("warm-up", client, host);
       try {
         RunFactory runs =

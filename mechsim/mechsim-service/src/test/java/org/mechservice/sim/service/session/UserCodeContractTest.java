@@ -21,6 +21,7 @@ import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.user.PushedCart;
 import org.mechservice.sim.user.UserFile;
+import org.mechservice.sim.worker.UserCodePolicy;
 import org.omg.CORBA.UserException;
 
 /** Classes of users run where the operator allows it; elsewhere nothing of theirs is loaded. */
@@ -34,7 +35,9 @@ class UserCodeContractTest {
   private static final double END = 1;
 
   private static HostedClient host(boolean userCode) {
-    HostOptions options = new HostOptions("here", 1).withUserCode(userCode);
+    HostOptions options =
+        new HostOptions("here", 1)
+            .withUserCode(userCode ? UserCodePolicy.UNCONFINED : UserCodePolicy.REFUSED);
     return new HostedClient(SimHost.installedSolver(), options);
   }
 

@@ -25,6 +25,7 @@ import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.user.PushedCart;
+import org.mechservice.sim.worker.UserCodePolicy;
 import org.omg.CORBA.UserException;
 
 /** Forces that users have written run in processes of their own, and can do no harm there. */
@@ -55,7 +56,8 @@ class WorkerTest {
 
   private static HostedClient host(HostLimits limits) {
     return new HostedClient(
-        SimHost.installedSolver(), new HostOptions("here", 3, limits, Optional.empty(), true));
+        SimHost.installedSolver(),
+        new HostOptions("here", 3, limits, Optional.empty(), UserCodePolicy.UNCONFINED));
   }
 
   private static IMechSimRemote simulation(HostedClient there, String body) throws UserException {
@@ -66,12 +68,17 @@ class WorkerTest {
     return session.createSimulation(new NameValue[0], null);
   }
 
-  /** The only processes of Java that a host starts. */
+  /** The only processes that a host starts: Java, or the wall around it. */
   private static Stream<ProcessHandle> workers() {
     return ProcessHandle.current()
         .children()
         .filter(
-            child -> child.info().command().map(program -> program.endsWith("java")).orElse(false));
+            child ->
+                child
+                    .info()
+                    .command()
+                    .map(p -> p.endsWith("java") || p.endsWith("bwrap"))
+                    .orElse(false));
   }
 
   private static void assertFailsWith(IMechSimRemote run, String code) throws Exception {

@@ -29,6 +29,9 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
  * declared; both are carried from readings to links and joints in the same way.
  */
 public final class AppliedUserForce extends AppliedForce implements ForceBlocks {
+  /** Longest message of a class that is passed on, in characters. */
+  private static final int MOST_TEXT = 2000;
+
   private final UserForce law;
   private final TreeMotion motion;
   private final List<Variable> variables;
@@ -79,7 +82,9 @@ public final class AppliedUserForce extends AppliedForce implements ForceBlocks 
   private void declare(UserForceElement element, UserForceNames names) {
     try {
       law.declare(names);
-    } catch (RuntimeException | LinkageError | StackOverflowError e) {
+    } catch (OutOfMemoryError memory) {
+      throw memory; // of the process, not of the class
+    } catch (Throwable e) {
       String said = String.valueOf(e.getMessage());
       throw new IllegalArgumentException(
           said.startsWith(UserForceNames.REFUSED)
@@ -87,7 +92,7 @@ public final class AppliedUserForce extends AppliedForce implements ForceBlocks 
               : UserForceNames.REFUSED
                   + element.name()
                   + "\" cannot be declared: its class threw "
-                  + e,
+                  + described(e),
           e);
     }
   }
@@ -171,7 +176,9 @@ public final class AppliedUserForce extends AppliedForce implements ForceBlocks 
     reading.clear();
     try {
       law.apply(reading, reading);
-    } catch (RuntimeException | LinkageError | StackOverflowError failure) {
+    } catch (OutOfMemoryError memory) {
+      throw memory; // of the process, not of the class
+    } catch (Throwable failure) {
       return thrown(failure);
     }
     for (DeclaredPoint point : points) {
@@ -189,10 +196,20 @@ public final class AppliedUserForce extends AppliedForce implements ForceBlocks 
     return true;
   }
 
+  /** Returns class and message of what a class has thrown; the message is the class's own code. */
+  private static String described(Throwable thrown) {
+    try {
+      String text = thrown.toString();
+      return text.length() > MOST_TEXT ? text.substring(0, MOST_TEXT) + "..." : text;
+    } catch (RuntimeException | Error e) {
+      return thrown.getClass().getName();
+    }
+  }
+
   private boolean thrown(Throwable failure) {
     return fail(
         MessageCode.USER_FORCE_FAILED,
-        "Its class threw " + failure + ".",
+        "Its class threw " + described(failure) + ".",
         "Correct the class; in a state it cannot handle it may give forces that are not finite.");
   }
 
@@ -216,7 +233,9 @@ public final class AppliedUserForce extends AppliedForce implements ForceBlocks 
   private boolean differentiate() {
     try {
       ((UserForce.Derivatives) law).differentiate(reading, this);
-    } catch (RuntimeException | LinkageError | StackOverflowError failure) {
+    } catch (OutOfMemoryError memory) {
+      throw memory; // of the process, not of the class
+    } catch (Throwable failure) {
       return thrown(failure);
     }
     return true;

@@ -80,7 +80,7 @@ public final class Switching implements Integrator {
   private final StepBounds bounds = new ExactEndBounds();
 
   private OdeSystem system = RightHandSide.none().system();
-  private StepCosts costs = new StepCosts(0);
+  private StepCosts costs = StepCosts.dense(0);
   private double tEnd;
 
   /** Where the problem is handed over, and its derivative. */
@@ -154,7 +154,7 @@ public final class Switching implements Integrator {
     y = new double[system.dimension()];
     yDot = new double[system.dimension()];
     forecast.prepare(system.dimension());
-    costs = new StepCosts(system.dimension());
+    costs = StepCosts.of(system);
   }
 
   private void beginPhase(boolean stiff) {

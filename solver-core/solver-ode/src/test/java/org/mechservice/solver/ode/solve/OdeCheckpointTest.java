@@ -13,6 +13,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.mechservice.solver.ode.SavedState;
+import org.mechservice.solver.ode.SavedSystem;
 
 /** An integration is cancelled, saved and taken up again with the same bits. */
 class OdeCheckpointTest {
@@ -124,6 +126,47 @@ class OdeCheckpointTest {
       OdeSolution later = Dae.resume(square, checkpoint, standard);
       assertThat(later.endState()).isEqualTo(whole.endState());
       assertThat(later.statistics()).isEqualTo(whole.statistics());
+    }
+  }
+
+  /** A thermostat: its heater is on or off. */
+  private static final class Heater implements SavedSystem {
+    private boolean on = true;
+
+    @Override
+    public void transfer(SavedState state) {
+      on = state.flag(on);
+    }
+
+    OdeProblem problem() {
+      return Ode.system(1, (t, y, yDot) -> yDot[0] = 10 - y[0] + (on ? 15 : 0))
+          .with(SavedSystem.class, this);
+    }
+
+    OdeOptions options() {
+      return OdeOptions.standard()
+          .event(OdeEvent.when((t, y) -> y[0] - 21).rising().then((t, y) -> on = false))
+          .event(OdeEvent.when((t, y) -> y[0] - 19).falling().then((t, y) -> on = true));
+    }
+  }
+
+  @Test
+  void stateOfTheProblemItselfIsSavedWithTheIntegration() {
+    Heater heater = new Heater();
+    List<OdeCheckpoint> checkpoints = new ArrayList<>();
+    OdeSolution whole =
+        Ode.solve(
+            heater.problem(),
+            0,
+            new double[] {15},
+            5,
+            heater.options().checkpointEvery(20, checkpoints::add));
+    assertThat(checkpoints).hasSizeGreaterThan(5);
+    for (OdeCheckpoint checkpoint : checkpoints) {
+      Heater another = new Heater();
+      OdeSolution later = Ode.resume(another.problem(), checkpoint, another.options());
+      assertThat(later.endState()).isEqualTo(whole.endState());
+      assertThat(another.on).isEqualTo(heater.on);
     }
   }
 

@@ -168,7 +168,7 @@ class SwitchingTest {
     for (SuiteProblem problem : SuiteProblem.stiff()) {
       for (int k = 3; k <= 9; k++) {
         IntegratorSettings settings = Run.settings(problem, StrictMath.pow(10, -k));
-        StepCosts costs = new StepCosts(problem.dimension());
+        StepCosts costs = StepCosts.of(problem);
         double stiff = cost(new Ode15s(settings), problem, costs);
         assertThat(cost(new Switching(settings), problem, costs))
             .as("%s, 1e-%d", problem.name(), k)

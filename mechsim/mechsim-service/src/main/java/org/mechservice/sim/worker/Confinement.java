@@ -1,0 +1,239 @@
+package org.mechservice.sim.worker;
+
+import java.io.File;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+
+/**
+ * The wall that the operating system puts around a worker: bubblewrap with a filter of system
+ * calls. A worker behind it has no network, sees no files but those of Java and its class path, can
+ * write nowhere, starts no processes and has no rights; its address space and processor time are
+ * bounded by the kernel. Behind it, Java's {@link JavaFiles} are all there is.
+ *
+ * <p>A wall counts only if it holds: before its first use {@link ConfinementProbe} tries to get out
+ * of it. Does not support systems other than Linux on x86-64 and AArch64.
+ */
+public final class Confinement {
+  /** Most that Java takes beside its heap: code, classes, stacks, the collector, B. */
+  private static final long BESIDE_HEAP = 1L << 30;
+
+  private static final long PROBE_SECONDS = 60;
+  private static final int PROBE_OUTPUT = 10_000;
+
+  /** Sets the bounds of the kernel and opens the filter, then becomes what its arguments say. */
+  private static final String SHELL =
+      "ulimit -c 0 && ulimit -v \"$1\" && ulimit -t \"$2\" && exec 3<\"$3\" && rm -f -- \"$3\""
+          + " && shift 3 && exec \"$@\"";
+
+  private static final List<String> ISOLATION =
+      List.of(
+          "--unshare-user",
+          "--unshare-ipc",
+          "--unshare-pid",
+          "--unshare-net",
+          "--unshare-uts",
+          "--unshare-cgroup-try",
+          "--cap-drop",
+          "ALL",
+          "--uid",
+          "65534",
+          "--gid",
+          "65534",
+          "--hostname",
+          "worker",
+          "--die-with-parent",
+          "--new-session",
+          "--clearenv",
+          // Else each thread reserves address space of its own for small blocks.
+          "--setenv",
+          "MALLOC_ARENA_MAX",
+          "2",
+          "--proc",
+          "/proc",
+          // Else a worker of root could set parameters of the kernel below /proc/sys.
+          "--remount-ro",
+          "/proc",
+          "--dev-bind",
+          "/dev/null",
+          "/dev/null",
+          "--dev-bind",
+          "/dev/random",
+          "/dev/random",
+          "--dev-bind",
+          "/dev/urandom",
+          "/dev/urandom");
+
+  /** One probe per process. */
+  private static final class OfThisMachine {
+    static final Confinement PROBED = probe(System.getProperty("java.class.path"));
+  }
+
+  /** A tool that stands on this machine. */
+  private record Wall(Path tool, SystemCallFilter filter, JavaFiles files) {}
+
+  private final Optional<Wall> wall;
+  private final String text;
+
+  private Confinement(Optional<Wall> wall, String text) {
+    this.wall = wall;
+    this.text = text;
+  }
+
+  /** Returns the wall of this machine; the first call probes it, which takes about a second. */
+  public static Confinement ofThisMachine() {
+    return OfThisMachine.PROBED;
+  }
+
+  /** Returns no wall: an ordinary process. */
+  static Confinement none(String reason) {
+    return new Confinement(Optional.empty(), reason);
+  }
+
+  /** Returns whether there is a wall. */
+  public boolean stands() {
+    return wall.isPresent();
+  }
+
+  /** Returns what the wall is, or why there is none. */
+  public String text() {
+    return text;
+  }
+
+  private static Confinement probe(String classPath) {
+    if (!System.getProperty("os.name").equals("Linux")) {
+      return none("only Linux can confine processes as MechService needs it");
+    }
+    Optional<SystemCallFilter> filter = SystemCallFilter.of(System.getProperty("os.arch"));
+    if (filter.isEmpty()) {
+      return none("there is no filter of system calls for " + System.getProperty("os.arch"));
+    }
+    Optional<Path> tool = tool();
+    if (tool.isEmpty()) {
+      return none("bubblewrap (bwrap) is not installed");
+    }
+    try {
+      JavaFiles files = new JavaFiles(classPath);
+      Confinement found =
+          new Confinement(
+              Optional.of(new Wall(tool.get(), filter.get(), files)),
+              "bubblewrap with a filter of system calls");
+      String answer = found.tryToGetOut();
+      return answer.equals(ConfinementProbe.HELD)
+          ? found
+          : none("bubblewrap (" + tool.get() + ") does not work here: " + answer);
+    } catch (IOException e) {
+      return none("bubblewrap (" + tool.get() + ") does not work here: " + e.getMessage());
+    }
+  }
+
+  private static Optional<Path> tool() {
+    String searched = System.getenv().getOrDefault("PATH", "") + File.pathSeparator + "/usr/bin";
+    return Stream.of(searched.split(File.pathSeparator, -1))
+        .filter(folder -> folder.startsWith("/"))
+        .map(folder -> Path.of(folder, "bwrap"))
+        .filter(Files::isExecutable)
+        .findFirst();
+  }
+
+  /**
+   * Lets a probe try to get out.
+   *
+   * @return what it says, {@link ConfinementProbe#HELD} if it could not
+   */
+  String tryToGetOut() throws IOException {
+    Path ownFile = Files.createTempFile("mechservice-probe", ".txt");
+    try (ServerSocket listening = new ServerSocket(0, 5, InetAddress.getLoopbackAddress())) {
+      ProcessBuilder command =
+          command(
+              new WorkerBounds(1 << 26, PROBE_SECONDS),
+              ConfinementProbe.class,
+              List.of(
+                  Integer.toString(listening.getLocalPort()), "/etc/passwd", ownFile.toString()));
+      Process probe = command.redirectErrorStream(true).start();
+      try {
+        probe.getOutputStream().close();
+        if (!probe.waitFor(PROBE_SECONDS, TimeUnit.SECONDS)) {
+          return "a small program did not end behind it within " + PROBE_SECONDS + " s";
+        }
+        byte[] said = probe.getInputStream().readNBytes(PROBE_OUTPUT);
+        String answer = new String(said, StandardCharsets.UTF_8).strip().split("\\R", 2)[0];
+        return answer.isEmpty() ? "it ended with status " + probe.exitValue() : answer;
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+        return "the probe was interrupted";
+      } finally {
+        probe.destroyForcibly();
+      }
+    } finally {
+      Files.delete(ownFile);
+    }
+  }
+
+  /**
+   * Returns what starts a Java program behind the wall, or in an ordinary process if there is none.
+   * It has no environment.
+   *
+   * @throws IOException if the filter cannot be handed over
+   */
+  ProcessBuilder command(WorkerBounds bounds, Class<?> main, List<String> arguments)
+      throws IOException {
+    List<String> command = new ArrayList<>();
+    String launcher = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+    String classPath = System.getProperty("java.class.path");
+    if (wall.isPresent()) {
+      addWall(command, wall.get(), bounds);
+      launcher = JavaFiles.LAUNCHER;
+      classPath = wall.get().files().classPath();
+    }
+    command.add(launcher);
+    if (bounds.heapBytes() > 0) {
+      command.add("-Xmx" + bounds.heapBytes());
+    }
+    command.addAll(
+        List.of(
+            "-XX:+UseSerialGC",
+            "-XX:+ExitOnOutOfMemoryError",
+            "-XX:CompressedClassSpaceSize=128m",
+            "-XX:ReservedCodeCacheSize=128m",
+            "-XX:MaxDirectMemorySize=16m",
+            "-XX:-UsePerfData",
+            "-XX:+DisableAttachMechanism",
+            "-XX:+SuppressFatalErrorMessage",
+            "-Xshare:auto",
+            "--limit-modules",
+            "java.base",
+            "-cp",
+            classPath,
+            main.getName()));
+    command.addAll(arguments);
+    ProcessBuilder builder = new ProcessBuilder(command);
+    builder.environment().clear();
+    return builder;
+  }
+
+  private static void addWall(List<String> command, Wall wall, WorkerBounds bounds)
+      throws IOException {
+    Path filter = Files.createTempFile("mechservice-filter", ".bpf");
+    Files.write(filter, wall.filter().program());
+    String space =
+        bounds.heapBytes() > 0
+            ? Long.toString((bounds.heapBytes() + BESIDE_HEAP) >> 10)
+            : "unlimited";
+    String time = bounds.cpuSeconds() > 0 ? Long.toString(bounds.cpuSeconds()) : "unlimited";
+    command.addAll(List.of("/bin/sh", "-c", SHELL, "worker", space, time, filter.toString()));
+    command.add(wall.tool().toString());
+    command.addAll(List.of("--seccomp", "3"));
+    command.addAll(ISOLATION);
+    command.addAll(wall.files().arguments());
+    command.addAll(List.of("--dir", "/tmp", "--remount-ro", "/", "--chdir", "/", "--"));
+  }
+}

@@ -1,0 +1,12 @@
+package org.mechservice.sim.worker;
+
+/**
+ * What a worker may use at most.
+ *
+ * @param heapBytes heap, B; negative: what Java takes by itself
+ * @param cpuSeconds processor time of all its threads, s; negative: no bound
+ */
+public record WorkerBounds(long heapBytes, long cpuSeconds) {
+  /** No bounds of its own. */
+  public static final WorkerBounds NONE = new WorkerBounds(-1, -1);
+}
