@@ -1,6 +1,7 @@
 package org.mechservice.cli.simulate;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -30,7 +31,8 @@ public final class ResultFiles implements ResultSink, AutoCloseable {
   /**
    * Checks names before anything is computed for them.
    *
-   * @throws UsageException if one has no format that can be written, or occurs twice
+   * @throws UsageException if one has no format that can be written, no folder to be in, or occurs
+   *     twice
    */
   public static void requireUsableNames(List<Path> targets) {
     Set<Path> seen = new HashSet<>();
@@ -41,6 +43,16 @@ public final class ResultFiles implements ResultSink, AutoCloseable {
                 + " --out "
                 + target
                 + ": results are written to .csv files");
+      }
+      Path folder = target.toAbsolutePath().getParent();
+      if (!Files.isDirectory(folder)) {
+        throw new UsageException(
+            MessageCode.RESULT_FILE_NAME
+                + " --out "
+                + target
+                + ": the folder "
+                + folder
+                + " does not exist; make it first");
       }
       if (!seen.add(target.toAbsolutePath().normalize())) {
         throw new UsageException(

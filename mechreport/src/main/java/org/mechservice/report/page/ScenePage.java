@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
 import org.mechservice.report.SceneFindings;
 import org.mechservice.report.measure.Effort;
 import org.mechservice.report.measure.Point;
@@ -63,10 +64,11 @@ public final class ScenePage {
 
   private void head() {
     double end = found.judge().reference().map(Reference::end).orElse(found.endOfFile());
-    String loops =
-        found.methods().stream().anyMatch(method -> !method.closure().equals(SimulationMethod.OPEN))
-            ? "closed loops"
-            : "open chain";
+    // what was left out counts too: all methods of one closure may have been
+    boolean closes =
+        Stream.concat(found.methods().stream(), found.leftOut().stream().map(OmittedMethod::method))
+            .anyMatch(method -> !method.closure().equals(SimulationMethod.OPEN));
+    String loops = closes ? "closed loops" : "open chain";
     add("<h1>" + Html.escape(found.model()) + "</h1>");
     add(
         String.format(

@@ -116,12 +116,11 @@ public final class GenerationLimits {
               + elements
               + ")");
     }
-    boolean byRecursion = choice.formulation().equals(Formulation.DSR.label());
-    if (loops && byRecursion && mechanism.velocityCount() > LoopEquations.LARGE) {
+    if (loops && mechanism.velocityCount() > LoopEquations.LARGE) {
       beyond.add(
           "loops of more than "
               + LoopEquations.LARGE
-              + " velocities in DSR (it has "
+              + " velocities (it has "
               + mechanism.velocityCount()
               + "), which data evaluate faster");
     }

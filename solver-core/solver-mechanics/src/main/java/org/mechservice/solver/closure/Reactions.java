@@ -109,7 +109,7 @@ public final class Reactions {
       return false;
     }
     jacobian.decompose();
-    jacobian.multipliers(jacobian.rank(rank), residual, multipliers);
+    jacobian.multipliers(rank, residual, multipliers);
     System.arraycopy(work.wrench, 0, loads, 0, loads.length);
     System.arraycopy(work.tau, 0, tau, 0, tau.length);
     work.loops.addForces(multipliers, -1, loads, tau);

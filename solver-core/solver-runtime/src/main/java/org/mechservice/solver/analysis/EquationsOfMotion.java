@@ -123,7 +123,7 @@ final class EquationsOfMotion {
       return;
     }
     jacobian.decompose();
-    jacobian.multipliers(rank(), residual, lambda);
+    jacobian.multipliers(lambda.length, residual, lambda);
     loops.addForces(lambda, -1, loadedWrench, loadedTau);
     open.formResidual(loadedWrench, loadedTau, residual);
   }
@@ -160,6 +160,6 @@ final class EquationsOfMotion {
   /** Leaves the smallest x with J x = −rows in {@code step}. */
   void solveLeast(double[] rows) {
     jacobian.decompose();
-    jacobian.change(rank(), rows, step);
+    jacobian.change(lambda.length, rows, step);
   }
 }

@@ -21,26 +21,42 @@ import org.mechservice.solver.spatial.Vector3;
  * Where a mechanism comes to rest: Rᵀ (b − τ) = 0 at v = 0 on the positions that close the loops,
  * prescribed motions held.
  *
- * <p>Steps (M/Δ + K) z = −Rᵀ (b − τ), implicit ones of the motion M ż = −Rᵀ (b − τ), which a
- * mechanism in thick oil would follow from its start. Δ grows as the forces left over fall, until
- * the steps are Newton's; it shrinks as long as M/Δ + K is not positive definite, so that they lead
- * away from an unstable equilibrium. A step that goes too far along its direction is halved.
+ * <p>Newton's method within a region of trust (Conn, Gould and Toint 2000, ch. 6): steps (K + λD) z
+ * = −Rᵀ (b − τ) with λ = 0 or such that z is as long as is trusted and K + λD positive definite, so
+ * that they lead downhill and away from an unstable equilibrium. D is diagonal, of the sizes of K
+ * and of the forces left over: then λ is about one where it matters, and all freedoms move alike. A
+ * step is taken if the forces along it have done work; trust grows where they have done what K
+ * foretold and shrinks where not. The work is that of the mean of the forces at the two ends of the
+ * step, so that forces without a potential count as well.
  */
 final class StaticEquilibrium {
-  /** No coordinate moves further in one step, rad or lengths of the mechanism. */
-  private static final double LONGEST_STEP = 0.3;
+  /**
+   * Steps trusted at first and at most: what a coordinate may move, rad or lengths of the
+   * mechanism. Longer ones might lead to an equilibrium that is not the nearest downhill.
+   */
+  private static final double FIRST_TRUST = 0.1;
 
-  /** First step, rad or lengths. */
-  private static final double FIRST_STEP = 0.1;
+  private static final double MOST_TRUST = 0.3;
 
-  /** Growth of Δ at most, by which Newton's steps are reached in some ten. */
-  private static final double FASTEST_GROWTH = 10;
+  /** Steps shorter than this lead nowhere. */
+  private static final double LEAST_TRUST = 1e-12;
 
-  /** A step is halved as long as the force along it has turned to this part of what it was. */
-  private static final double TURNED = 0.9;
+  /** Parts of the work foretold below which a step is not taken, or trusted less or more next. */
+  private static final double TAKEN = 1e-3;
 
-  /** No step is made shorter than this part of what it was. */
-  private static final double SHORTEST = 1e-3;
+  private static final double TRUSTED_LESS = 0.25;
+  private static final double TRUSTED_MORE = 0.7;
+
+  /** Part of the trusted length that a step in between has at least. */
+  private static final double LONG_ENOUGH = 0.8;
+
+  /** Factor by which λ is looked for, and how often at most. */
+  private static final double GROWTH = 10;
+
+  private static final int TRIES = 60;
+
+  /** Part of its largest element that D has at least. */
+  private static final double LEAST_SCALE = 1e-9;
 
   /** A mode grows if its exponent is beyond this part of the largest eigenvalue. */
   private static final double GROWS = 1e-6;
@@ -132,24 +148,33 @@ final class StaticEquilibrium {
 
   private boolean descend(double t) throws Linearisation.NotLinearised {
     double[] rest = new double[equations.nv];
-    double step = 0;
-    double before = Double.POSITIVE_INFINITY;
-    for (int i = 0; i <= most; i++) {
-      Linearisation linear = new Linearisation(equations, t, y, rest);
-      double unbalanced = unbalanced(linear);
-      if (unbalanced <= tolerance) {
+    Linearisation linear = new Linearisation(equations, t, y, rest);
+    double trust = FIRST_TRUST;
+    for (int i = 0; i <= most && trust > LEAST_TRUST; i++) {
+      if (unbalanced(linear) <= tolerance) {
         judge(t, linear);
         return true;
       }
-      step = i == 0 ? firstStep(linear) : step * Math.min(FASTEST_GROWTH, before / unbalanced);
-      before = unbalanced;
+      if (i == most) {
+        break;
+      }
       double[] z = new double[linear.freedom()];
-      step = solve(linear, step, z);
-      if (!move(t, linear, z)) {
+      solve(linear, trust, z);
+      double length = longest(linear, z);
+      double part = move(t, linear, z);
+      iterations++;
+      if (part > TAKEN) {
+        linear = new Linearisation(equations, t, y, rest);
+      } else if (Double.isNaN(part) && trust < FIRST_TRUST * TRUSTED_LESS * TRUSTED_LESS) {
         return notClosed();
       }
-      iterations++;
+      if (!(part >= TRUSTED_LESS)) {
+        trust = TRUSTED_LESS * Math.min(trust, length);
+      } else if (part >= TRUSTED_MORE) {
+        trust = Math.min(MOST_TRUST, Math.max(trust, 2 * length));
+      }
     }
+    equations.place(t, y);
     return notFound();
   }
 
@@ -188,18 +213,6 @@ final class StaticEquilibrium {
     return sum;
   }
 
-  /** Returns the Δ of a first step of convenient length: z ≈ −Δ M⁻¹ r. */
-  private double firstStep(Linearisation linear) {
-    DenseLu lu = new DenseLu(linear.freedom());
-    if (lu.factor(linear.mass) != LinearSolver.NONSINGULAR) {
-      return 1;
-    }
-    double[] z = left.clone();
-    lu.solve(z);
-    double longest = longest(linear, z);
-    return longest > 0 ? FIRST_STEP / longest : 1;
-  }
-
   private double longest(Linearisation linear, double[] z) {
     double[] xi = new double[equations.nv];
     linear.expand(z, xi);
@@ -210,69 +223,104 @@ final class StaticEquilibrium {
     return longest;
   }
 
-  /** Solves for a step with the largest Δ up to {@code step} that leads downhill; returns it. */
-  private double solve(Linearisation linear, double step, double[] z) {
-    int f = linear.freedom();
-    Cholesky factors = new Cholesky(f);
-    double[] symmetric = new double[f * f];
-    double[] matrix = new double[f * f];
-    double taken = step;
-    for (int tries = 0; tries < 40; tries++) {
-      for (int i = 0; i < f; i++) {
-        for (int j = 0; j < f; j++) {
-          int ij = i * f + j;
-          matrix[ij] = linear.mass[ij] / taken + linear.stiffness[ij];
-          symmetric[ij] =
-              linear.mass[ij] / taken + 0.5 * (linear.stiffness[ij] + linear.stiffness[j * f + i]);
+  /** Solves for a step no longer than is trusted. */
+  private void solve(Linearisation linear, double trust, double[] z) {
+    double[] scale = scale(linear);
+    if (solve(linear, scale, 0, z) && longest(linear, z) <= trust) {
+      return;
+    }
+    double below = 0;
+    double above = 0;
+    double shift = 1;
+    for (int tries = 0; tries < TRIES; tries++) {
+      boolean downhill = solve(linear, scale, shift, z);
+      double length = downhill ? longest(linear, z) : Double.POSITIVE_INFINITY;
+      if (length <= trust) {
+        if (length >= LONG_ENOUGH * trust || shift <= below * (1 + 1e-12)) {
+          return;
         }
+        above = shift;
+        shift = below > 0 ? Math.sqrt(below * above) : shift / GROWTH;
+      } else {
+        below = shift;
+        shift = above > 0 ? Math.sqrt(below * above) : shift * GROWTH;
       }
-      if (factors.factor(symmetric) == Cholesky.POSITIVE_DEFINITE) {
-        break;
+    }
+    solve(linear, scale, above, z);
+  }
+
+  /** Returns D: what K and the forces left over are along each freedom, N·m or N/m. */
+  private double[] scale(Linearisation linear) {
+    int f = linear.freedom();
+    double[] scale = new double[f];
+    double most = Double.MIN_NORMAL;
+    for (int j = 0; j < f; j++) {
+      double unit = equations.unit[linear.independent()[j]];
+      scale[j] = Math.abs(linear.stiffness[j * f + j]) + Math.abs(left[j]) / unit;
+      most = Math.max(most, scale[j] * unit * unit);
+    }
+    for (int j = 0; j < f; j++) {
+      double unit = equations.unit[linear.independent()[j]];
+      scale[j] = Math.max(scale[j], LEAST_SCALE * most / (unit * unit));
+    }
+    return scale;
+  }
+
+  /** Solves (K + λD) z = −r; returns whether the symmetric part of K + λD is positive definite. */
+  private boolean solve(Linearisation linear, double[] scale, double shift, double[] z) {
+    int f = linear.freedom();
+    double[] symmetric = new double[f * f];
+    double[] matrix = linear.stiffness.clone();
+    for (int i = 0; i < f; i++) {
+      matrix[i * f + i] += shift * scale[i];
+      for (int j = 0; j <= i; j++) {
+        symmetric[i * f + j] = 0.5 * (matrix[i * f + j] + matrix[j * f + i]);
       }
-      taken /= 4;
+    }
+    if (new Cholesky(f).factor(symmetric) != Cholesky.POSITIVE_DEFINITE) {
+      return false;
     }
     DenseLu lu = new DenseLu(f);
-    boolean solved = lu.factor(matrix) == LinearSolver.NONSINGULAR;
+    if (lu.factor(matrix) != LinearSolver.NONSINGULAR) {
+      return false;
+    }
     for (int j = 0; j < f; j++) {
       z[j] = -left[j];
     }
-    if (solved) {
-      lu.solve(z);
-    }
-    double longest = longest(linear, z);
-    if (longest > LONGEST_STEP) {
-      for (int j = 0; j < f; j++) {
-        z[j] *= LONGEST_STEP / longest;
-      }
-    }
-    return taken;
+    lu.solve(z);
+    return true;
   }
 
-  /** Moves along z, half as far as long as the force along it has turned round. */
-  private boolean move(double t, Linearisation linear, double[] z) {
+  /**
+   * Moves along z if that is downhill.
+   *
+   * @return the work that the forces have done over what K foretold; NaN if the loops cannot be
+   *     closed there or a force has no value
+   */
+  private double move(double t, Linearisation linear, double[] z) {
     double[] xi = new double[equations.nv];
-    double[] rest = new double[equations.nv];
     double[] ahead = new double[z.length];
+    double[] tried = y.clone();
     linear.expand(z, xi);
-    double downhill = Math.abs(dot(left, z));
-    double[] from = y;
-    boolean closed = false;
-    for (double factor = 1; factor > SHORTEST; factor /= 2) {
-      double[] tried = from.clone();
-      equations.coordinates.move(tried, 0, xi, 0, factor);
-      boolean fits = equations.closePositions(t, tried);
-      equations.place(t, tried);
-      if (fits && equations.applyForces(t)) {
-        closed = true;
-        y = tried;
-        equations.formResidual(rest, 0);
-        linear.project(equations.residual, ahead);
-        if (dot(ahead, z) <= TURNED * downhill) {
-          return true;
-        }
+    equations.coordinates.move(tried, 0, xi, 0, 1);
+    boolean fits = equations.closePositions(t, tried);
+    equations.place(t, tried);
+    if (!fits || !equations.applyForces(t)) {
+      return Double.NaN;
+    }
+    equations.formResidual(new double[equations.nv], 0);
+    linear.project(equations.residual, ahead);
+    double foretold = dot(left, z);
+    for (int i = 0; i < z.length; i++) {
+      for (int j = 0; j < z.length; j++) {
+        foretold += 0.5 * z[i] * linear.stiffness[i * z.length + j] * z[j];
       }
     }
-    return closed;
+    double part = 0.5 * (dot(left, z) + dot(ahead, z)) / foretold;
+    if (part > TAKEN) {
+      y = tried;
+    }
+    return part;
   }
 
   private static double dot(double[] a, double[] b) {

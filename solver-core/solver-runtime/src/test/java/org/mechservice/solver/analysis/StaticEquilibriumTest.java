@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
@@ -19,6 +20,7 @@ import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.force.user.UserForceSource;
@@ -35,6 +37,7 @@ import org.mechservice.solver.mechanism.Root;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.mechanism.force.Side;
+import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.simulation.RuntimeSolver;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
@@ -89,6 +92,76 @@ class StaticEquilibriumTest {
 
   private static Attachment at(int parent, int child) {
     return new Attachment(parent, Vector3.ZERO, child, Vector3.ZERO, Rotation.IDENTITY);
+  }
+
+  /** Rods on hinges, level, askew or all but upright: they hang straight down after few steps. */
+  @ParameterizedTest
+  @CsvSource({
+    "2, 0",
+    "5, 0",
+    "20, 0",
+    "60, 0",
+    "20, 0.5",
+    "2, -1.57",
+    "20, -1",
+    "20, -1.5",
+    "20, -1.57"
+  })
+  void aChainHangsDownAfterFewStepsHoweverLong(int n, double start) {
+    List<Body> bodies = new ArrayList<>();
+    List<Joint> joints = new ArrayList<>();
+    for (int i = 0; i < n; i++) {
+      bodies.add(
+          new Body(
+              "rod" + i,
+              1,
+              new Vector3(0.5, 0, 0),
+              new InertiaTensor(1e-3, 1 / 12.0, 1 / 12.0, 0, 0, 0),
+              Origin.NONE));
+      Vector3 end = i == 0 ? Vector3.ZERO : new Vector3(1, 0, 0);
+      Attachment at = new Attachment(i - 1, end, i, Vector3.ZERO, Rotation.IDENTITY);
+      double angle = i == 0 ? start : 0.02 * (i % 3);
+      joints.add(new Revolute("hinge" + i, at, Y, angle, 0, Origin.NONE));
+    }
+    StaticEquilibrium found = of(with(bodies, joints, List.of(), List.of()));
+    assertThat(found.find(0)).isTrue();
+    assertThat(found.iterations()).isLessThan(50);
+    assertThat(found.notes()).isEmpty();
+    assertThat(Math.sin(found.state()[0])).isCloseTo(1, within(1e-12));
+    for (int i = 1; i < n; i++) {
+      assertThat(Math.cos(found.state()[i])).isCloseTo(1, within(1e-12));
+    }
+  }
+
+  /** A double pendulum with a strut between ground and its end, from where users begin. */
+  @ParameterizedTest
+  @CsvSource({"0, 0", "1.5, 0.1", "-1.5, 0.2", "3, -1", "-2, 2", "1, -2.5"})
+  void aDoublePendulumWithAStrutRestsFromEveryStart(double first, double second) {
+    List<Body> bodies = new ArrayList<>();
+    List<Joint> joints = new ArrayList<>();
+    double[] start = {first, second};
+    for (int i = 0; i < 2; i++) {
+      bodies.add(mass("m" + i, 1 + i, new Vector3(1, 0, 0)));
+      Vector3 end = i == 0 ? Vector3.ZERO : new Vector3(1, 0, 0);
+      Attachment at = new Attachment(i - 1, end, i, Vector3.ZERO, Rotation.IDENTITY);
+      joints.add(new Revolute("hinge" + i, at, Y, start[i], 0, Origin.NONE));
+    }
+    ForceElement strut =
+        new SpringDamper(
+            "strut",
+            new BodyPoint(BodyPoint.ROOT, new Vector3(2, 0, 1)),
+            new BodyPoint(1, new Vector3(1, 0, 0)),
+            Expression.of(400),
+            Expression.ZERO,
+            Expression.of(1.2),
+            Expression.ZERO,
+            Side.BOTH,
+            Expression.ZERO,
+            Origin.NONE);
+    StaticEquilibrium found = of(with(bodies, joints, List.of(), List.of(strut)));
+    assertThat(found.find(0)).isTrue();
+    assertThat(found.iterations()).isLessThan(50);
+    assertThat(found.notes()).isEmpty();
   }
 
   /** n masses hanging from one another: spring i carries all below it. */

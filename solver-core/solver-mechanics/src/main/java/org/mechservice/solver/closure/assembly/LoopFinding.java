@@ -100,15 +100,16 @@ public record LoopFinding(Kind kind, String part, double amount, String unit, do
               + unit
               + ".";
       case REDUNDANT ->
-          (long) amount
-              + " equations of the loops follow from the others and are left out: "
+          (amount == 1
+                  ? "One equation of the loops follows from the others and is left out: "
+                  : (long) amount
+                      + " equations of the loops follow from the others and are left out: ")
               + part
               + ". The motion does not depend on which; reactions are those of least size.";
       case SINGULAR_START ->
           "The loops start in a singular position, which hides "
-              + (long) amount
-              + " of their"
-              + " equations: the motion may branch here. Affected: "
+              + (amount == 1 ? "one" : (long) amount)
+              + " of their equations: the motion may branch here. Affected: "
               + part
               + ".";
       case SINGULAR_PASSED ->

@@ -1,12 +1,15 @@
 package org.mechservice.solver.closure.assembly;
 
+import java.util.Optional;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.linear.SingularValues;
+import org.mechservice.solver.linear.SparseMatrix;
 
 /**
  * J of the loops with its rows over the sizes of what they measure and its columns in units, by its
  * singular values: what has one right answer although equations may repeat each other or positions
- * be singular. Workspace of one thread; nothing allocates after construction.
+ * be singular. Of large mechanisms the least solutions come from sparse factors. Workspace of one
+ * thread; nothing allocates after construction but what singular values of large mechanisms ask for.
  */
 public final class ScaledJacobian {
   /** Singular values below this part of the largest are not divided by: a singular position. */
@@ -14,8 +17,14 @@ public final class ScaledJacobian {
 
   private final LoopEquations loops;
   private final double[] unit;
-  private final SingularValues singular;
-  private final double[] scaled;
+  private final SparseMatrix scaled;
+  private final Optional<SparseLeastMoves> sparse;
+  private Optional<SingularValues> singular = Optional.empty();
+  private double[] elements = {};
+
+  /** Whether the singular values are those of the J last taken. */
+  private boolean decomposed;
+
   private final double[] ofVelocities;
   private final double[] ofRows;
 
@@ -25,28 +34,48 @@ public final class ScaledJacobian {
   public ScaledJacobian(LoopEquations loops, double[] unit) {
     this.loops = loops;
     this.unit = unit;
-    singular = new SingularValues(loops.count(), unit.length);
-    scaled = new double[loops.count() * unit.length];
+    scaled = loops.jacobian.sameShape();
+    sparse =
+        loops.isLarge()
+            ? Optional.of(new SparseLeastMoves(scaled, unit.length))
+            : Optional.empty();
     ofVelocities = new double[unit.length];
     ofRows = new double[loops.count()];
   }
 
   /** Takes the J that the loops have now. */
   public void decompose() {
-    loops.jacobian.toDense(scaled, unit.length);
     for (int row = 0; row < ofRows.length; row++) {
-      for (int j = 0; j < unit.length; j++) {
-        scaled[row * unit.length + j] = scaled[row * unit.length + j] * unit[j] / loops.size(row);
+      for (int e = scaled.start[row]; e < scaled.start[row + 1]; e++) {
+        int j = scaled.column[e];
+        scaled.value[e] =
+            j < unit.length ? loops.jacobian.value[e] * unit[j] / loops.size(row) : 0;
       }
     }
-    singular.decompose(scaled);
+    decomposed = false;
+    sparse.ifPresentOrElse(least -> least.take(scaled), this::values);
+  }
+
+  /** Returns the singular values of the J last taken. */
+  private SingularValues values() {
+    if (singular.isEmpty()) {
+      singular = Optional.of(new SingularValues(loops.count(), unit.length));
+    }
+    if (!decomposed) {
+      singular.get().decompose(elements());
+      decomposed = true;
+    }
+    return singular.get();
   }
 
   /** Returns the number of independent equations, {@code most} at most. */
   public int rank(int most) {
+    if (sparse.isPresent()) {
+      return Math.min(most, new SparseIndependentRows(scaled, unit.length).rank());
+    }
     int rank = 0;
     while (rank < Math.min(most, Math.min(ofRows.length, unit.length))
-        && singular.value(rank) > NEGLIGIBLE * singular.value(0)) {
+        && values().value(rank) > NEGLIGIBLE * values().value(0)) {
       rank++;
     }
     return rank;
@@ -54,26 +83,35 @@ public final class ScaledJacobian {
 
   /** Returns singular value {@code k} over the largest. */
   public double relative(int k) {
-    return singular.value(k) / singular.value(0);
+    return values().value(k) / values().value(0);
   }
 
   /** Returns the scaled J, row by row, one number per velocity of the state; not to be modified. */
   public double[] elements() {
-    return scaled;
+    if (elements.length < ofRows.length * unit.length) {
+      elements = new double[ofRows.length * unit.length];
+    }
+    scaled.toDense(elements, unit.length);
+    return elements;
   }
 
   /**
    * Finds the multipliers with Jᵀ λ = −residual, those of least norm, forces being counted times
    * the mechanism's length to compare with moments.
    *
+   * @param most number of independent equations at most
    * @param residual one number per velocity; not modified
    * @param lambda one number per equation; overwritten
    */
-  public void multipliers(int rank, double[] residual, double[] lambda) {
+  public void multipliers(int most, double[] residual, double[] lambda) {
     for (int j = 0; j < unit.length; j++) {
       ofVelocities[j] = -residual[j] * unit[j];
     }
-    singular.solveTransposed(rank, ofVelocities, lambda);
+    if (sparse.isPresent()) {
+      sparse.get().solveTransposed(ofVelocities, lambda);
+    } else {
+      values().solveTransposed(rank(most), ofVelocities, lambda);
+    }
     for (int row = 0; row < lambda.length; row++) {
       lambda[row] /= loops.size(row);
     }
@@ -82,14 +120,19 @@ public final class ScaledJacobian {
   /**
    * Finds the smallest change with J x = −rows.
    *
+   * @param most number of independent equations at most
    * @param rows one number per equation; not modified
    * @param x one number per velocity; overwritten
    */
-  public void change(int rank, double[] rows, double[] x) {
+  public void change(int most, double[] rows, double[] x) {
     for (int row = 0; row < ofRows.length; row++) {
       ofRows[row] = -rows[row] / loops.size(row);
     }
-    singular.solve(rank, ofRows, x);
+    if (sparse.isPresent()) {
+      sparse.get().solve(0, ofRows, x);
+    } else {
+      values().solve(rank(most), ofRows, x);
+    }
     for (int j = 0; j < unit.length; j++) {
       x[j] *= unit[j];
     }

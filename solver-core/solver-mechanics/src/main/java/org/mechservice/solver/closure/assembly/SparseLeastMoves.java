@@ -31,6 +31,7 @@ final class SparseLeastMoves implements LeastMoves {
   private final SparseSymmetric square;
   private final double[] element;
   private final double[] left;
+  private final double[] remaining;
   private double size;
   private double factoredWith = -1;
 
@@ -67,6 +68,7 @@ final class SparseLeastMoves implements LeastMoves {
     gathered = new double[elementAt.length];
     element = new double[pattern.column.length];
     left = new double[rows];
+    remaining = new double[columns];
   }
 
   @Override
@@ -115,6 +117,30 @@ final class SparseLeastMoves implements LeastMoves {
       square.solve(left);
       for (int row = 0; row < rows; row++) {
         addRow(row, left[row], x);
+      }
+    }
+  }
+
+  /**
+   * Solves Aᵀ x ≈ b with the least error and, among those, the smallest x.
+   *
+   * @param right b; not modified
+   * @param x overwritten
+   */
+  void solveTransposed(double[] right, double[] x) {
+    factor(REGULAR);
+    Arrays.fill(x, 0, rows, 0);
+    for (int i = 0; i < REPETITIONS; i++) {
+      System.arraycopy(right, 0, remaining, 0, columns);
+      for (int row = 0; row < rows; row++) {
+        addRow(row, -x[row], remaining);
+      }
+      for (int row = 0; row < rows; row++) {
+        left[row] = product(row, remaining);
+      }
+      square.solve(left);
+      for (int row = 0; row < rows; row++) {
+        x[row] += left[row];
       }
     }
   }

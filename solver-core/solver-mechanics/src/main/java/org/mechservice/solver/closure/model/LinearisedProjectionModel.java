@@ -76,7 +76,7 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     loopJacobian = work.loops.jacobian.sameShape();
     positionMatrix = completion.positionMatrix().sameShape();
     lambda = new double[work.loops.count()];
-    full = new double[work.nv * work.nv];
+    full = new double[work.isLarge() ? 0 : work.nv * work.nv];
     reduced = new double[f * f];
     right = new double[f];
     carried = new double[f];
@@ -144,8 +144,12 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     }
     directions.formTransformation(loopJacobian);
     iteration.form(hGamma);
-    iteration.matrix().toDense(full);
-    directions.reduceSquare(full, reduced);
+    if (work.isLarge()) {
+      directions.reduceSparse(iteration.matrix(), reduced);
+    } else {
+      iteration.matrix().toDense(full);
+      directions.reduceSquare(full, reduced);
+    }
     int column = lu.factor(reduced);
     singular = column == LinearSolver.NONSINGULAR ? 0 : velocities.independent[column];
     return column == LinearSolver.NONSINGULAR;

@@ -1,6 +1,7 @@
 package org.mechservice.solver.closure.model;
 
 import java.util.Arrays;
+import org.mechservice.solver.dynamics.tree.TreeSquare;
 import org.mechservice.solver.linear.Cholesky;
 import org.mechservice.solver.linear.SparseMatrix;
 
@@ -37,6 +38,7 @@ final class ProjectedMotion {
   private final Cholesky factors;
   private final double[] force;
   private final double[] right;
+  private final double[] along;
   private final double[] column;
 
   /** Where each independent velocity stands among them. */
@@ -54,6 +56,7 @@ final class ProjectedMotion {
     factors = new Cholesky(f);
     force = new double[n];
     right = new double[f];
+    along = new double[n];
     column = new double[r];
     place = new int[n];
   }
@@ -186,6 +189,23 @@ final class ProjectedMotion {
         }
         force[i] = sum;
       }
+      project(force, right);
+      for (int i = 0; i < f; i++) {
+        product[i * f + j] = right[i];
+      }
+    }
+  }
+
+  /** Writes the same of a matrix that is kept in its sparsity. */
+  void reduceSparse(TreeSquare a, double[] product) {
+    for (int j = 0; j < f; j++) {
+      Arrays.fill(along, 0);
+      along[partition.independent[j]] = 1;
+      for (int k = 0; k < r; k++) {
+        along[partition.dependent[k]] = transformation[k * f + j];
+      }
+      Arrays.fill(force, 0);
+      a.addProduct(1, along, 0, force, 0);
       project(force, right);
       for (int i = 0; i < f; i++) {
         product[i * f + j] = right[i];

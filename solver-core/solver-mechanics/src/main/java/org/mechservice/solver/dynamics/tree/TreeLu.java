@@ -1,5 +1,6 @@
 package org.mechservice.solver.dynamics.tree;
 
+import java.util.Optional;
 import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
 
@@ -21,8 +22,11 @@ public final class TreeLu {
 
   private final TreePattern pattern;
   private final TreeSquare factors;
-  private final DenseLu dense;
-  private final double[] full;
+
+  /** Made when a matrix has to be factored as a dense one for the first time. */
+  private Optional<DenseLu> dense = Optional.empty();
+
+  private double[] full = {};
 
   /** Largest element of each row before elimination. */
   private final double[] rowSize;
@@ -47,8 +51,6 @@ public final class TreeLu {
     this.pattern = pattern;
     int n = pattern.size;
     factors = new TreeSquare(pattern);
-    dense = new DenseLu(n);
-    full = new double[n * n];
     rowSize = new double[n];
     work = new double[n];
     columnStart = new int[n + 1];
@@ -100,8 +102,12 @@ public final class TreeLu {
       return NONSINGULAR;
     }
     denseFactorizations++;
+    if (dense.isEmpty()) {
+      dense = Optional.of(new DenseLu(pattern.size));
+      full = new double[pattern.size * pattern.size];
+    }
     matrix.toDense(full);
-    return dense.factor(full);
+    return dense.get().factor(full);
   }
 
   private void formRowSizes(TreeSquare matrix) {
@@ -207,7 +213,7 @@ public final class TreeLu {
    */
   public void solve(double[] b) {
     if (!onTree) {
-      dense.solve(b);
+      dense.orElseThrow(() -> new IllegalStateException("no matrix has been factored")).solve(b);
       return;
     }
     double[] x = work;

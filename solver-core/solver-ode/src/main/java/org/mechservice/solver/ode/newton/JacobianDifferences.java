@@ -46,6 +46,9 @@ final class JacobianDifferences {
   private final double[] nextShare;
   private final double[] increment;
 
+  /** Increment of a column before it was differenced again, length n. */
+  private final double[] firstIncrement;
+
   /** Whether the change in a column was lost in round-off, length n. */
   private final boolean[] lost;
 
@@ -107,6 +110,7 @@ final class JacobianDifferences {
     Arrays.fill(share, firstShare);
     nextShare = share.clone();
     increment = new double[n];
+    firstIncrement = new double[n];
     lost = new boolean[n];
     steep = new JacobianJumpTest(layout, groups);
     base = new double[n];
@@ -331,26 +335,41 @@ final class JacobianDifferences {
     return row;
   }
 
+  /** Differences the columns of the group that were lost in round-off again, over more. */
   private TrialOutcome repeatLost(DifferencedFunction function, double[] x, double[] jacobian) {
+    boolean repeating = false;
     for (int j = groups.first(group); j >= 0; j = groups.next(j)) {
-      double larger = Math.min(Math.sqrt(share[j]), LARGEST_SHARE);
-      if (!lost[j] || larger == share[j]) {
+      double larger = largerShare(j);
+      lost[j] &= larger != share[j];
+      if (lost[j]) {
+        firstIncrement[j] = increment[j];
+        move(j, x, 1, larger);
+        repeating = true;
+      }
+    }
+    if (!repeating) {
+      return TrialOutcome.PASSED;
+    }
+    if (!function.evaluate(moved, movedValue)) {
+      return TrialOutcome.STOPPED;
+    }
+    boolean finite = finite(movedValue);
+    for (int j = groups.first(group); j >= 0; j = groups.next(j)) {
+      if (!lost[j]) {
         continue;
       }
-      double slope = steepest(j, jacobian);
-      double first = increment[j];
-      move(j, x, 1, larger);
-      if (!function.evaluate(moved, movedValue)) {
-        return TrialOutcome.STOPPED;
-      }
       moved[j] = x[j];
-      if (finite(movedValue) && larger * steepestMoved(j) >= slope) {
-        judge(j, larger, writeColumn(j, jacobian));
+      if (finite && largerShare(j) * steepestMoved(j) >= steepest(j, jacobian)) {
+        judge(j, largerShare(j), writeColumn(j, jacobian));
       } else {
-        increment[j] = first;
+        increment[j] = firstIncrement[j];
       }
     }
     return TrialOutcome.PASSED;
+  }
+
+  private double largerShare(int j) {
+    return Math.min(Math.sqrt(share[j]), LARGEST_SHARE);
   }
 
   private double steepest(int j, double[] jacobian) {
@@ -364,7 +383,9 @@ final class JacobianDifferences {
   private double steepestMoved(int j) {
     double change = 0;
     for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
-      change = Math.max(change, Math.abs(movedValue[i] - base[i]));
+      if (groups.couples(i, j)) {
+        change = Math.max(change, Math.abs(movedValue[i] - base[i]));
+      }
     }
     return change / Math.abs(increment[j]);
   }

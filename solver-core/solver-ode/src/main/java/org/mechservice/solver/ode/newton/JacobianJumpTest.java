@@ -14,7 +14,8 @@ import org.mechservice.solver.ode.step.RightHandSide;
  * lets the solution slide along its own prediction. So a column that is suddenly much steeper than
  * before is differenced again over ever smaller parts of δ. What a slope changes falls with the
  * increment; then the one over the smallest part is right, which has no jump within. What a jump
- * changes stays; then the jump lies within that part, and the slope is the one behind it.
+ * changes stays; then the jump lies within that part, and the slope is the one behind it. Columns
+ * that share no row are looked at together, with one evaluation for all of them.
  */
 final class JacobianJumpTest {
   /** How much steeper than before is suspicious. */
@@ -66,15 +67,21 @@ final class JacobianJumpTest {
 
   private boolean watching;
 
-  /** Column to be looked at next, and the parts of it that were. */
-  private int column;
+  /** Group of columns to be looked at next, and the parts of it that were; 0 before it is begun. */
+  private int group;
 
   private int parts;
 
-  /** Whether the change over the last of them was as large as the whole, and how long that was. */
-  private boolean stays = true;
+  /** Whether the change in a column over the last of them was as large as the whole, length n. */
+  private final boolean[] staying;
 
-  private double reached;
+  /** How long the last part was that was looked at; 0 in columns that are not steep, length n. */
+  private final double[] reached;
+
+  /** Where a column was before it was moved, and how far it was, length n. */
+  private final double[] here;
+
+  private final double[] way;
 
   JacobianJumpTest(MatrixLayout layout, ColumnGroups groups) {
     int n = layout.dimension();
@@ -87,6 +94,10 @@ final class JacobianJumpTest {
     whole = new double[n];
     part = new double[n];
     jumped = new boolean[n];
+    staying = new boolean[n];
+    reached = new double[n];
+    here = new double[n];
+    way = new double[n];
   }
 
   /** Sets whether steep columns are looked at again. */
@@ -111,8 +122,8 @@ final class JacobianJumpTest {
 
   /** Forgets a Jacobian that was stopped half way. */
   void abandon() {
-    column = 0;
-    beginColumn();
+    group = 0;
+    parts = 0;
   }
 
   /**
@@ -134,17 +145,16 @@ final class JacobianJumpTest {
     if (!watching) {
       return TrialOutcome.PASSED;
     }
-    if (column == 0) {
+    if (group == 0 && parts == 0) {
       noticeFrom(x, base, increment, jacobian);
       Arrays.fill(jumped, false);
     }
-    for (; column < known.length; column++) {
-      if (steep(column, increment[column], jacobian)
-          && !lookAt(column, function, x, base, increment[column], jacobian)) {
+    for (; group < groups.count(); group++) {
+      if (!lookAtGroup(function, x, base, increment, jacobian)) {
         return TrialOutcome.STOPPED;
       }
     }
-    column = 0;
+    group = 0;
     for (int j = 0; j < known.length; j++) {
       known[j] = steepest(j, jacobian);
     }
@@ -211,52 +221,88 @@ final class JacobianJumpTest {
     return false;
   }
 
-  /** Differences column j again; returns false if told to stop instead. */
-  private boolean lookAt(
-      int j,
+  /** Differences the steep columns of the group again; returns false if told to stop instead. */
+  private boolean lookAtGroup(
       DifferencedFunction function,
       double[] x,
       double[] base,
-      double increment,
+      double[] increment,
       double[] jacobian) {
-    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
-      whole[i] = unsure(i, j, jacobian) * increment;
+    if (parts == 0) {
+      beginGroup(increment, jacobian);
     }
-    for (; stays && parts < PARTS; parts++) {
-      double here = x[j];
-      x[j] = here + StrictMath.scalb(increment, LOG_OF_PART * (parts + 1));
-      double moved = x[j] - here;
-      boolean going = moved == 0 || function.evaluate(x, value);
-      x[j] = here;
+    for (; parts < PARTS && move(x, increment); parts++) {
+      boolean going = function.evaluate(x, value);
+      putBack(x);
       if (!going) {
         return false;
       }
-      if (moved == 0 || RightHandSide.firstNotFinite(value) >= 0) {
+      if (RightHandSide.firstNotFinite(value) >= 0) {
         break;
       }
-      reached = moved;
-      stays = takeChange(j, base, moved);
+      takeChanges(base);
     }
-    if (reached != 0) {
-      correct(j, increment, reached, jacobian);
+    for (int j = groups.first(group); j >= 0; j = groups.next(j)) {
+      if (reached[j] != 0) {
+        correct(j, increment[j], reached[j], jacobian);
+      }
     }
-    beginColumn();
+    parts = 0;
     return true;
   }
 
-  private void beginColumn() {
-    parts = 0;
-    stays = true;
-    reached = 0;
+  private void beginGroup(double[] increment, double[] jacobian) {
+    for (int j = groups.first(group); j >= 0; j = groups.next(j)) {
+      reached[j] = 0;
+      staying[j] = steep(j, increment[j], jacobian);
+      for (int i = layout.firstRow(j); staying[j] && i <= layout.lastRow(j); i++) {
+        if (groups.couples(i, j)) {
+          whole[i] = unsure(i, j, jacobian) * increment[j];
+        }
+      }
+    }
+  }
+
+  /** Moves the columns whose change stays by the next part; returns whether there are any. */
+  private boolean move(double[] x, double[] increment) {
+    boolean moved = false;
+    for (int j = groups.first(group); j >= 0; j = groups.next(j)) {
+      if (staying[j]) {
+        here[j] = x[j];
+        x[j] += StrictMath.scalb(increment[j], LOG_OF_PART * (parts + 1));
+        way[j] = x[j] - here[j];
+        staying[j] = way[j] != 0;
+        moved |= staying[j];
+      }
+    }
+    return moved;
+  }
+
+  private void putBack(double[] x) {
+    for (int j = groups.first(group); j >= 0; j = groups.next(j)) {
+      if (staying[j]) {
+        x[j] = here[j];
+      }
+    }
+  }
+
+  private void takeChanges(double[] base) {
+    for (int j = groups.first(group); j >= 0; j = groups.next(j)) {
+      if (staying[j]) {
+        reached[j] = way[j];
+        staying[j] = takeChange(j, base, way[j]);
+      }
+    }
   }
 
   /** Takes the change over the part; returns whether it is about as large as the whole. */
   private boolean takeChange(int j, double[] base, double way) {
     boolean stays = false;
     for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
-      double change = groups.couples(i, j) ? value[i] - base[i] : 0;
-      part[i] = change - sure(layout.index(i, j)) * way;
-      stays |= Math.abs(whole[i]) > noticed[i] && stays(i);
+      if (groups.couples(i, j)) {
+        part[i] = value[i] - base[i] - sure(layout.index(i, j)) * way;
+        stays |= Math.abs(whole[i]) > noticed[i] && stays(i);
+      }
     }
     return stays;
   }
@@ -267,7 +313,7 @@ final class JacobianJumpTest {
 
   private void correct(int j, double increment, double way, double[] jacobian) {
     for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
-      if (!(Math.abs(whole[i]) > noticed[i])) {
+      if (!groups.couples(i, j) || !(Math.abs(whole[i]) > noticed[i])) {
         continue;
       }
       int at = layout.index(i, j);

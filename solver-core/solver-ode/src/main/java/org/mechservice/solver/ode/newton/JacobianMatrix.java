@@ -193,6 +193,16 @@ public final class JacobianMatrix {
     return true;
   }
 
+  /** Returns the row of the largest element in a column of the matrix in use. */
+  int rowOfLargest(int column) {
+    int row = layout.firstRow(column);
+    for (int i = row + 1; i <= layout.lastRow(column); i++) {
+      double element = Math.abs(values[layout.index(i, column)]);
+      row = element > Math.abs(values[layout.index(row, column)]) ? i : row;
+    }
+    return row;
+  }
+
   /** Carries the matrix in use over. */
   void transfer(SavedState state) {
     state.numbers(values);

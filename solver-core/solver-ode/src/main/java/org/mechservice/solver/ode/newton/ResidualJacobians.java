@@ -207,9 +207,23 @@ public final class ResidualJacobians implements ResidualLinearisation {
     for (int l = 0; l < algebraic.length && !formed; l++) {
       // The column of a passive component is zero, too, but only while it is passive.
       boolean absent = manifold.independent(l) && fyDot.isZero(l);
+      if (manifold.algebraic(l) && manifold.independent(l) && !absent) {
+        throw new IllegalArgumentException(declaredWrongly(l));
+      }
       algebraic[l] = manifold.algebraic(l) || absent;
     }
     formed = true;
+  }
+
+  private String declaredWrongly(int component) {
+    return "component "
+        + component
+        + " is declared "
+        + ResidualSystem.Component.ALGEBRAIC
+        + ", which leaves it out of the error test, but its derivative appears in equation "
+        + fyDot.rowOfLargest(component)
+        + " of the residual; declare it "
+        + ResidualSystem.Component.DIFFERENTIAL;
   }
 
   @Override

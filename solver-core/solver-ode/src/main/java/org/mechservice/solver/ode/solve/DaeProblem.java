@@ -1,8 +1,10 @@
 package org.mechservice.solver.ode.solve;
 
 import java.util.BitSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import org.mechservice.solver.ode.LinearisedSystem;
 import org.mechservice.solver.ode.ResidualJacobianSystem;
 import org.mechservice.solver.ode.ResidualSystem;
 import org.mechservice.solver.ode.SparseSystem;
@@ -78,7 +80,8 @@ public final class DaeProblem implements ResidualSystem {
 
   /**
    * Returns the problem with components declared algebraic: their derivatives do not appear in F,
-   * they are in no error test, and y0 is corrected there.
+   * they are in no error test, and y0 is corrected there. One whose derivative does appear is
+   * refused when the problem is solved.
    *
    * @throws IllegalArgumentException if there is no such component
    */
@@ -99,10 +102,7 @@ public final class DaeProblem implements ResidualSystem {
 
   /** Returns the problem with analytic derivatives, in place of differences and of a product. */
   public DaeProblem withJacobians(Jacobians jacobians) {
-    return with(
-        parts
-            .without(JacobianProduct.class)
-            .with(ResidualJacobianSystem.class, new KnownJacobians(this, jacobians)));
+    return with(ResidualJacobianSystem.class, new KnownJacobians(this, jacobians));
   }
 
   /**
@@ -136,9 +136,14 @@ public final class DaeProblem implements ResidualSystem {
   /**
    * Returns the problem with a part of any kind that stands beside {@link ResidualSystem}, such as
    * {@code ProjectedSystem.class}, {@code LinearisedSystem.class} or {@code SavedSystem.class}.
+   *
+   * @throws IllegalArgumentException if no integrator asks for such a part
    */
   public <T> DaeProblem with(Class<T> kind, T part) {
-    return with(parts.with(kind, part));
+    PartsOfProblem.requireKind(kind, List.of(ResidualJacobianSystem.class, LinearisedSystem.class));
+    boolean replaces = kind == ResidualJacobianSystem.class;
+    PartsOfProblem others = replaces ? parts.without(JacobianProduct.class) : parts;
+    return with(others.with(kind, part));
   }
 
   /** Returns the problem with ∂F/∂y' declared to change with the state. */

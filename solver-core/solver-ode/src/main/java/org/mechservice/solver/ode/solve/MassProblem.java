@@ -2,6 +2,7 @@ package org.mechservice.solver.ode.solve;
 
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import org.mechservice.solver.linear.BandLayout;
 import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.linear.MatrixLayout;
@@ -42,6 +43,11 @@ public final class MassProblem {
   /** Returns the number of unknowns. */
   public int dimension() {
     return mass.dimension();
+  }
+
+  /** Returns the problem with another function around f; all parts and M are kept. */
+  public MassProblem withFunction(UnaryOperator<OdeFunction> wrapper) {
+    return new MassProblem(problem.withFunction(wrapper), mass);
   }
 
   /** Returns whether the explicit form has the structure of f. */

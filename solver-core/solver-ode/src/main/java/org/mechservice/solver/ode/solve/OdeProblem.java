@@ -1,5 +1,6 @@
 package org.mechservice.solver.ode.solve;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.mechservice.solver.ode.JacobianSystem;
@@ -61,9 +62,7 @@ public final class OdeProblem implements OdeSystem {
 
   /** Returns the problem with an analytic Jacobian, in place of differences and of a product. */
   public OdeProblem withJacobian(Jacobian jacobian) {
-    PartsOfProblem other = parts.without(JacobianProduct.class);
-    return new OdeProblem(
-        dimension, function, other.with(JacobianSystem.class, new KnownJacobian(this, jacobian)));
+    return with(JacobianSystem.class, new KnownJacobian(this, jacobian));
   }
 
   /**
@@ -74,7 +73,7 @@ public final class OdeProblem implements OdeSystem {
    * with the matrix, not by a Krylov method.
    */
   public OdeProblem withJacobianProduct(JacobianProduct product) {
-    return with(JacobianProduct.class, product);
+    return new OdeProblem(dimension, function, parts.with(JacobianProduct.class, product));
   }
 
   /**
@@ -105,9 +104,14 @@ public final class OdeProblem implements OdeSystem {
   /**
    * Returns the problem with a part of any kind that stands beside {@link OdeSystem}, such as
    * {@code ProjectedSystem.class}, {@code ErrorWeightGroups.class} or {@code SavedSystem.class}.
+   *
+   * @throws IllegalArgumentException if no integrator asks for such a part
    */
   public <T> OdeProblem with(Class<T> kind, T part) {
-    return new OdeProblem(dimension, function, parts.with(kind, part));
+    PartsOfProblem.requireKind(kind, List.of(JacobianSystem.class));
+    boolean replaces = kind == JacobianSystem.class;
+    PartsOfProblem others = replaces ? parts.without(JacobianProduct.class) : parts;
+    return new OdeProblem(dimension, function, others.with(kind, part));
   }
 
   /** Returns the problem with another function around f; all parts are kept. */

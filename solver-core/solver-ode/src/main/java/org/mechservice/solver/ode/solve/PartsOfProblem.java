@@ -5,16 +5,35 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.mechservice.solver.linear.BandLayout;
 import org.mechservice.solver.linear.DenseLayout;
 import org.mechservice.solver.linear.MatrixLayout;
 import org.mechservice.solver.ode.BandedSystem;
+import org.mechservice.solver.ode.CompletedSystem;
+import org.mechservice.solver.ode.ErrorWeightGroups;
 import org.mechservice.solver.ode.PiecewiseSystem;
+import org.mechservice.solver.ode.ProjectedSystem;
+import org.mechservice.solver.ode.SavedSystem;
 import org.mechservice.solver.ode.SparseSystem;
 import org.mechservice.solver.ode.SystemParts;
+import org.mechservice.solver.ode.UnitNormGroups;
 
 /** Parts given one by one, in front of those of a system that is wrapped. Immutable. */
 final class PartsOfProblem implements SystemParts {
+  /** What integrators ask every problem for. */
+  private static final List<Class<?>> KINDS =
+      List.of(
+          BandedSystem.class,
+          SparseSystem.class,
+          PiecewiseSystem.class,
+          CompletedSystem.class,
+          ProjectedSystem.class,
+          ErrorWeightGroups.class,
+          UnitNormGroups.class,
+          SavedSystem.class);
+
   static final PartsOfProblem NONE =
       new PartsOfProblem(
           new SystemParts() {
@@ -46,7 +65,31 @@ final class PartsOfProblem implements SystemParts {
   <T> PartsOfProblem with(Class<T> kind, T part) {
     Map<Class<?>, Object> more = new HashMap<>(own);
     more.put(kind, part);
+    if (part instanceof UnitNormGroups groups && kind == UnitNormGroups.class) {
+      more.put(ErrorWeightGroups.class, groups);
+    }
     return new PartsOfProblem(others, Map.copyOf(more));
+  }
+
+  /**
+   * Requires a kind of part that integrators ask for.
+   *
+   * @param further kinds, of one form of problem
+   * @throws IllegalArgumentException if it is another
+   */
+  static void requireKind(Class<?> kind, List<Class<?>> further) {
+    if (!KINDS.contains(kind) && !further.contains(kind)) {
+      String known =
+          Stream.concat(KINDS.stream(), further.stream())
+              .map(Class::getSimpleName)
+              .sorted()
+              .collect(Collectors.joining(", "));
+      throw new IllegalArgumentException(
+          "no integrator asks this problem for a part of kind "
+              + kind.getSimpleName()
+              + "; the kinds are "
+              + known);
+    }
   }
 
   PartsOfProblem without(Class<?> kind) {

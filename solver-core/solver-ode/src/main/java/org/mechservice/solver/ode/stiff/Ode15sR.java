@@ -62,6 +62,13 @@ public final class Ode15sR extends BackwardMethod implements ResidualIntegrator 
     super(settings, new IntegrationProgress(), formulas, false);
   }
 
+  /**
+   * {@inheritDoc}
+   *
+   * @throws IllegalArgumentException also if a component is declared {@link
+   *     ResidualSystem.Component#ALGEBRAIC} although its derivative appears in F; not looked for in
+   *     a {@link LinearisedSystem}
+   */
   @Override
   public StepResult start(
       ResidualSystem system, double t0, double[] y0, double[] yDot0, double tEnd) {

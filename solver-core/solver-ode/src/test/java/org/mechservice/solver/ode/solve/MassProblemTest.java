@@ -146,6 +146,26 @@ class MassProblemTest {
     assertThat(product.endState()[30]).isCloseTo(full.endState()[30], within(1e-6));
   }
 
+  @ParameterizedTest
+  @EnumSource
+  void wrappedFunctionKeepsItsMatrix(OdeMethod method) {
+    long[] count = {0};
+    MassProblem problem =
+        decay(DIAGONAL)
+            .withMass(MassMatrix.diagonal(2, 5))
+            .withFunction(
+                f ->
+                    (t, y, yDot) -> {
+                      count[0]++;
+                      f.evaluate(t, y, yDot);
+                    });
+    OdeSolution solution =
+        Ode.solve(problem, 0, new double[] {1, 1}, 1, OdeOptions.standard().method(method));
+    // One more gives the slope at the start.
+    assertThat(count[0]).isEqualTo(solution.statistics().evaluations() + 1);
+    assertThat(solution.endState()[0]).isCloseTo(1 / Math.E, within(1e-4));
+  }
+
   @Test
   void badMatricesAreRefused() {
     assertThatIllegalArgumentException()

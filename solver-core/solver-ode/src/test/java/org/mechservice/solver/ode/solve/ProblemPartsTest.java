@@ -10,9 +10,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.mechservice.solver.ode.BandedSystem;
+import org.mechservice.solver.ode.ErrorWeightGroups;
 import org.mechservice.solver.ode.JacobianSystem;
 import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.SparseSystem;
+import org.mechservice.solver.ode.UnitNormGroups;
 
 /** What is known of a problem is given part by part and stays when the problem is wrapped. */
 class ProblemPartsTest {
@@ -161,6 +163,54 @@ class ProblemPartsTest {
         Ode.solve(force, 0, new double[] {0}, 1, OdeOptions.standard().method(method));
     assertThat(solution.times()).contains(0.3);
     assertThat(solution.endState()[0]).isCloseTo(-0.4, within(1e-12));
+  }
+
+  /** Two Euler parameters of a rotation about one axis, and a third component. */
+  private static final UnitNormGroups PAIR =
+      new UnitNormGroups() {
+        @Override
+        public int groupCount() {
+          return 1;
+        }
+
+        @Override
+        public int groupStart(int group) {
+          return 0;
+        }
+
+        @Override
+        public int groupSize(int group) {
+          return 2;
+        }
+      };
+
+  @Test
+  void groupOfNormOneAlsoSharesItsErrorWeight() {
+    OdeProblem rotation =
+        Ode.system(
+                2,
+                (t, y, yDot) -> {
+                  yDot[0] = y[1];
+                  yDot[1] = -y[0];
+                })
+            .with(UnitNormGroups.class, PAIR);
+    assertThat(rotation.part(ErrorWeightGroups.class)).containsSame(PAIR);
+    double[] end = Ode.solve(rotation, 0, new double[] {1, 0}, 1000).endState();
+    assertThat(Math.hypot(end[0], end[1])).isCloseTo(1, within(1e-6));
+  }
+
+  @Test
+  void partThatNoIntegratorAsksForIsRefused() {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> Ode.system(3, ROD).with(String.class, "band"))
+        .withMessageContaining("kind String")
+        .withMessageContaining("BandedSystem")
+        .withMessageContaining("JacobianSystem");
+    assertThatIllegalArgumentException()
+        .isThrownBy(
+            () -> Dae.system(3, (t, y, yDot, r) -> {}).with(OdeSystem.class, Ode.system(3, ROD)))
+        .withMessageContaining("kind OdeSystem")
+        .withMessageContaining("ResidualJacobianSystem");
   }
 
   @Test

@@ -1,11 +1,13 @@
 package org.mechservice.solver.ode.stiff;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.ode.IntegrationFailure;
 import org.mechservice.solver.ode.IntegrationStatistics;
@@ -423,5 +425,38 @@ class Ode15sRTest extends IntegratorContract {
     assertThat(run.integrator().failure().cause())
         .isEqualTo(IntegrationFailure.Cause.TOLERANCE_TOO_TIGHT);
     assertThat(run.integrator().failure().worstComponent()).isBetween(0, 7);
+  }
+
+  // Declarations
+
+  /** Left out of the error test, an oscillator reached its end with an error of 0.77. */
+  @ParameterizedTest
+  @EnumSource
+  void componentDeclaredAlgebraicWhoseDerivativeAppearsIsRefusedByName(Mode mode) {
+    ResidualSystem oscillator =
+        new ResidualSystem() {
+          @Override
+          public int dimension() {
+            return 2;
+          }
+
+          @Override
+          public void residual(double t, double[] y, double[] yDot, double[] residual) {
+            residual[0] = yDot[1] + y[0];
+            residual[1] = yDot[0] - y[1];
+          }
+
+          @Override
+          public Component component(int index) {
+            return Component.ALGEBRAIC;
+          }
+        };
+    Ode15sR integrator = new Ode15sR(new IntegratorSettings(1e-6, 1e-6).withMode(mode));
+    assertThatIllegalArgumentException()
+        .isThrownBy(
+            () -> integrator.start(oscillator, 0, new double[] {1, 0}, new double[] {0, -1}, 10))
+        .withMessageContaining("component 0 is declared ALGEBRAIC")
+        .withMessageContaining("derivative appears in equation 1 ")
+        .withMessageEndingWith("declare it DIFFERENTIAL");
   }
 }

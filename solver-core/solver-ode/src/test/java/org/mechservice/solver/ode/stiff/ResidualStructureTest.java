@@ -313,7 +313,9 @@ class ResidualStructureTest {
     IntegrationStatistics sparing =
         integrate(problem.declared(), problem.start(), Mode.FAITHFUL).statistics();
     long spared = 2L * (UNKNOWNS - problem.groups) * full.jacobians();
-    assertThat(sparing.evaluations()).isEqualTo(full.evaluations() - spared);
+    // Fewer where changes are lost in round-off: the second differences are shared as well.
+    assertThat(sparing.evaluations()).isLessThanOrEqualTo(full.evaluations() - spared);
+    assertThat(sparing.jacobians()).isEqualTo(full.jacobians());
   }
 
   @Test
