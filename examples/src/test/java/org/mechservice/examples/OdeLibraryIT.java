@@ -2,6 +2,7 @@ package org.mechservice.examples;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
@@ -32,7 +33,7 @@ class OdeLibraryIT {
     String jar = jar().toString();
 
     terminal.run("javac", "-Xlint:all", "-Werror", "-cp", jar, "-d", ".", "Ball.java").orFail();
-    String classPath = jar + System.getProperty("path.separator") + directory;
+    String classPath = jar + File.pathSeparator + directory;
     List<String> printed =
         terminal
             .run("java", "-Duser.language=en", "-cp", classPath, "Ball")

@@ -139,6 +139,13 @@ abstract class AdamsPece extends SteppingIntegrator {
     return stiffness.nearStabilityLimit();
   }
 
+  /**
+   * Returns how many times longer the latest step was than 1 / L, L the rate at which f changes.
+   */
+  public final double rateTimesStep() {
+    return stiffness.latestProduct();
+  }
+
   /** Returns the state reached; not to be modified. */
   public final double[] state() {
     return history.state();

@@ -49,6 +49,9 @@ public final class StiffnessMonitor {
   private int limitedSteps;
   private int latestLimitedSteps;
 
+  /** h L of the latest step. */
+  private double latestProduct;
+
   private int steps;
   private int lowOrderSteps;
   private double largestError;
@@ -93,7 +96,8 @@ public final class StiffnessMonitor {
     }
     double ratio = Math.sqrt(reaction / correction);
     double cosine = product / Math.sqrt(reaction * correction);
-    lookAtLimit(ratio / g, cosine);
+    latestProduct = ratio / g;
+    lookAtLimit(latestProduct, cosine);
     count(k, error);
   }
 
@@ -137,6 +141,11 @@ public final class StiffnessMonitor {
   /** Returns whether any of the latest steps was at the limit of stability. */
   boolean nearStabilityLimit() {
     return latestLimitedSteps > 0;
+  }
+
+  /** Returns h L of the latest step. */
+  double latestProduct() {
+    return latestProduct;
   }
 
   /** Returns whether any verdict since the start was stiff. */

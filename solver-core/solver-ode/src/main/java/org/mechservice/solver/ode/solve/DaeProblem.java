@@ -80,7 +80,8 @@ public final class DaeProblem implements ResidualSystem {
 
   /**
    * Returns the problem with components declared algebraic: their derivatives do not appear in F,
-   * they are in no error test, and y0 is corrected there.
+   * they are in no error test, and y0 is corrected there. One whose derivative does appear is
+   * refused when the problem is solved.
    *
    * @throws IllegalArgumentException if there is no such component
    */

@@ -35,7 +35,8 @@ import org.mechservice.solver.ode.stiff.Ode15s;
  * long enough to pay its start. Where the solution has only begun to get smooth, nothing is lost by
  * waiting: both cost the same until then. It also takes over when ode113 slides along what looks
  * like a jump, or crosses such things again and again: friction so steep that no step of its own
- * tells it from one.
+ * tells it from one. And it takes over after one of the first steps if that was accurate and far
+ * too long for stability.
  *
  * <p>ode113 takes over when its steps, as long as they were when it was left or shorter by as much
  * as the fastest motion got faster, would cost three quarters of what ode15s has spent lately
@@ -63,6 +64,12 @@ public final class Switching implements Integrator {
 
   private static final int MORE_EVIDENCE = 4;
   private static final int MOST_EVIDENCE = 256;
+
+  /** Steps after a start in which one that is too long for stability tells that it is stiff. */
+  private static final int FIRST_STEPS = 6;
+
+  /** Rate of the fastest motion times the step from which on no Adams method is stable. */
+  private static final double UNSTABLE = 2;
 
   /** Jumps ahead that are worth the evaluations of a closer look at the next one. */
   private static final double MANY_JUMPS = 1e4;
@@ -203,7 +210,23 @@ public final class Switching implements Integrator {
     boolean slides = !stiff && !jumps && (slidesAlongSteepness() || crossesSteepness());
     boolean speaksForOther = stiff ? backwardCostsMore() : adamsCostsMore();
     evidence = speaksForOther ? evidence + 1 : 0;
-    changeDue = slides || evidence >= (stiff ? neededForAdams : neededForBackward);
+    boolean atOnce = slides || startsStiff();
+    changeDue = atOnce || evidence >= (stiff ? neededForAdams : neededForBackward);
+  }
+
+  /**
+   * Returns whether one of the first steps was accurate and far too long for stability: the start
+   * lies on the slow solution of a stiff problem. Where the fast motion is an oscillation that is
+   * hardly damped, a few more such steps would stir it up to some tolerances, and then both methods
+   * would have to follow it.
+   */
+  private boolean startsStiff() {
+    double product = adams.rateTimesStep();
+    if (stiff || changes.count() > 0 || stepsOfPhase > FIRST_STEPS || !(product >= UNSTABLE)) {
+      return false;
+    }
+    double stable = Math.abs(progress.stepSize()) / product;
+    return costs.paysStart(0.5 * Math.abs(tEnd - progress.time()) / stable, MUCH_LONGER);
   }
 
   /**

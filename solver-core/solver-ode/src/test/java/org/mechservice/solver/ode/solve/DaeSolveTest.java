@@ -137,6 +137,13 @@ class DaeSolveTest {
   }
 
   @Test
+  void componentDeclaredAlgebraicWhoseDerivativeAppearsIsRefused() {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> solve(PROBLEM.withAlgebraic(0)))
+        .withMessageContaining("component 0 is declared ALGEBRAIC");
+  }
+
+  @Test
   void badInputIsRefused() {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> Dae.solve(PROBLEM, 0, new double[2], new double[3], 1))

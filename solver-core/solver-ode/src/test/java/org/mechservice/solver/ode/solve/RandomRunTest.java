@@ -117,7 +117,7 @@ class RandomRunTest {
 
   private void assertGoesOnTheSame(OdeSolution whole) {
     AtomicLong asked = new AtomicLong();
-    long limit = 1 + random.nextInt((int) Math.max(2, whole.statistics().evaluations()));
+    long limit = random.nextLong(1, Math.max(2, whole.statistics().evaluations()));
     OdeSolution part =
         Ode.solve(problem, t0, y0, t1, options.cancelWhen(() -> asked.incrementAndGet() > limit));
     if (part.endReason() == EndReason.CANCELLED) {

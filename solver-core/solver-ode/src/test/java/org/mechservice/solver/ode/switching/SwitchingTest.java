@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -347,5 +349,64 @@ class SwitchingTest {
     for (MethodChange change : integrator.methodChanges()) {
       assertThat(ends).contains(change.time());
     }
+  }
+
+  /**
+   * A rotation at 1e5 that hardly decays, about a slow circle. The first steps of ode113, accurate
+   * but far too long for stability, stirred it up to some tolerances; then both methods had to
+   * follow it: of 20 runs that start on the circle six took 40 000 steps, of 23 evaluations.
+   */
+  @Test
+  void fastOscillationThatIsNotThereIsNotStirredUp() {
+    compareOnCircle(20, 5);
+  }
+
+  @Tag("soak")
+  @Test
+  void fastOscillationThatIsNotThereIsNotStirredUpInTheLongRun() {
+    compareOnCircle(1000, 6);
+  }
+
+  private static void compareOnCircle(int runs, long seed) {
+    Random random = new Random(seed);
+    int close = 0;
+    for (int i = 0; i < runs; i++) {
+      double decay = StrictMath.pow(10, 5 * random.nextDouble());
+      double tolerance = StrictMath.pow(10, -3 - 5 * random.nextDouble());
+      double slow = StrictMath.pow(10, random.nextDouble());
+      double tEnd = 0.1 + 2 * random.nextDouble();
+      Ode rotation = rotation(1e5, decay, slow);
+      IntegratorSettings settings = new IntegratorSettings(tolerance, tolerance);
+      double[] start = {1, 0};
+      long stiff =
+          Run.of(new Ode15s(settings), rotation, 0, start, tEnd).statistics().evaluations();
+      Run run = Run.of(new Switching(settings), rotation, 0, start, tEnd);
+      long evaluations = run.statistics().evaluations();
+      assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+      assertThat(run.atEnd())
+          .containsExactly(
+              new double[] {StrictMath.cos(slow * tEnd), StrictMath.sin(slow * tEnd)},
+              within(100 * tolerance));
+      assertThat(evaluations)
+          .as("decay %s, tolerance %s, rate %s, to %s", decay, tolerance, slow, tEnd)
+          .isLessThanOrEqualTo(3 * stiff);
+      // Finding out takes up to six steps of two evaluations, and some tries.
+      close += evaluations <= Math.max(1.3 * stiff, stiff + 20) ? 1 : 0;
+    }
+    assertThat(close).isGreaterThanOrEqualTo((int) (0.95 * runs));
+  }
+
+  /** A point that moves towards another on a slow circle while it rotates about that, fast. */
+  private static Ode rotation(double fast, double decay, double slow) {
+    return new Ode(
+        2,
+        (t, y, yDot) -> {
+          double cosine = StrictMath.cos(slow * t);
+          double sine = StrictMath.sin(slow * t);
+          double u = y[0] - cosine;
+          double v = y[1] - sine;
+          yDot[0] = -decay * u - fast * v - slow * sine;
+          yDot[1] = fast * u - decay * v + slow * cosine;
+        });
   }
 }
