@@ -28,7 +28,12 @@ final class IntegrationRun {
   private RequestedTimes[] outputs = {};
   private Optional<KeptSteps> kept = Optional.empty();
 
-  /** Where the solution begins, is to end, and up to where its steps were told. */
+  /** Where the problem begins, and 1 or −1: in which direction it is integrated. */
+  private double origin;
+
+  private double direction = 1;
+
+  /** Where this solution begins, is to end, and up to where its steps were told. */
   private double start;
 
   private double tEnd;
@@ -78,7 +83,10 @@ final class IntegrationRun {
     if (started) {
       integrator.interpolate(t0, begin, yDot);
     }
-    place(t0, begin, t0, t1);
+    origin = t0;
+    direction = t1 < t0 ? -1 : 1;
+    tEnd = t1;
+    place(t0, begin);
     if (started) {
       tellOutputs(false);
     }
@@ -95,19 +103,16 @@ final class IntegrationRun {
     }
   }
 
-  private void place(double from, double[] state, double t0, double t1) {
+  /** Begins the solution at a place. */
+  private void place(double from, double[] state) {
     start = from;
     startState = state;
     reached = from;
-    tEnd = t1;
     outputs =
         options.outputs().stream()
-            .map(request -> RequestedTimes.of(request, t0, t1))
+            .map(request -> RequestedTimes.of(request, origin, tEnd))
             .toArray(RequestedTimes[]::new);
-    kept =
-        options.keepsSteps()
-            ? Optional.of(new KeptSteps(from, t1 < t0 ? -1 : 1))
-            : Optional.empty();
+    kept = options.keepsSteps() ? Optional.of(new KeptSteps(from, direction)) : Optional.empty();
   }
 
   /** Integrates from a checkpoint. */
@@ -123,8 +128,9 @@ final class IntegrationRun {
   private void transfer(SavedState state) {
     state.require("kind of checkpoint", "solve");
     byte[] inner = state.bytes(state.restoring() ? new byte[0] : integrator.save());
-    double t0 = state.number(start);
-    double t1 = state.number(tEnd);
+    origin = state.number(origin);
+    direction = state.number(direction);
+    tEnd = state.number(tEnd);
     double from = state.number(reached);
     int length = state.integer(y.length);
     if (length != y.length) {
@@ -136,16 +142,13 @@ final class IntegrationRun {
     }
     state.numbers(standing);
     if (state.restoring()) {
-      result = problem.resume(integrator, inner);
-      place(from, standing.clone(), t0, t1);
+      StepResult resumed = problem.resume(integrator, inner);
+      result = events.terminal() ? StepResult.REACHED_END : resumed;
+      place(from, standing.clone());
     }
     state.require("number of output requests", outputs.length);
     Arrays.stream(outputs).forEach(times -> times.transfer(state));
-    events.transferFound(state, reached, direction());
-  }
-
-  private double direction() {
-    return tEnd < start ? -1 : 1;
+    events.transferFound(state, reached, direction);
   }
 
   /** Takes steps until there is a reason to end. */
@@ -167,7 +170,7 @@ final class IntegrationRun {
   /** Returns where the last step ends; DE may have stepped past the end. */
   private double lastEnd() {
     double time = integrator.time();
-    return direction() * (time - tEnd) > 0 ? tEnd : time;
+    return direction * (time - tEnd) > 0 ? tEnd : time;
   }
 
   /** Tells the last step to all who want to know it. */
@@ -190,7 +193,7 @@ final class IntegrationRun {
 
   private void tellOutputs(boolean inside) {
     for (RequestedTimes times : outputs) {
-      while (times.hasNext() && direction() * (times.next() - reached) <= 0) {
+      while (times.hasNext() && direction * (times.next() - reached) <= 0) {
         if (inside && times.next() != reached) {
           integrator.interpolate(times.next(), y, yDot);
         } else {

@@ -276,7 +276,8 @@ public final class OdeSolution {
   /**
    * Returns the integration at its end, to be taken up by {@link Ode#resume} or {@link Dae#resume}.
    * A step that was cancelled is completed first, which evaluates the problem; what is then known
-   * beyond {@link #end} belongs to the solution that goes on from there.
+   * beyond {@link #end} belongs to the solution that goes on from there. For this method a solution
+   * holds on to its integrator; it is to be called by one thread.
    *
    * @throws IllegalStateException if there is nothing to go on from: the integration has failed, or
    *     was cancelled before its first step

@@ -102,6 +102,48 @@ class OdeCheckpointTest {
     }
   }
 
+  @ParameterizedTest
+  @EnumSource
+  void runInManyPartsTellsTheSameOutputs(OdeMethod method) {
+    double[] back = {StrictMath.cos(3), -StrictMath.sin(3)};
+    OdeProblem rotation =
+        Ode.system(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = y[1];
+              yDot[1] = -y[0];
+            });
+    List<Double> whole = new ArrayList<>();
+    List<Double> parts = new ArrayList<>();
+    OdeOptions plain = OdeOptions.standard().method(method);
+    double[] end =
+        Ode.solve(rotation, 3, back, 0, plain.outputEvery(0.13, (t, y) -> whole.add(y[0])))
+            .endState();
+    OdeOptions byStep = plain.outputEvery(0.13, (t, y) -> parts.add(y[0])).onStep(SolvedStep::stop);
+    OdeSolution part = Ode.solve(rotation, 3, back, 0, byStep);
+    while (part.endReason() == EndReason.STOPPED) {
+      part = Ode.resume(rotation, part.checkpoint(), byStep);
+    }
+    assertThat(parts).isEqualTo(whole);
+    assertThat(part.endState()).isEqualTo(end);
+    OdeSolution nothingLeft = Ode.resume(rotation, part.checkpoint(), byStep);
+    assertThat(nothingLeft.start()).isZero();
+    assertThat(nothingLeft.end()).isZero();
+    assertThat(nothingLeft.endState()).isEqualTo(end);
+    assertThat(parts).hasSameSizeAs(whole);
+  }
+
+  @Test
+  void terminalEventOfTheStartIsTheEndAlsoWhenTakenUp() {
+    OdeOptions options =
+        OdeOptions.standard().event(OdeEvent.when((t, y) -> y[0]).falling().terminal());
+    OdeProblem ball = Ode.system(2, BALL);
+    OdeSolution ended = Ode.solve(ball, 0, new double[] {0, -1}, 1, options);
+    OdeSolution later = Ode.resume(ball, ended.checkpoint(), options);
+    assertThat(later.endReason()).isEqualTo(EndReason.EVENT);
+    assertThat(later.end()).isZero();
+  }
+
   @Test
   void residualProblemGoesOnWithTheSameBits() {
     DaeProblem square =
