@@ -120,8 +120,7 @@ public final class LoopEquations {
     BitSet loaded = new BitSet();
     BitSet velocities = new BitSet();
     closureOfRow[row].addSupport(ways, loaded, velocities);
-    return new RowSupport(
-        ways.stream().toArray(), loaded.stream().toArray(), velocities.stream().toArray());
+    return new RowSupport(ways, loaded, velocities);
   }
 
   private ClosureRows rows(LoopClosure closure) {

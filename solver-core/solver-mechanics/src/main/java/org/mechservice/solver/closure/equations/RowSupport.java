@@ -1,10 +1,31 @@
 package org.mechservice.solver.closure.equations;
 
-/**
- * What an equation of the loops depends on.
- *
- * @param ways links whose joints it depends on, ascending
- * @param loaded links on which its multiplier puts a wrench, ascending; the root is left out
- * @param velocities extended velocities on which its multiplier puts a force, ascending
- */
-public record RowSupport(int[] ways, int[] loaded, int[] velocities) {}
+import java.util.BitSet;
+
+/** What an equation of the loops depends on. Immutable; the arrays must not be written to. */
+public final class RowSupport {
+  private final int[] ways;
+  private final int[] loaded;
+  private final int[] velocities;
+
+  RowSupport(BitSet ways, BitSet loaded, BitSet velocities) {
+    this.ways = ways.stream().toArray();
+    this.loaded = loaded.stream().toArray();
+    this.velocities = velocities.stream().toArray();
+  }
+
+  /** Returns the links whose joints it depends on, ascending. */
+  public int[] ways() {
+    return ways;
+  }
+
+  /** Returns the links on which its multiplier puts a wrench, ascending; the root is left out. */
+  public int[] loaded() {
+    return loaded;
+  }
+
+  /** Returns the extended velocities on which its multiplier puts a force, ascending. */
+  public int[] velocities() {
+    return velocities;
+  }
+}

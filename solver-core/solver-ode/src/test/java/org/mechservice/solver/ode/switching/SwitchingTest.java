@@ -391,7 +391,7 @@ class SwitchingTest {
           .as("decay %s, tolerance %s, rate %s, to %s", decay, tolerance, slow, tEnd)
           .isLessThanOrEqualTo(3 * stiff);
       // Finding out takes up to six steps of two evaluations, and some tries.
-      close += evaluations <= Math.max(1.3 * stiff, stiff + 20) ? 1 : 0;
+      close += evaluations <= Math.max(1.3 * stiff, stiff + 20.0) ? 1 : 0;
     }
     assertThat(close).isGreaterThanOrEqualTo((int) (0.95 * runs));
   }
