@@ -43,6 +43,14 @@ final class EchoServer implements MechServerOperations, AutoCloseable {
     callBack = does;
   }
 
+  void allowConnections(int most) {
+    orb.allowConnections(most);
+  }
+
+  int connections() {
+    return orb.connections();
+  }
+
   String address() {
     return orb.endpoint().toString();
   }

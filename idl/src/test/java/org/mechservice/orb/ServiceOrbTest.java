@@ -15,6 +15,8 @@ import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.ExecutorService;
@@ -202,6 +204,32 @@ class ServiceOrbTest {
       assertThatThrownBy(() -> client.connect(url))
           .isInstanceOf(IllegalArgumentException.class)
           .hasMessageStartingWith("S-006");
+    }
+  }
+
+  /** Some say nothing, some begin a message; a client that has called once keeps its place. */
+  @Test
+  void connectionsThatSayNothingKeepNobodyOut() throws IOException {
+    List<Socket> silent = new ArrayList<>();
+    try (EchoServer server = EchoServer.start();
+        ServiceOrb early = ServiceOrb.client();
+        ServiceOrb late = ServiceOrb.client()) {
+      server.allowConnections(50);
+      MechServer asked = early.connect(server.address());
+      for (int i = 0; i < 200; i++) {
+        Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.port());
+        silent.add(socket);
+        if (i % 2 == 0) {
+          socket.getOutputStream().write("GIOP".getBytes(StandardCharsets.US_ASCII));
+        }
+      }
+      assertThat(late.connect(server.address()).getInfo().serverName).isEqualTo("echo €");
+      assertThat(asked.getInfo().serverName).isEqualTo("echo €");
+      assertThat(server.connections()).isEqualTo(2);
+    } finally {
+      for (Socket socket : silent) {
+        socket.close();
+      }
     }
   }
 

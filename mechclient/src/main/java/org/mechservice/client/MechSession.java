@@ -32,6 +32,8 @@ import org.mechservice.client.run.RemoteRun;
 import org.mechservice.client.run.RowCursor;
 import org.mechservice.client.run.RunListener;
 import org.mechservice.idl.IMechClient;
+import org.mechservice.idl.LimitExceeded;
+import org.mechservice.idl.MAX_MECHML_BYTES;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
@@ -39,12 +41,17 @@ import org.mechservice.idl.NameValueSeqHolder;
 import org.mechservice.idl.OPT_CONTINUES;
 import org.mechservice.idl.RunSetUp;
 import org.mechservice.idl.RuntimeInfo;
+import org.mechservice.orb.connection.LimitedBuffers;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * One model at a server: load it once, then check it, run it there, fetch it and run it here, or
  * build a JAR of it. The session is kept alive until it is closed. For one thread.
  */
 public final class MechSession implements AutoCloseable {
+  /** A message with names and other arguments around it is within the bound of the ORB. */
+  private static final int MOST_SENT_BYTES = LimitedBuffers.MAX_MESSAGE_BYTES - (1 << 20);
+
   private final RemoteCalls calls;
   private final MechConnection connection;
   private final ServiceDescription service;
@@ -164,7 +171,12 @@ public final class MechSession implements AutoCloseable {
 
   private List<ModelMessage> load(ModelFile model, ModelFile[] classes) {
     Stopwatch watch = new Stopwatch();
-    var said = calls.get(() -> session.loadModel(model, classes));
+    var said =
+        calls.get(
+            () -> {
+              requireSendable(model, classes);
+              return session.loadModel(model, classes);
+            });
     loadSeconds = watch.lap();
     modelLoaded = model;
     classesLoaded = classes;
@@ -173,6 +185,22 @@ public final class MechSession implements AutoCloseable {
     warningsOfFile = ModelMessage.listOf(said);
     warnings = warningsOfFile;
     return warnings;
+  }
+
+  /** No server takes what does not fit into a message; it would close the connection. */
+  private static void requireSendable(ModelFile model, ModelFile[] classes) throws LimitExceeded {
+    long bytes = model.content.length;
+    for (ModelFile file : classes) {
+      bytes += file.content.length;
+    }
+    if (bytes > MOST_SENT_BYTES) {
+      throw new LimitExceeded(
+          MessageCode.MODEL_TOO_LARGE.code(),
+          "the model has " + bytes + " bytes; servers take at most " + MAX_MECHML_BYTES.value,
+          "modelBytes",
+          MAX_MECHML_BYTES.value,
+          bytes);
+    }
   }
 
   /**

@@ -21,6 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.client.failure.InvalidModelException;
 import org.mechservice.client.failure.InvalidOptionException;
 import org.mechservice.client.failure.JarRefusedException;
+import org.mechservice.client.failure.LimitExceededException;
 import org.mechservice.client.failure.ModelMessage;
 import org.mechservice.client.failure.RunState;
 import org.mechservice.client.failure.ServerLostException;
@@ -53,6 +54,14 @@ class ClientContractTest {
 
   @BeforeEach
   void loadModel() {
+    session.loadModel("square.xml", MODEL);
+  }
+
+  @Test
+  void modelThatFitsIntoNoMessageIsRefusedByItsSizeAndTheSessionGoesOn() {
+    assertThatThrownBy(() -> session.loadModel("large.xml", new byte[50_000_000]))
+        .isInstanceOf(LimitExceededException.class)
+        .hasMessageContaining("the model has 50000000 bytes; servers take at most 16777216");
     session.loadModel("square.xml", MODEL);
   }
 

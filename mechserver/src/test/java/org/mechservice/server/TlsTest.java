@@ -10,6 +10,7 @@ import java.net.NetworkInterface;
 import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
@@ -136,6 +137,23 @@ class TlsTest {
       String said = "";
       while (!said.equals("done")) {
         said = String.valueOf(heard.poll(1, TimeUnit.MINUTES));
+      }
+    }
+  }
+
+  /** They hold places from before TLS has begun; nobody is kept out. */
+  @Test
+  void fourHundredConnectionsThatSayNothingKeepNobodyOut() throws Exception {
+    List<Socket> silent = new ArrayList<>();
+    int port = Integer.parseInt(address().replaceAll(".*:", ""));
+    try (ServiceOrb alice = ServiceOrb.client(identity("alice"))) {
+      for (int i = 0; i < 400; i++) {
+        silent.add(new Socket(InetAddress.getLoopbackAddress(), port));
+      }
+      assertThat(run(alice.connect(server.url()).createSession("", "own", null))).isNotEmpty();
+    } finally {
+      for (Socket socket : silent) {
+        socket.close();
       }
     }
   }

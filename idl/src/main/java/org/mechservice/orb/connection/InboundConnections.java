@@ -1,13 +1,17 @@
 package org.mechservice.orb.connection;
 
 import java.io.IOException;
-import java.net.Socket;
-import java.util.HashSet;
+import java.net.InetAddress;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
+import org.jspecify.annotations.Nullable;
+import org.mechservice.orb.connection.InboundSocketFactory.Accepted;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -15,6 +19,11 @@ import org.slf4j.LoggerFactory;
  * The connections that others have opened to an ORB. The ORB itself forgets those that it accepts
  * while it closes; they would stay open unread, and their peers would wait for an answer. Here all
  * of them are closed.
+ *
+ * <p>Connections that are of no use keep nobody out. One that is late with its first message, or
+ * with the rest of a message, is closed. Where there are as many as are allowed, a new one takes
+ * the place of the oldest that has not sent a message yet, else of one that has been idle for
+ * longer than any lease. No other machine may have more than three quarters of the places.
  */
 public final class InboundConnections {
   private static final Logger LOG = LoggerFactory.getLogger(InboundConnections.class);
@@ -23,11 +32,19 @@ public final class InboundConnections {
   private static final Map<String, InboundConnections> BY_ID = new ConcurrentHashMap<>();
 
   private final String id = UUID.randomUUID().toString();
-  private final Set<Socket> open = new HashSet<>();
+
+  /** Time between two looks for connections that are late, ms. */
+  private static final long WATCH_MILLIS = 500;
+
+  /** Longer than any lease: the peer has nothing left here that it could come back to. */
+  private static final long IDLE_NANOS = 150_000_000_000L;
+
+  private final Set<Accepted> open = new LinkedHashSet<>();
   private final ReplyMemory room = new ReplyMemory();
   private final RequestMemory requests = new RequestMemory();
   private int most = Integer.MAX_VALUE;
   private boolean closed;
+  private @Nullable Thread watch;
 
   public InboundConnections() {
     BY_ID.put(id, this);
@@ -60,33 +77,111 @@ public final class InboundConnections {
     most = connections;
   }
 
-  /** Takes a connection in; one too many, or when all have been closed, is closed at once. */
-  void add(Socket connection) throws IOException {
+  /**
+   * Takes a connection in. One too many is closed at once if no other can make room; so is each one
+   * when all have been closed.
+   */
+  void add(Accepted connection) throws IOException {
+    Optional<Accepted> inTheWay = Optional.empty();
+    boolean entered = false;
     synchronized (this) {
-      if (!closed && open.size() < most) {
-        open.add(connection);
-        return;
+      if (!closed) {
+        inTheWay = inTheWayOf(connection);
+        inTheWay.ifPresent(open::remove);
+        entered = hasRoomFor(connection);
+        if (entered) {
+          enter(connection);
+        }
       }
     }
-    connection.close();
+    inTheWay.ifPresent(Accepted::abandon);
+    if (!entered) {
+      connection.close();
+    }
   }
 
-  synchronized void remove(Socket connection) {
+  private void enter(Accepted connection) {
+    open.add(connection);
+    if (watch == null) {
+      watch = new Thread(this::watch, "mechservice-connections");
+      watch.setDaemon(true);
+      watch.start();
+    }
+  }
+
+  private boolean hasRoomFor(Accepted connection) {
+    return open.size() < most && !hasTooMany(connection.getInetAddress());
+  }
+
+  /** Other machines share the places; all clients of this one have the same address. */
+  private boolean hasTooMany(InetAddress address) {
+    return !address.isLoopbackAddress()
+        && open.stream().filter(other -> address.equals(other.getInetAddress())).count()
+            >= most - most / 4;
+  }
+
+  /** Returns the connection that gives its place to a new one, if it must and one can. */
+  private Optional<Accepted> inTheWayOf(Accepted connection) {
+    if (hasRoomFor(connection)) {
+      return Optional.empty();
+    }
+    InetAddress address = connection.getInetAddress();
+    List<Accepted> candidates =
+        hasTooMany(address)
+            ? open.stream().filter(other -> address.equals(other.getInetAddress())).toList()
+            : List.copyOf(open);
+    return candidates.stream()
+        .filter(other -> !other.isUsed())
+        .findFirst()
+        .or(
+            () ->
+                candidates.stream()
+                    .filter(other -> other.stalledNanos() > IDLE_NANOS)
+                    .max(Comparator.comparingLong(Accepted::stalledNanos)));
+  }
+
+  /** Closes connections whose peers are late, until all are closed. */
+  private void watch() {
+    try {
+      while (true) {
+        List<Accepted> all;
+        synchronized (this) {
+          if (closed) {
+            return;
+          }
+          wait(WATCH_MILLIS);
+          all = List.copyOf(open);
+        }
+        for (Accepted connection : all) {
+          if (connection.isOverdue()) {
+            LOG.debug("closed a connection from {} that is late", connection.getInetAddress());
+            connection.abandon();
+          }
+        }
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  synchronized void remove(Accepted connection) {
     open.remove(connection);
   }
 
+  /** Returns how many connections have sent a message. */
   public synchronized int count() {
-    return open.size();
+    return (int) open.stream().filter(Accepted::isUsed).count();
   }
 
   /** Closes all connections, and those to come. */
   public void closeAll() {
-    List<Socket> all;
+    List<Accepted> all;
     synchronized (this) {
       closed = true;
+      notifyAll(); // ends the watch
       all = List.copyOf(open);
     }
-    for (Socket connection : all) {
+    for (Accepted connection : all) {
       try {
         connection.close();
       } catch (IOException e) {

@@ -79,6 +79,7 @@ public class InboundSocketFactory implements ServerSocketFactory, Configurable {
     private final InboundConnections connections;
     private @Nullable ReplyQueue replies;
     private @Nullable RequestStream requests;
+    private volatile boolean plain;
 
     public Accepted(InboundConnections connections) {
       this.connections = connections;
@@ -97,19 +98,63 @@ public class InboundSocketFactory implements ServerSocketFactory, Configurable {
     /** What comes in are messages, not something else that holds them. */
     void readAsMessages() throws IOException {
       synchronized (connections) {
+        plain = true;
         requests = new RequestStream(this, super.getInputStream(), connections.requests());
+      }
+    }
+
+    /**
+     * Returns the input of a connection whose messages are encrypted, which is watched like one
+     * that is not.
+     *
+     * @param decrypted the messages
+     */
+    public InputStream readAsMessages(InputStream decrypted) {
+      synchronized (connections) {
+        requests = new RequestStream(this, decrypted, connections.requests());
+        return requests;
       }
     }
 
     @Override
     public InputStream getInputStream() throws IOException {
       RequestStream messages = requests();
-      return messages == null ? super.getInputStream() : messages;
+      return plain && messages != null ? messages : super.getInputStream();
     }
 
-    private @Nullable RequestStream requests() {
+    @Nullable RequestStream requests() {
       synchronized (connections) {
         return requests;
+      }
+    }
+
+    /** Returns whether a whole message has come. */
+    boolean isUsed() {
+      RequestStream messages = requests();
+      return messages != null && messages.isUsed();
+    }
+
+    /** Returns how long nothing has come, ns. */
+    long stalledNanos() {
+      RequestStream messages = requests();
+      return messages == null ? 0 : messages.stalledNanos();
+    }
+
+    /** Returns whether the peer is late with a message. */
+    boolean isOverdue() {
+      RequestStream messages = requests();
+      return messages != null && messages.isOverdue(System.nanoTime());
+    }
+
+    /** Closes the connection without its last replies. */
+    void abandon() {
+      ReplyQueue last = replies();
+      if (last != null) {
+        last.abandon();
+      }
+      RequestStream messages = requests();
+      if (messages != null) {
+        messages.abandon();
       }
     }
 

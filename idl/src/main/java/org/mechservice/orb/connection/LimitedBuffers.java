@@ -17,7 +17,7 @@ public final class LimitedBuffers implements BufferManagerFactory {
    * Largest message. A model file of the largest size with its user files, and the largest result
    * block, fit.
    */
-  static final int MAX_MESSAGE_BYTES = 32 << 20;
+  public static final int MAX_MESSAGE_BYTES = 32 << 20;
 
   private static final int LARGEST_KEPT_BYTES = 1 << 16;
 

@@ -1,9 +1,9 @@
 package org.mechservice.orb.connection;
 
 import java.util.Comparator;
-import java.util.HashSet;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 
 /**
  * The memory of an ORB for large messages that are still arriving. The ORB takes memory for a
@@ -15,7 +15,7 @@ final class RequestMemory {
   private static final long STALLED_NANOS = 2_000_000_000;
 
   private final long size;
-  private final Set<RequestStream> arriving = new HashSet<>();
+  private final Map<RequestStream, Long> arriving = new HashMap<>();
   private long used;
 
   RequestMemory() {
@@ -36,11 +36,11 @@ final class RequestMemory {
       synchronized (this) {
         if (used == 0 || used + bytes <= size) {
           used += bytes;
-          arriving.add(stream);
+          arriving.merge(stream, bytes, Long::sum);
           return true;
         }
         inTheWay =
-            arriving.stream()
+            arriving.keySet().stream()
                 .filter(other -> other.stalledNanos() > STALLED_NANOS)
                 .max(Comparator.comparingLong(RequestStream::stalledNanos));
       }
@@ -53,7 +53,7 @@ final class RequestMemory {
 
   synchronized void giveBack(RequestStream stream, long bytes) {
     used -= bytes;
-    arriving.remove(stream);
+    arriving.computeIfPresent(stream, (s, all) -> all > bytes ? all - bytes : null);
   }
 
   synchronized long used() {

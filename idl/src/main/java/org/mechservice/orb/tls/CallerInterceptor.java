@@ -4,6 +4,7 @@ import java.net.Socket;
 import java.security.cert.X509Certificate;
 import java.util.Optional;
 import javax.net.ssl.SSLPeerUnverifiedException;
+import javax.net.ssl.SSLSession;
 import javax.net.ssl.SSLSocket;
 import org.jacorb.orb.giop.GIOPConnection;
 import org.jacorb.orb.iiop.IIOPConnection;
@@ -53,16 +54,20 @@ public final class CallerInterceptor extends LocalObject
     }
     Socket socket = over.getSocket();
     String address = socket.getInetAddress().getHostAddress() + ":" + socket.getPort();
-    return new Caller(
-        socket instanceof SSLSocket encrypted
-            ? Optional.of(certificate(encrypted))
-            : Optional.empty(),
-        address);
+    return new Caller(session(socket).map(CallerInterceptor::certificate), address);
   }
 
-  private static X509Certificate certificate(SSLSocket socket) {
+  /** Returns what the two sides of an encrypted connection have agreed on. */
+  private static Optional<SSLSession> session(Socket socket) {
+    if (socket instanceof EncryptedConnection opened) {
+      return Optional.of(opened.session());
+    }
+    return socket instanceof SSLSocket ours ? Optional.of(ours.getSession()) : Optional.empty();
+  }
+
+  private static X509Certificate certificate(SSLSession session) {
     try {
-      return (X509Certificate) socket.getSession().getPeerCertificates()[0];
+      return (X509Certificate) session.getPeerCertificates()[0];
     } catch (SSLPeerUnverifiedException e) {
       // Such connections are not accepted.
       throw (org.omg.CORBA.NO_PERMISSION)

@@ -41,6 +41,6 @@ public final class TlsInboundSocketFactory extends InboundSocketFactory {
     socket.setUseClientMode(false);
     socket.setNeedClientAuth(true);
     socket.setEnabledProtocols(TlsOutboundSocketFactory.PROTOCOLS);
-    return socket;
+    return new EncryptedConnection(socket, accepted.readAsMessages(socket.getInputStream()));
   }
 }

@@ -7,6 +7,7 @@ import org.mechservice.client.jar.JarCache;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
 import org.mechservice.sim.host.HostOptions;
+import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.service.session.WarmUp;
 import org.mechservice.sim.worker.UserCodePolicy;
 
@@ -49,7 +50,8 @@ public final class ServiceConnection implements AutoCloseable {
     // The user's own force classes run as the user, confined where the machine can.
     WarmUp.beginToBuild();
     HostOptions embedded =
-        new HostOptions(EMBEDDED_NAME, capacity).withUserCode(UserCodePolicy.UNCONFINED);
+        new HostOptions(EMBEDDED_NAME, capacity, HostLimits.OWN, Optional.empty())
+            .withUserCode(UserCodePolicy.UNCONFINED);
     MechServerProcess server =
         MechServerProcess.start(new ServerSettings("127.0.0.1", 0, embedded));
     try {

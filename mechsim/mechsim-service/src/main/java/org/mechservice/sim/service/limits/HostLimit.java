@@ -45,10 +45,11 @@ public enum HostLimit {
       1,
       MessageCode.MODEL_TOO_LARGE,
       "size of a model with its user files"),
+  /** Half a million rows of 1000 columns. */
   RESULT_BYTES(
       "resultBytes",
       "B",
-      64L << 30,
+      4L << 30,
       1,
       MessageCode.RESULTS_TOO_LARGE,
       "size of the rows of one run"),
@@ -59,21 +60,19 @@ public enum HostLimit {
       1,
       MessageCode.SPOOL_FULL,
       "size of the rows of all runs of one host"),
+  /** A day: a run that nobody waits for gives its place back. */
   WALL_TIME(
-      "wallTime",
-      "s",
-      HostLimits.UNLIMITED,
-      1,
-      MessageCode.RUN_TOO_LONG,
-      "time one run takes, without pauses"),
+      "wallTime", "s", 86_400, 1, MessageCode.RUN_TOO_LONG, "time one run takes, without pauses"),
   CPU_TIME(
-      "cpuTime",
-      "s",
-      HostLimits.UNLIMITED,
+      "cpuTime", "s", 86_400, 1, MessageCode.PROCESSOR_TIME_EXCEEDED, "processor time of one run"),
+  /** What is in use after a collection; with less left, collections take all the time. */
+  MEMORY(
+      "memory",
+      "B",
+      Runtime.getRuntime().maxMemory() / 10 * 9,
       1,
-      MessageCode.PROCESSOR_TIME_EXCEEDED,
-      "processor time of one run"),
-  MEMORY("memory", "B", HostLimits.UNLIMITED, 1, MessageCode.OUT_OF_MEMORY, "heap of one host"),
+      MessageCode.OUT_OF_MEMORY,
+      "heap of one host"),
   /** Enough for the largest model of the examples; many workers fit on one machine. */
   WORKER_MEMORY(
       "workerMemory",

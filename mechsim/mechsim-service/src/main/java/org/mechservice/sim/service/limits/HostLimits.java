@@ -23,6 +23,16 @@ public final class HostLimits {
   /** The default limits. */
   public static final HostLimits DEFAULT = new HostLimits(new EnumMap<>(HostLimit.class));
 
+  /** The limits of a process that computes for the user who started it, and ends with it. */
+  public static final HostLimits OWN =
+      DEFAULT
+          .with(HostLimit.WALL_TIME, UNLIMITED)
+          .with(HostLimit.CPU_TIME, UNLIMITED)
+          .with(HostLimit.RESULT_BYTES, UNLIMITED)
+          .with(HostLimit.SPOOL_BYTES, UNLIMITED)
+          .with(HostLimit.MEMORY, UNLIMITED)
+          .with(HostLimit.WORKER_MEMORY, UNLIMITED);
+
   private static final int RESERVED_CONNECTIONS = 20;
 
   /** Time within which a host notices that a run has used up its processor time, s. */
@@ -47,7 +57,11 @@ public final class HostLimits {
 
   /** Returns what a process for classes of users may use at most. */
   public WorkerBounds ofWorker() {
-    long heap = Math.min(bound(HostLimit.MEMORY), bound(HostLimit.WORKER_MEMORY));
+    long ofHost = changed.getOrDefault(HostLimit.MEMORY, UNLIMITED);
+    long heap = bound(HostLimit.WORKER_MEMORY);
+    if (ofHost != UNLIMITED) {
+      heap = Math.min(heap, ofHost);
+    }
     long cpu = of(HostLimit.CPU_TIME);
     // The kernel ends a worker only if its host has not.
     return new WorkerBounds(

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import static org.mechservice.sim.service.session.HostedClient.ALL;
 
+import java.util.List;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.FailureRecord;
@@ -197,6 +198,28 @@ class LimitsTest {
     long rows = run.getProgress().rowsReady;
     assertThat(CursorRows.toEnd(run.openResults(new String[] {"t"}), 0))
         .hasSize(Math.toIntExact(rows));
+  }
+
+  /** A file of a kilobyte can ask for any number of rows, and a host is there for many. */
+  @Test
+  void runsAreBoundedUnlessTheOperatorSaysOtherwise() throws Exception {
+    for (HostLimit limit :
+        List.of(
+            HostLimit.WALL_TIME,
+            HostLimit.CPU_TIME,
+            HostLimit.MEMORY,
+            HostLimit.WORKER_MEMORY,
+            HostLimit.RESULT_BYTES)) {
+      assertThat(HostLimits.DEFAULT.of(limit)).as(limit.label()).isPositive();
+      assertThat(HostLimits.OWN.of(limit)).as(limit.label()).isEqualTo(HostLimits.UNLIMITED);
+    }
+    try (HostedClient there = HostedClient.withInstalledSolver()) {
+      NameValue[] longRun = {new NameValue("t-end", "200000"), new NameValue("t-step", "0.001")};
+      LimitExceeded refusal =
+          catchThrowableOfType(LimitExceeded.class, () -> there.simulation(longRun));
+      assertThat(refusal.code).isEqualTo("S-106");
+      assertThat(refusal.limitName).isEqualTo("resultBytes");
+    }
   }
 
   @Test

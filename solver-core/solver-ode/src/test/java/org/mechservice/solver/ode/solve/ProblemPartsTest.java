@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -211,6 +212,23 @@ class ProblemPartsTest {
             () -> Dae.system(3, (t, y, yDot, r) -> {}).with(OdeSystem.class, Ode.system(3, ROD)))
         .withMessageContaining("kind OdeSystem")
         .withMessageContaining("ResidualJacobianSystem");
+  }
+
+  @Test
+  void oneProblemIsSolvedByManyThreads() {
+    OdeProblem shared = Ode.system(N, ROD).withBand(1, 1).withJacobianProduct(PRODUCT);
+    MassProblem heavy =
+        Ode.system(2, (t, y, yDot) -> yDot[0] = yDot[1] = -y[0] - y[1])
+            .withMass(MassMatrix.full(new double[][] {{2, 1}, {1, 3}}));
+    double[] one = solve(shared).endState();
+    double[] other = Ode.solve(heavy, 0, new double[] {1, 2}, 1).endState();
+    IntStream.range(0, 16)
+        .parallel()
+        .forEach(
+            i -> {
+              assertThat(solve(shared).endState()).isEqualTo(one);
+              assertThat(Ode.solve(heavy, 0, new double[] {1, 2}, 1).endState()).isEqualTo(other);
+            });
   }
 
   @Test
