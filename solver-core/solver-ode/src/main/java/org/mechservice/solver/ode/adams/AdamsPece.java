@@ -340,7 +340,6 @@ abstract class AdamsPece extends SteppingIntegrator {
 
   /** Begins at order 1 behind a jump, where f is known. */
   private void forgetHistory() {
-    poles.clear();
     stiffness.beginAgain();
     coefficients.beginAgain();
     control.begin(settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER));

@@ -5,8 +5,8 @@ import org.mechservice.solver.ode.step.ErrorNorm;
 import org.mechservice.solver.ode.step.RightHandSide;
 
 /**
- * Looks whether a step goes across a pole of odd order: a place where the right-hand side, and the
- * solution with it, grows beyond every bound and comes back with the other sign.
+ * Looks whether a step goes across a pole: a place where the right-hand side, and the solution with
+ * it, grows beyond every bound and comes back with the other or with the same sign.
  *
  * <p>The error test sees values at two ends only. Towards a pole they grow from step to step,
  * behind it they have the other sign, and at loose tolerances a step now and then has an estimate
@@ -16,6 +16,11 @@ import org.mechservice.solver.ode.step.RightHandSide;
  * width never falls below half of what it was; at poles of higher order it grows. Across a jump and
  * through a zero it falls like w, and where the solution stays finite, as with an inverse root,
  * like a power of w.
+ *
+ * <p>Where the sign stays, the largest value is narrowed down instead, from the place that the
+ * values before foretell for A/|t − c| or A/(t − c)². That is done only if the value behind is the
+ * one foretold, too: the solution would have changed by more than its own size within the step,
+ * which steps of smooth solutions do not pass.
  */
 public final class PoleProbe {
   /** Part of value times width that is kept at a pole, with room for what else is in f. */
@@ -23,6 +28,12 @@ public final class PoleProbe {
 
   /** Halvings that are enough to tell a pole; fewer if no times are left between. */
   private static final int ENOUGH = 40;
+
+  /** Part of its own size by which the solution moves in a step across a pole of constant sign. */
+  private static final double MUCH = 0.02;
+
+  /** The same where the sign stays, which tells less. */
+  private static final double CLOSELY_ALIKE = 1.2;
 
   /** How far the values at the two ends may be off those of the pole that the last two foretell. */
   private static final double ALIKE = 2;
@@ -71,8 +82,8 @@ public final class PoleProbe {
    * @param y state at its beginning
    * @param yEnd state at its end
    * @param derivative at its beginning
-   * @param foreseen derivative at its end, extrapolated from what came before: a change of sign that
-   *     it shows is no pole
+   * @param foreseen derivative at its end, extrapolated from what came before: a change of sign
+   *     that it shows is no pole
    * @param derivativeAtEnd at its end
    */
   public int component(
@@ -95,6 +106,15 @@ public final class PoleProbe {
           && narrowed(equations, l, t, end, y, yEnd, derivative[l], derivativeAtEnd[l])) {
         return l;
       }
+      double size = Math.max(Math.abs(y[l]), Math.abs(yEnd[l]));
+      boolean fast = Math.abs((end - t) * derivative[l]) > MUCH * size;
+      for (int order = 1; fast && order <= 2; order++) {
+        double place = placeOfPeak(l, order, t, derivative[l], derivativeAtEnd[l], end - t);
+        if (place > 0
+            && peaks(equations, l, t, end, y, yEnd, place, derivative[l], derivativeAtEnd[l])) {
+          return l;
+        }
+      }
     }
     return -1;
   }
@@ -115,6 +135,84 @@ public final class PoleProbe {
     double behind = -ahead * here / there; // from the pole to the end, by the values
     double earlier = here * ahead / (t - timeTwoBefore + ahead);
     return alike((ahead + behind) / step) && (known == 1 || alike(twoBefore[l] / earlier));
+  }
+
+  /**
+   * Returns the share of the step at which the derivatives known foretell a pole of constant sign;
+   * 0 if they do not.
+   *
+   * @param order 1 for A/|t − c|, 2 for A/(t − c)²
+   */
+  private double placeOfPeak(int l, int order, double t, double here, double there, double step) {
+    double last = before[l];
+    if (!(here * there > 0 && here * last > 0 && Math.abs(here) > Math.abs(last))) {
+      return 0;
+    }
+    double ahead = (t - timeBefore) / (root(order, here / last) - 1);
+    double behind = step - ahead;
+    if (!(behind / step > 0)) {
+      return 0;
+    }
+    double earlier = here / power(order, (t - timeTwoBefore + ahead) / ahead);
+    boolean foretold =
+        closelyAlike(there / here * power(order, behind / ahead))
+            && (known == 1 || closelyAlike(twoBefore[l] / earlier));
+    return foretold ? ahead / step : 0;
+  }
+
+  private static double root(int order, double ratio) {
+    return order == 1 ? ratio : Math.sqrt(ratio);
+  }
+
+  private static double power(int order, double ratio) {
+    return order == 1 ? ratio : ratio * ratio;
+  }
+
+  private static boolean closelyAlike(double ratio) {
+    return ratio < CLOSELY_ALIKE && ratio > 1 / CLOSELY_ALIKE;
+  }
+
+  /** Narrows the largest value of component l down; returns whether a pole is there. */
+  private boolean peaks(
+      RightHandSide equations,
+      int l,
+      double t,
+      double end,
+      double[] y,
+      double[] yEnd,
+      double place,
+      double here,
+      double there) {
+    double from = 0;
+    double to = 1;
+    double top = place;
+    if (!evaluate(equations, t, end, y, yEnd, top)) {
+      return false; // the run is to stop
+    }
+    double peak = Math.abs(slope[l]);
+    if (peak <= Math.max(Math.abs(here), Math.abs(there))) {
+      return false;
+    }
+    double least = KEPT * Math.min(Math.abs(here), Math.abs(there));
+    double resolution = 4 * Math.max(Math.ulp(t), Math.ulp(end)) / Math.abs(end - t);
+    while (Double.isFinite(peak) && to - from > resolution) {
+      boolean nearer = top - from > to - top;
+      double share = 0.5 * (top + (nearer ? from : to));
+      if (!evaluate(equations, t, end, y, yEnd, share)) {
+        return false;
+      }
+      double value = Math.abs(slope[l]);
+      boolean higher = !(value <= peak);
+      double edge = higher ? top : share;
+      from = nearer == higher ? from : edge;
+      to = nearer == higher ? edge : to;
+      top = higher ? share : top;
+      peak = higher ? value : peak;
+      if (peak * (to - from) < least) {
+        return false;
+      }
+    }
+    return true;
   }
 
   private static boolean alike(double ratio) {

@@ -8,7 +8,7 @@
  * way in which the tests fail. {@link SlidingMonitor} recognises a solution that slides along a
  * jump, as a block with dry friction at rest does (a sliding mode of Filippov). {@link JumpProbe}
  * looks a little ahead whether f jumps or is only steep. {@link PoleProbe} looks whether a step
- * goes across a place where f grows beyond every bound and changes its sign.
+ * goes across a place where f grows beyond every bound.
  *
  * <p>The package depends on {@code ode} alone and serves the methods; users of the library need
  * none of its types. Source: E. Hairer, S. P. Nørsett and G. Wanner, <i>Solving Ordinary
