@@ -1,8 +1,6 @@
 package org.mechservice.cli;
 
-import java.io.OutputStream;
 import java.io.PrintWriter;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.mechservice.cli.admin.AdminCommand;
 import org.mechservice.cli.model.BuildCommand;
@@ -15,6 +13,7 @@ import org.mechservice.cli.service.SimhostCommand;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.FailureReport;
 import org.mechservice.cli.shell.MechVersion;
+import org.mechservice.cli.shell.SafeWriter;
 import org.mechservice.cli.shell.StandardOutput;
 import org.mechservice.cli.shell.UsageReport;
 import org.mechservice.cli.simulate.FetchCommand;
@@ -62,7 +61,7 @@ public final class Mech {
   /** Runs a command and ends the process with its exit status. */
   public static void main(String[] arguments) {
     StandardOutput out = StandardOutput.ofProcess();
-    int status = run(utf8(out), utf8(System.err), arguments);
+    int status = run(new SafeWriter(out), new SafeWriter(System.err), arguments);
     System.exit(out.failure().map(why -> unwritten(why, status)).orElse(status));
   }
 
@@ -109,9 +108,5 @@ public final class Mech {
 
   private static String nameOf(Class<?> command) {
     return command.getAnnotation(Command.class).name();
-  }
-
-  private static PrintWriter utf8(OutputStream stream) {
-    return new PrintWriter(stream, true, StandardCharsets.UTF_8);
   }
 }

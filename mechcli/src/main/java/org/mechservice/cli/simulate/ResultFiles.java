@@ -45,7 +45,7 @@ public final class ResultFiles implements ResultSink, AutoCloseable {
                 + ": results are written to .csv files");
       }
       Path folder = target.toAbsolutePath().getParent();
-      if (!Files.isDirectory(folder)) {
+      if (folder == null || !Files.isDirectory(folder)) {
         throw new UsageException(
             MessageCode.RESULT_FILE_NAME
                 + " --out "

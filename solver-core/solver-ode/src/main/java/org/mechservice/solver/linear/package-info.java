@@ -16,6 +16,12 @@
  * rectangular one that determine the others; {@link org.mechservice.solver.linear.SingularValues}
  * tells how many there are, and solves when there are fewer than equations or unknowns.
  *
+ * <p>A {@link org.mechservice.solver.linear.SparseMatrix} holds the elements of a fixed pattern.
+ * {@link org.mechservice.solver.linear.SparseElimination} chooses pivots of it for size and for few
+ * new elements, {@link org.mechservice.solver.linear.SparseLu} forms the factors of what was chosen
+ * again and again, and {@link org.mechservice.solver.linear.SparseSymmetric} factors symmetric
+ * matrices summed up from small parts, in an order of least degree. The first allocates.
+ *
  * <p>{@link org.mechservice.solver.linear.EquilibratedSolver} brings the rows to like size before
  * either of them factors, so that the units of the equations do not decide about the pivots.
  *

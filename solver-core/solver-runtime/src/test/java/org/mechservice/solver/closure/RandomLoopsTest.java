@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** Random closed mechanisms against the maximal coordinates of the oracle. */
@@ -21,8 +22,23 @@ class RandomLoopsTest {
     assertThat(compared).isGreaterThan(25);
   }
 
+  /** Mechanisms of more velocities than matrices are dense for. */
+  @Test
+  void accelerationsAndReactionsOfLargeMechanismsAreThoseOfMaximalCoordinates() {
+    LongStream.rangeClosed(1, 40)
+        .mapToObj(seed -> RandomLoops.of(seed, 42, 2 + (int) (seed % 7)))
+        .filter(mechanism -> mechanism.velocityCount() > LoopEquations.LARGE)
+        .limit(12)
+        .forEach(this::compare);
+    assertThat(compared).isGreaterThan(3);
+  }
+
   private void compare(long seed) {
-    Mechanism mechanism = LoopComparison.mechanism(seed);
+    compare(LoopComparison.mechanism(seed));
+  }
+
+  private void compare(Mechanism mechanism) {
+    String seed = mechanism.name();
     if (LoopComparison.leftOut(mechanism).isPresent()) {
       return;
     }

@@ -73,7 +73,9 @@ public final class Assembly {
     }
     matrix = loops.jacobian.sameShape();
     least =
-        loops.isLarge() ? new SparseLeastMoves(matrix, nv) : new DenseLeastMoves(loops.count(), nv);
+        loops.isLargeToSetUp()
+            ? new SparseLeastMoves(matrix, nv)
+            : new DenseLeastMoves(loops.count(), nv);
     right = new double[loops.count()];
     step = new double[nv];
   }

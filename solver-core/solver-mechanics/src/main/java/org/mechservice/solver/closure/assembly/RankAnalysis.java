@@ -93,7 +93,7 @@ public final class RankAnalysis {
     loops.place(motion, t);
     loops.differentiate(motion);
     IndependentRows rows =
-        loops.isLarge()
+        loops.isLargeToSetUp()
             ? new SparseIndependentRows(scaledInUnits(), n)
             : new DenseIndependentRows(scaledByMass(), m, n);
     if (rows.rank() >= rank) {

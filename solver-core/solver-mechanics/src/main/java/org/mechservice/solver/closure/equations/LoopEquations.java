@@ -32,6 +32,13 @@ public final class LoopEquations {
    */
   public static final int LARGE = 100;
 
+  /**
+   * Equations squared times velocities from which loops are set up in their sparsity. Singular
+   * values take that many operations some ten times over, and the start is closed by some hundred
+   * of them where many equations repeat each other: a net of 10 x 10 bodies took 100 s.
+   */
+  private static final double LARGE_TO_SET_UP = 5e4;
+
   private final TreeGeometry tree;
   private final List<ClosureRows> closures = new ArrayList<>();
   private final ClosureRows[] closureOfRow;
@@ -152,6 +159,12 @@ public final class LoopEquations {
   /** Returns whether the mechanism is so large that matrices are to be kept in their sparsity. */
   public boolean isLarge() {
     return tree.stateVelocityCount > LARGE;
+  }
+
+  /** Returns whether rank and start are to be found in the sparsity of the equations. */
+  public boolean isLargeToSetUp() {
+    double equations = count();
+    return isLarge() || equations * equations * tree.stateVelocityCount > LARGE_TO_SET_UP;
   }
 
   /** Returns the closure an equation belongs to. */
