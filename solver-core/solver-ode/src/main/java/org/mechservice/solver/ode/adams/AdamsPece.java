@@ -323,7 +323,7 @@ abstract class AdamsPece extends SteppingIntegrator {
     history.accept(k);
     coefficients.accept(h, k);
     progress.accepted(h, triedTime, k, control.error());
-    stiffness.accepted(k, control.error(), coefficients.g[k + 1], history, norm);
+    stiffness.accepted(h, k, control.error(), coefficients.g[k + 1], history, norm);
     double size = h;
     double error = control.error();
     h *= control.accept(Math.abs(h), coefficients.equalSteps(), history, norm);

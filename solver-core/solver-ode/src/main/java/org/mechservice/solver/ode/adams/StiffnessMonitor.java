@@ -74,20 +74,23 @@ public final class StiffnessMonitor {
 
   /**
    * Takes note of an accepted step of order k. With d the discrepancy, y − p = h g_{k+1} d and f(y)
-   * − f(p) = φ_{k+1} − d, so that h L = ‖φ_{k+1} − d‖ / (g_{k+1} ‖d‖).
+   * − f(p) = φ_{k+1} − d, so that h L = ‖φ_{k+1} − d‖ / (g_{k+1} ‖d‖). Multiplied by about h, the
+   * terms are of the size of the error, whatever the units are.
    *
+   * @param h its size
    * @param error its error over the tolerance
    * @param g g_{k+1}
    * @param history after the step
    */
-  void accepted(int k, double error, double g, AdamsHistory history, ErrorNorm norm) {
+  void accepted(double h, int k, double error, double g, AdamsHistory history, ErrorNorm norm) {
+    double unit = Math.scalb(1.0, Math.getExponent(h));
     double[] change = history.difference(k + 1);
     double[] discrepancy = history.discrepancy;
     double product = 0;
     double correction = 0;
     double reaction = 0;
     for (int l = 0; l < change.length; l++) {
-      double weight = norm.weight(l);
+      double weight = unit * norm.weight(l);
       double moved = weight * discrepancy[l];
       double answer = weight * (change[l] - discrepancy[l]);
       product += moved * answer;

@@ -2,12 +2,18 @@ package org.mechservice.solver.ode.switching;
 
 import org.mechservice.solver.ode.SavedState;
 
-/** Where an integration came to every few steps, as divided differences over the latest places. */
+/**
+ * Where an integration came to every few steps, as divided differences over the latest places. Time
+ * is counted in units of about the interval, lest its powers overflow.
+ */
 final class SampledHistory {
   /** Places that a difference goes back over, at most: those of order 5 take six. */
   private static final int MOST = 6;
 
   private final int stride;
+
+  /** Unit of time, a power of two. */
+  private double unit = 1;
 
   /** Steps since the latest place. */
   private int steps;
@@ -30,7 +36,11 @@ final class SampledHistory {
     this.stride = stride;
   }
 
-  void prepare(int dimension) {
+  /**
+   * @param interval length of the problem
+   */
+  void prepare(int dimension, double interval) {
+    unit = interval == 0 ? 1 : Math.scalb(1.0, Math.getExponent(interval));
     difference = new double[MOST][dimension];
     newer = new double[dimension];
     older = new double[dimension];
@@ -60,7 +70,7 @@ final class SampledHistory {
       newer = older;
       older = swapped;
       if (m + 1 < count) {
-        divide(difference[m], older, 1 / (t - time[m + 1]));
+        divide(difference[m], older, 1 / ((t - time[m + 1]) / unit));
       }
     }
     return true;
@@ -81,6 +91,11 @@ final class SampledHistory {
   /** Returns the mean length of the steps between the places; 0 if there are not two. */
   double meanStep() {
     return count < 2 ? 0 : Math.abs(time[0] - time[count - 1]) / ((count - 1) * stride);
+  }
+
+  /** Returns the unit of time that differences are divided by. */
+  double unit() {
+    return unit;
   }
 
   /** Returns y[t_0, …, t_m] over the latest m + 1 places. */

@@ -23,9 +23,12 @@ final class StepForecast {
   private final SampledHistory narrow = new SampledHistory(NARROW);
   private final SampledHistory wide = new SampledHistory(WIDE);
 
-  void prepare(int dimension) {
-    narrow.prepare(dimension);
-    wide.prepare(dimension);
+  /**
+   * @param interval length of the problem
+   */
+  void prepare(int dimension, double interval) {
+    narrow.prepare(dimension, interval);
+    wide.prepare(dimension, interval);
   }
 
   /** Forgets all places. */
@@ -52,9 +55,10 @@ final class StepForecast {
 
   private static boolean passes(
       SampledHistory places, double h, BackwardFormulas formulas, ErrorNorm norm) {
-    double factor = h;
+    double size = h / places.unit();
+    double factor = size;
     for (int k = 1; k < places.count() - 1; k++) {
-      factor *= (k + 1) * h;
+      factor *= (k + 1) * size;
       double[] derivative = places.difference(k + 1);
       if (formulas.errorConstant(k) * factor * norm.of(derivative) <= 1) {
         return true;

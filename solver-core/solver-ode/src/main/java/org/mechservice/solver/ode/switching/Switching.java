@@ -144,7 +144,7 @@ public final class Switching implements Integrator {
   @Override
   public StepResult start(OdeSystem system, double t0, double[] y0, double tEnd) {
     StepResult result = adams.start(system, t0, y0, tEnd);
-    prepare(system, tEnd);
+    prepare(system, t0, tEnd);
     changes.clear();
     backwardBegun = false;
     jumps = false;
@@ -155,12 +155,12 @@ public final class Switching implements Integrator {
     return result;
   }
 
-  private void prepare(OdeSystem system, double tEnd) {
+  private void prepare(OdeSystem system, double t0, double tEnd) {
     this.system = system;
     this.tEnd = tEnd;
     y = new double[system.dimension()];
     yDot = new double[system.dimension()];
-    forecast.prepare(system.dimension());
+    forecast.prepare(system.dimension(), tEnd - t0);
     costs = StepCosts.of(system);
   }
 
@@ -401,6 +401,7 @@ public final class Switching implements Integrator {
     return SavedState.save(
         state -> {
           state.require("method", getClass().getSimpleName());
+          state.number(progress.start());
           state.number(tEnd);
           state.bytes(ofAdams);
           state.bytes(ofBackward);
@@ -414,7 +415,8 @@ public final class Switching implements Integrator {
         saved,
         state -> {
           state.require("method", getClass().getSimpleName());
-          prepare(system, state.number(0));
+          double t0 = state.number(0);
+          prepare(system, t0, state.number(0));
           adams.resume(system, state.bytes(new byte[0]));
           byte[] ofBackward = state.bytes(new byte[0]);
           backwardBegun = ofBackward.length > 0;

@@ -16,7 +16,7 @@ class StepForecastTest {
   /** Places every 0.01 on cos t + sin t, and beside it what the fast motion leaves. */
   private static StepForecast onWave(int steps, double left) {
     StepForecast forecast = new StepForecast();
-    forecast.prepare(1);
+    forecast.prepare(1, 1);
     for (int i = 0; i < steps; i++) {
       double t = 0.01 * i;
       // Irregular, as the fast motion is at the limit of stability.

@@ -409,4 +409,32 @@ class SwitchingTest {
           yDot[1] = fast * u - decay * v + slow * cosine;
         });
   }
+
+  /** The same decay in units in which powers of time and of the state overflow. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-100, 1e-140, 1e-150, 1e-153, 1e150})
+  void unitsDoNotDecideWhenTheMethodChanges(double unit) {
+    for (double tolerance : new double[] {1e-4, 1e-8}) {
+      Run usual = decay(1, tolerance);
+      Run other = decay(unit, tolerance);
+      assertThat(other.result()).isEqualTo(StepResult.REACHED_END);
+      assertThat(other.integrator().methodChangeCount())
+          .isEqualTo(usual.integrator().methodChangeCount())
+          .isPositive();
+      assertThat(other.statistics().evaluations()).isLessThan(2 * usual.statistics().evaluations());
+    }
+  }
+
+  private static Run decay(double unit, double tolerance) {
+    Ode stiff =
+        new Ode(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = -1000 * (y[0] - y[1]) / unit;
+              yDot[1] = -y[1] / unit;
+            });
+    IntegratorSettings settings = new IntegratorSettings(tolerance, tolerance * unit);
+    double[] start = {2 * unit, unit};
+    return Run.of(new Switching(settings), stiff, 0, start, 3 * unit);
+  }
 }
