@@ -16,7 +16,7 @@ final class EndlessClient {
         MechSession session = connection.openSession(arguments[1])) {
       session.loadModel(Runs.PENDULUM);
       try (RemoteRun run =
-          session.prepareRemoteRun(SimulationOptions.asInFile().endTime(1e8).outputStep(1))) {
+          session.prepareRemoteRun(SimulationOptions.asInFile().endTime(1e8).outputStep(10))) {
         run.start();
         System.out.println(run.id());
         run.toEnd(new Runs.Kept());
