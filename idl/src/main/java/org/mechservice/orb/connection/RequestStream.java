@@ -120,7 +120,11 @@ final class RequestStream extends InputStream {
 
   private void begin() throws IOException {
     ByteOrder order = (header[FLAGS] & 1) == 0 ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN;
-    bodyBytes = Math.max(0, ByteBuffer.wrap(header).order(order).getInt(LENGTH));
+    bodyBytes = ByteBuffer.wrap(header).order(order).getInt(LENGTH);
+    if (bodyBytes < 0) {
+      bodyBytes = 0;
+      throw new IOException("a message whose length is negative");
+    }
     announced = bodyBytes;
     id.clear().order(order);
     if (bodyBytes == 0) {

@@ -154,6 +154,17 @@ class RequestMemoryTest {
   }
 
   @Test
+  void negativeLengthEndsTheConnection() throws Exception {
+    try (Socket socket = new Socket()) {
+      RequestStream stream = stream(socket, header(-1, ByteOrder.BIG_ENDIAN));
+      assertThatThrownBy(stream::readAllBytes)
+          .isInstanceOf(IOException.class)
+          .hasMessageContaining("negative");
+      assertThat(stream.isUsed()).isFalse();
+    }
+  }
+
+  @Test
   void noiseIsNoMessage() throws Exception {
     try (Socket socket = new Socket()) {
       RequestStream stream = stream(socket, new byte[100]);

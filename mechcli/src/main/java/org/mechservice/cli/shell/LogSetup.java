@@ -25,6 +25,8 @@ import org.slf4j.LoggerFactory;
  */
 public final class LogSetup extends ContextAwareBase implements Configurator {
   private static final String PRODUCT = "org.mechservice";
+  private static final String ORB = "org.jacorb";
+  private static final String UNREADABLE_REQUESTS = "org.jacorb.poa.controller";
   private static final String CONSOLE = "console";
   private static final String EMBEDDED = Journal.LOGGER + "." + ServiceConnection.EMBEDDED_NAME;
   private static final String SHORT = "%msg%n%nopex";
@@ -45,6 +47,11 @@ public final class LogSetup extends ContextAwareBase implements Configurator {
       root.addAppender(started(log, context, file.endsWith(".jsonl") ? json() : pattern(LONG)));
       root.setLevel(Level.INFO);
       context.getLogger(PRODUCT).setLevel(Level.DEBUG);
+      // Whoever reaches the port must not be able to fill the disk: no line for each connection,
+      // and
+      // no stack trace for each request that cannot be read.
+      context.getLogger(ORB).setLevel(Level.WARN);
+      context.getLogger(UNREADABLE_REQUESTS).setLevel(Level.OFF);
       return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
     }
     ConsoleAppender<ILoggingEvent> console = new ConsoleAppender<>();

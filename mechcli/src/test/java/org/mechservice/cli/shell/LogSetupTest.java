@@ -46,6 +46,20 @@ class LogSetupTest {
         .matches(".*Z? WARN  \\[main\\] org.mechservice.test: S-019 host \"a\" dropped");
   }
 
+  @Test
+  void requestsOfStrangersFillNoFile() throws IOException {
+    Path file = folder.resolve("strangers.log");
+    LoggerContext context = new LoggerContext();
+    context.setMDCAdapter(new LogbackMDCAdapter());
+    new LogSetup().configure(context, file.toString());
+    context.getLogger("org.jacorb.orb.iiop.ServerIIOPConnection").info("opened");
+    context
+        .getLogger("org.jacorb.poa.controller")
+        .error("rid: 5 invocation: throwable was thrown", new ArrayIndexOutOfBoundsException());
+    context.stop();
+    assertThat(file).isEmptyFile();
+  }
+
   private static List<String> console(boolean serving) {
     PrintStream before = System.err;
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();

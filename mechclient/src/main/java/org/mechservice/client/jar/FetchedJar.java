@@ -31,6 +31,9 @@ final class FetchedJar {
   private static final int HEADER_SIGNATURE = 0x02014b50;
   private static final int HEADER_LENGTH = 46;
 
+  /** Largest entry when it is inflated; a few kilobytes can become any size. */
+  private static final int MOST_ENTRY_BYTES = 32 << 20;
+
   private final byte[] jar;
   private final Map<String, Integer> places;
   private final Attributes manifest;
@@ -114,7 +117,7 @@ final class FetchedJar {
   /**
    * Returns the bytes of an entry; empty if there is none of this name.
    *
-   * @throws JarRefusedException if the entry is damaged
+   * @throws JarRefusedException if the entry is damaged or too large
    */
   Optional<byte[]> entry(String name) {
     Integer place = places.get(name);
@@ -127,7 +130,13 @@ final class FetchedJar {
         throw new JarRefusedException(
             MessageCode.JAR_REFUSED.code(), "entry " + name + " of a fetched JAR is damaged");
       }
-      return Optional.of(in.readAllBytes());
+      byte[] content = in.readNBytes(MOST_ENTRY_BYTES + 1);
+      if (content.length > MOST_ENTRY_BYTES) {
+        throw new JarRefusedException(
+            MessageCode.JAR_REFUSED.code(),
+            "entry " + name + " of a fetched JAR has more than " + MOST_ENTRY_BYTES + " bytes");
+      }
+      return Optional.of(content);
     } catch (IOException e) {
       throw new JarRefusedException(
           MessageCode.JAR_REFUSED.code(),
