@@ -218,7 +218,7 @@ public final class ArticulatedLoops {
       if (isHeld(k)) {
         continue;
       }
-      inertia.applyTo(link, motion.subspace, 6 * k, projected, 6 * k);
+      project(link, k);
       pivot[k] = dot(motion.subspace, 6 * k, projected, 6 * k);
       if (!check.regular(k, pivot[k], rigid.scale(link))) {
         return k;
@@ -234,6 +234,17 @@ public final class ArticulatedLoops {
       inertia.eliminate(link, projected, 6 * k, perPivot);
     }
     return ExplicitModel.REGULAR;
+  }
+
+  /** U = Iᴬ S. */
+  private void project(int link, int k) {
+    double[] s = motion.subspace;
+    switch (tree.kind[link]) {
+      case TURN, BALL -> inertia.applyToTurning(link, s, 6 * k, projected, 6 * k);
+      case SLIDE -> inertia.applyToSliding(link, s, 6 * k + 3, projected, 6 * k);
+      case SCREW -> inertia.applyTo(link, s, 6 * k, projected, 6 * k);
+      case FIXED -> throw new IllegalArgumentException("link " + link + " has no freedom");
+    }
   }
 
   private boolean isHeld(int velocity) {

@@ -80,13 +80,13 @@ public final class ArticulatedInertias {
   }
 
   /** Writes Iᴬ x for x = [0; s]. */
-  void applyToSliding(int link, double[] s, int is, double[] out, int at) {
+  public void applyToSliding(int link, double[] s, int is, double[] out, int at) {
     apply(blockH, 9 * link, s, is, out, at);
     apply(blockM, 9 * link, s, is, out, at + 3);
   }
 
   /** Writes Iᴬ x for x = [s; 0]. */
-  void applyToTurning(int link, double[] s, int is, double[] out, int at) {
+  public void applyToTurning(int link, double[] s, int is, double[] out, int at) {
     apply(blockJ, 9 * link, s, is, out, at);
     applyTransposed(blockH, 9 * link, s, is, out, at + 3);
   }

@@ -334,6 +334,7 @@ abstract class AdamsPece extends SteppingIntegrator {
     } else if (jumps.active()) {
       h = towardsJump(h);
     }
+    h = Math.copySign(Math.min(Math.abs(h), jumps.longestStep(triedTime)), h);
     begun = false;
     prepared = false;
   }

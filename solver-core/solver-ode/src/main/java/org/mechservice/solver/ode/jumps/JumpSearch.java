@@ -14,6 +14,10 @@ import org.mechservice.solver.ode.SavedState;
  * <p>The stretch in which the jump must lie is then halved at every try, whether that is accepted
  * or rejected, until a step of order 1 over all of it would pass; after some failures in a row, at
  * the geometric mean of all of it and of that step. Behind the jump the history is of no use.
+ *
+ * <p>Two jumps inside one step may leave no trace at its end. So where jumps have followed each
+ * other, steps are at most a quarter of the shortest distance between them, until nothing has
+ * jumped for twice the longest.
  */
 public final class JumpSearch {
   /** Error over the tolerance that is worth a second look. */
@@ -39,6 +43,15 @@ public final class JumpSearch {
 
   private static final double OFTEN = 1000;
 
+  /** Longest step after jumps, in shortest distances between them. */
+  private static final double PART = 0.25;
+
+  /** How long jumps are expected to follow each other, in longest distances between them. */
+  private static final double PATIENCE = 2;
+
+  /** Longest distance over one that is not shorter by chance only. */
+  private static final double SCATTER = 10;
+
   private boolean active;
   private boolean crossing;
   private int failuresInARow;
@@ -57,6 +70,16 @@ public final class JumpSearch {
 
   private double since;
 
+  /** End of the last step across a jump; NaN before there was one. */
+  private double crossed = Double.NaN;
+
+  /**
+   * Shortest and longest distance between jumps that followed each other; 0 before there is one.
+   */
+  private double shortest;
+
+  private double longest;
+
   /** A place behind the jump, and the size of the jump in units of the error allowed. */
   private double behind;
 
@@ -64,6 +87,9 @@ public final class JumpSearch {
 
   public void clear() {
     crossings = 0;
+    crossed = Double.NaN;
+    shortest = 0;
+    longest = 0;
     forget();
   }
 
@@ -148,15 +174,34 @@ public final class JumpSearch {
       return false;
     }
     boolean passed = Math.copySign(1, h) * (end - behind) >= 0;
-    boolean crossed = active && passed;
+    boolean across = active && passed;
     suspected |= error < NOTHING * smooth(h);
     if (passed || !(active || suspected)) {
       forget();
     }
-    if (crossed && crossings++ == 0) {
+    if (across && crossings++ == 0) {
       since = end;
     }
-    return crossed;
+    if (across) {
+      measure(end);
+    }
+    return across;
+  }
+
+  private void measure(double end) {
+    double distance = Math.abs(end - crossed);
+    crossed = end;
+    if (distance > 0) {
+      longest = Math.max(longest, distance);
+      shortest = shortest == 0 ? distance : Math.min(shortest, distance);
+      shortest = Math.max(shortest, longest / SCATTER);
+    }
+  }
+
+  /** Returns the longest step from {@code t} that does not go over two jumps unawares. */
+  public double longestStep(double t) {
+    boolean expected = Math.abs(t - crossed) <= PATIENCE * longest;
+    return expected ? PART * shortest : Double.POSITIVE_INFINITY;
   }
 
   /**
@@ -217,5 +262,8 @@ public final class JumpSearch {
     jump = state.number(jump);
     crossings = state.integer(crossings);
     since = state.number(since);
+    crossed = state.number(crossed);
+    shortest = state.number(shortest);
+    longest = state.number(longest);
   }
 }

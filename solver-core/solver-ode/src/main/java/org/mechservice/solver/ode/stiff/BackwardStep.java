@@ -227,6 +227,7 @@ final class BackwardStep {
     if (search.active()) {
       towardsJump();
     }
+    step.bound(search.longestStep(triedTime));
     begun = false;
     equations.manifold().restoreUnitGroups(differences.state(), differences);
     if (equations.manifold().accepted(triedTime, differences.state())) {

@@ -170,6 +170,11 @@ final class StepSize {
     size *= factor;
   }
 
+  /** Bounds the size proposed. */
+  void bound(double longest) {
+    size = Math.copySign(Math.min(Math.abs(size), longest), size);
+  }
+
   /** Returns whether a step from {@code t} is not the smallest already. */
   boolean canBeReduced(double t) {
     return Math.abs(size) > bounds.smallest(t);

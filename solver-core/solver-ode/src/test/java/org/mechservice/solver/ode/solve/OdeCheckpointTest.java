@@ -62,7 +62,7 @@ class OdeCheckpointTest {
       assertThat(later.endState()).isEqualTo(whole.endState());
       assertThat(later.statistics()).isEqualTo(whole.statistics());
       assertThat(later.startState()).isEqualTo(whole.at(later.start()));
-      double place = 0.3 * later.start() + 0.7 * END;
+      double place = later.start() + 0.7 * (END - later.start());
       assertThat(later.at(place)).isEqualTo(whole.at(place));
       assertThat(rest).isEqualTo(told.subList(told.size() - rest.size(), told.size()));
       assertThat(later.events().stream().map(FoundEvent::time))
