@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.catalogue.Formulation;
+import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 

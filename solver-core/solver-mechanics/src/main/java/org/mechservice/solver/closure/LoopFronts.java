@@ -23,7 +23,9 @@ final class LoopFronts {
   /** Equations that are eliminated, by the rows of the loops. */
   final int[] rows;
 
-  /** Matrix of the multipliers, one row per equation of {@link #rows}, of which this is the order. */
+  /**
+   * Matrix of the multipliers, one row per equation of {@link #rows}, of which this is the order.
+   */
   final SparseSymmetric matrix;
 
   /** Where the front of each link begins, and where those begin that are not at home on it. */

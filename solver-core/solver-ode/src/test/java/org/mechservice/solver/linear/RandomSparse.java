@@ -8,8 +8,8 @@ final class RandomSparse {
   private RandomSparse() {}
 
   /**
-   * Returns a matrix whose rows have a few elements in a band of columns, the last rows being sums of
-   * two others.
+   * Returns a matrix whose rows have a few elements in a band of columns, the last rows being sums
+   * of two others.
    *
    * @param repeated number of rows that follow from the others
    */

@@ -57,7 +57,10 @@ class SparseEliminationTest {
   void aBandStaysABand(int n) {
     int[][] pattern = new int[n][];
     for (int i = 0; i < n; i++) {
-      pattern[i] = i == 0 ? new int[] {0, 1} : i + 1 < n ? new int[] {i - 1, i, i + 1} : new int[] {i - 1, i};
+      pattern[i] =
+          i == 0
+              ? new int[] {0, 1}
+              : i + 1 < n ? new int[] {i - 1, i, i + 1} : new int[] {i - 1, i};
     }
     SparseMatrix matrix = SparseMatrix.of(pattern, n);
     for (int i = 0; i < n; i++) {

@@ -50,8 +50,7 @@ class SparseLuTest {
       matrix.addRow(factors.row(k), ofTransposed[k], sum, 0);
     }
     for (int k = 0; k < M; k++) {
-      assertThat(sum[factors.column(k)])
-          .isCloseTo(right[k], offset(EXACT * size(ofTransposed)));
+      assertThat(sum[factors.column(k)]).isCloseTo(right[k], offset(EXACT * size(ofTransposed)));
     }
   }
 

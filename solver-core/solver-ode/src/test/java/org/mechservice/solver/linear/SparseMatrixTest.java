@@ -11,8 +11,7 @@ class SparseMatrixTest {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> SparseMatrix.of(new int[][] {{1, 1}}, 3))
         .withMessage("column 1 of 3 after 1");
-    assertThatIllegalArgumentException()
-        .isThrownBy(() -> SparseMatrix.of(new int[][] {{3}}, 3));
+    assertThatIllegalArgumentException().isThrownBy(() -> SparseMatrix.of(new int[][] {{3}}, 3));
   }
 
   @Test

@@ -9,7 +9,8 @@ import org.mechservice.solver.linear.SparseMatrix;
  * J of the loops with its rows over the sizes of what they measure and its columns in units, by its
  * singular values: what has one right answer although equations may repeat each other or positions
  * be singular. Of large mechanisms the least solutions come from sparse factors. Workspace of one
- * thread; nothing allocates after construction but what singular values of large mechanisms ask for.
+ * thread; nothing allocates after construction but what singular values of large mechanisms ask
+ * for.
  */
 public final class ScaledJacobian {
   /** Singular values below this part of the largest are not divided by: a singular position. */
@@ -36,9 +37,7 @@ public final class ScaledJacobian {
     this.unit = unit;
     scaled = loops.jacobian.sameShape();
     sparse =
-        loops.isLarge()
-            ? Optional.of(new SparseLeastMoves(scaled, unit.length))
-            : Optional.empty();
+        loops.isLarge() ? Optional.of(new SparseLeastMoves(scaled, unit.length)) : Optional.empty();
     ofVelocities = new double[unit.length];
     ofRows = new double[loops.count()];
   }
@@ -48,8 +47,7 @@ public final class ScaledJacobian {
     for (int row = 0; row < ofRows.length; row++) {
       for (int e = scaled.start[row]; e < scaled.start[row + 1]; e++) {
         int j = scaled.column[e];
-        scaled.value[e] =
-            j < unit.length ? loops.jacobian.value[e] * unit[j] / loops.size(row) : 0;
+        scaled.value[e] = j < unit.length ? loops.jacobian.value[e] * unit[j] / loops.size(row) : 0;
       }
     }
     decomposed = false;
