@@ -56,6 +56,7 @@ class AdminSessionTest {
   /** Below 1e11 steps, from which a run is given up (N-005). */
   private static final SimulationOptions ENDLESS =
       SimulationOptions.asInFile().endTime(1e8).outputStep(1e4);
+
   private static final int CAPACITY = 5;
 
   /** On a machine that is busy with other things, answers take long. */
