@@ -223,35 +223,6 @@ public abstract class EventLocationContract {
     assertThat(zeros.times.get(0)).isCloseTo(Math.PI, within(1e-6));
   }
 
-  /**
-   * As for a ball on the floor that is thrown downwards: it fell for ever, and nothing was said.
-   */
-  @ParameterizedTest
-  @EnumSource(names = {"FALLING", "RISING"})
-  void functionThatIsZeroAtTheStartAndGoesItsWayHasAnEventThere(Direction direction) {
-    double way = direction == Direction.RISING ? 1 : -1;
-    Watch zeros = new Watch(1, direction, Reaction.STOP, (t, y, g) -> g[0] = y[0]);
-    EventIntegration integrator = new EventIntegration(create(1e-8), zeros);
-    StepResult result = integrator.start(CIRCLE, 0, new double[] {0, way}, 4);
-    while (result == StepResult.ADVANCED) {
-      result = integrator.step();
-    }
-    assertThat(result).isEqualTo(StepResult.REACHED_END);
-    assertThat(zeros.times).hasSize(1);
-    assertThat(zeros.times.get(0)).isBetween(0.0, 1e-9);
-  }
-
-  @ParameterizedTest
-  @EnumSource(names = {"FALLING", "RISING"})
-  void functionThatIsZeroAtTheStartAndGoesTheOtherWayHasItsEventWhenItComesBack(
-      Direction direction) {
-    double way = direction == Direction.RISING ? -1 : 1;
-    Watch zeros = new Watch(1, direction, Reaction.CONTINUE, (t, y, g) -> g[0] = y[0]);
-    run(new EventIntegration(create(1e-8), zeros), CIRCLE, new double[] {0, way}, 4);
-    assertThat(zeros.times).hasSize(1);
-    assertThat(zeros.times.get(0)).isCloseTo(Math.PI, within(1e-6));
-  }
-
   @Test
   void functionThatIsZeroAllTheTimeHasNoEvent() {
     Watch zeros = new Watch(1, Direction.EITHER, Reaction.CONTINUE, (t, y, g) -> g[0] = 0);

@@ -30,10 +30,6 @@ import org.mechservice.solver.ode.step.RecentSteps;
  * {@linkplain Integrator#restart restarts}; until the next step, the solution that led to the event
  * can be interpolated.
  *
- * <p>A function that is exactly zero at the start and goes on in its {@linkplain
- * EventFunctions.Direction direction} has an event there; one that counts in either direction has
- * none before it comes back.
- *
  * <p>Events that accumulate, like the bounces of a ball that comes to rest, end the integration
  * with {@link IntegrationFailure.Cause#EVENTS_ACCUMULATE}.
  *
@@ -125,11 +121,7 @@ public final class EventIntegration implements ResidualIntegrator {
     recentSteps.clear();
     events = 0;
     values.forget();
-    StepResult settled = settle(result, t0);
-    if (settled != StepResult.FAILED) {
-      values.beginProblem();
-    }
-    return settled;
+    return settle(result, t0);
   }
 
   private void prepare(SystemParts system, int dimension, double tEnd) {

@@ -52,23 +52,6 @@ final class EventSigns {
     observe(g);
   }
 
-  /**
-   * Takes note that the problem begins where functions are exactly zero: one of which only one
-   * direction counts comes from the side that makes going that way an event.
-   */
-  void beginOnZero(double[] g) {
-    for (int i = 0; i < g.length; i++) {
-      if (g[i] == 0) {
-        side[i] =
-            switch (functions.direction(i)) {
-              case FALLING -> 1;
-              case RISING -> -1;
-              case EITHER -> 0;
-            };
-      }
-    }
-  }
-
   /** Returns whether a value is an event of a function, given those observed before. */
   boolean event(int i, double g) {
     if (!beyond(i, g)) {

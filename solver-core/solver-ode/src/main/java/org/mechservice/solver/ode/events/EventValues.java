@@ -66,11 +66,6 @@ final class EventValues {
     return finite;
   }
 
-  /** Takes note that this state is the first one of the problem. */
-  void beginProblem() {
-    signs.beginOnZero(before);
-  }
-
   /**
    * Takes note of where the solution begins when it is interpolated in the first step after a
    * restart: not quite in the state it was restarted from. Returns false if something is not finite
