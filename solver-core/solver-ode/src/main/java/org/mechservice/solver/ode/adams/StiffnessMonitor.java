@@ -49,7 +49,13 @@ public final class StiffnessMonitor {
   private int limitedSteps;
   private int latestLimitedSteps;
 
-  /** h L of the latest step. */
+  /**
+   * Part of the derivative below which its change between prediction and correction may be rounding:
+   * steps at the start are so short that nothing moves by more.
+   */
+  private static final double ROUNDING = 1e-9;
+
+  /** h L of the latest step; zero if rounding may have made it. */
   private double latestProduct;
 
   private int steps;
@@ -89,6 +95,7 @@ public final class StiffnessMonitor {
     double product = 0;
     double correction = 0;
     double reaction = 0;
+    double whole = 0;
     for (int l = 0; l < change.length; l++) {
       double weight = unit * norm.weight(l);
       double moved = weight * discrepancy[l];
@@ -96,11 +103,14 @@ public final class StiffnessMonitor {
       product += moved * answer;
       correction += moved * moved;
       reaction += answer * answer;
+      double derivative = weight * history.derivative[l];
+      whole += derivative * derivative;
     }
     double ratio = Math.sqrt(reaction / correction);
     double cosine = product / Math.sqrt(reaction * correction);
-    latestProduct = ratio / g;
-    lookAtLimit(latestProduct, cosine);
+    double hL = ratio / g;
+    latestProduct = reaction > ROUNDING * ROUNDING * whole ? hL : 0;
+    lookAtLimit(hL, cosine);
     count(k, error);
   }
 
@@ -146,7 +156,7 @@ public final class StiffnessMonitor {
     return latestLimitedSteps > 0;
   }
 
-  /** Returns h L of the latest step. */
+  /** Returns h L of the latest step; zero if rounding may have made it. */
   double latestProduct() {
     return latestProduct;
   }
