@@ -50,8 +50,8 @@ public final class StiffnessMonitor {
   private int latestLimitedSteps;
 
   /**
-   * Part of the derivative below which its change between prediction and correction may be rounding:
-   * steps at the start are so short that nothing moves by more.
+   * Part of the derivative below which its change between prediction and correction may be
+   * rounding: steps at the start are so short that nothing moves by more.
    */
   private static final double ROUNDING = 1e-9;
 
