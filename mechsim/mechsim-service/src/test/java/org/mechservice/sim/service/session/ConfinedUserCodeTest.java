@@ -41,7 +41,7 @@ class ConfinedUserCodeTest {
   /** Velocity of the cart at the end of the run, m/s. */
   private static final double INSIDE = 1.5;
 
-  private static Path hostFile = Path.of("");
+  private static Optional<Path> kept = Optional.empty();
   private static Optional<ServerSocket> listening = Optional.empty();
 
   @BeforeAll
@@ -50,14 +50,16 @@ class ConfinedUserCodeTest {
         Confinement.ofThisMachine().stands(),
         () -> "no confinement on this machine: " + Confinement.ofThisMachine().text());
     MechSimServant.verifiesUserCode = false;
-    hostFile = Files.writeString(Files.createTempFile("host", ".txt"), "secret");
+    kept = Optional.of(Files.writeString(Files.createTempFile("host", ".txt"), "secret"));
     listening = Optional.of(new ServerSocket(0, 50, InetAddress.getLoopbackAddress()));
   }
 
   @AfterAll
   static void switchFirstWallOn() throws Exception {
     MechSimServant.verifiesUserCode = true;
-    Files.deleteIfExists(hostFile);
+    if (kept.isPresent()) {
+      Files.deleteIfExists(kept.get());
+    }
     if (listening.isPresent()) {
       listening.get().close();
     }
@@ -93,7 +95,8 @@ class ConfinedUserCodeTest {
   @Test
   void forceThatTriesToGetOutGoesOnInside() throws Exception {
     int port = listening.orElseThrow().getLocalPort();
-    String reads = "java.nio.file.Files.readAllBytes(java.nio.file.Path.of(\"" + hostFile + "\"));";
+    String reads =
+        "java.nio.file.Files.readAllBytes(java.nio.file.Path.of(\"" + kept.orElseThrow() + "\"));";
     String connects = "new java.net.Socket(\"127.0.0.1\", " + port + ").close();";
     String starts = "Runtime.getRuntime().exec(\"/bin/sh\");";
     String body = trying(reads) + trying(connects) + trying(starts) + PUSH;
