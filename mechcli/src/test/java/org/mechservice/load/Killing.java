@@ -93,7 +93,7 @@ final class Killing implements AutoCloseable {
         name,
         "--capacity",
         "2",
-        "--allow-user-code",
+        "--allow-user-code=unconfined",
         "--limit",
         "lease=" + LEASE_SECONDS,
         "--spool",
