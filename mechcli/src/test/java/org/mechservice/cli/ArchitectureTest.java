@@ -67,6 +67,8 @@ class ArchitectureTest {
           entry("mechclient", List.of("client")),
           entry("mechadmin", List.of("admin")),
           entry("mechreport", List.of("report")),
+          entry("mechservice", List.of("library")),
+          entry("mechview", List.of("view")),
           entry("mechcli", List.of("cli")));
 
   /** Stubs that the IDL compiler has written. */
@@ -93,6 +95,8 @@ class ArchitectureTest {
     "mechclient, idl solver-api",
     "mechadmin, idl solver-api",
     "mechreport, mechclient solver-runtime solver-api solver-ode",
+    "mechservice, mechsim-codegen mechml solver-runtime solver-api solver-ode solver-mechanics",
+    "mechview, mechclient solver-api",
   })
   @ParameterizedTest
   void moduleDependsOnlyOnTheModulesTheDesignAllows(String module, String allowed) {
