@@ -9,7 +9,7 @@ import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ModelEvents;
-import org.mechservice.solver.api.capability.WatchedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
 class CandidateTest {
@@ -31,6 +31,6 @@ class CandidateTest {
   void equationsAreThoseOfTheModelThatIsWatched() {
     PlanarPendulum model = new PlanarPendulum(0);
     assertThat(candidate(model).equations()).isSameAs(model);
-    assertThat(candidate(new WatchedModel(model, events(List.of()))).equations()).isSameAs(model);
+    assertThat(candidate(ModelParts.of(model).with(events(List.of()))).equations()).isSameAs(model);
   }
 }

@@ -23,9 +23,8 @@ import org.mechservice.sim.emit.GeneratedClass;
 import org.mechservice.sim.equations.coordinates.GeneratedCutCoordinatesTest;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.capability.ExtendedModel;
 import org.mechservice.solver.api.capability.ModelEvents;
-import org.mechservice.solver.api.capability.WatchedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultColumns;
 import org.mechservice.solver.dynamics.event.WrittenValues;
@@ -66,7 +65,7 @@ class GeneratedValuesTest {
   }
 
   private static ModelEvents events(Model model) {
-    return WatchedModel.eventsOf(ExtendedModel.bare(model)).orElseThrow();
+    return ModelParts.of(model).events().orElseThrow();
   }
 
   @ParameterizedTest
@@ -95,8 +94,8 @@ class GeneratedValuesTest {
   @MethodSource("mechanisms")
   void outputsAgreeWithThoseDrivenByData(Mechanism mechanism) {
     MechmlModel file = RandomEvents.on(mechanism, 1);
-    ResultColumns data = ExtendedModel.columnsOf(model(file, true));
-    ResultColumns code = ExtendedModel.columnsOf(model(file, false));
+    ResultColumns data = ModelParts.of(model(file, true)).columns();
+    ResultColumns code = ModelParts.of(model(file, false)).columns();
     double[] y = RandomTrees.state(3, mechanism);
     double[] expected = new double[file.outputs().size() + 1];
     double[] actual = new double[expected.length];

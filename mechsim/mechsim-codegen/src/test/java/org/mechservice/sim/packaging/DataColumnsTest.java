@@ -28,7 +28,7 @@ import org.mechservice.sim.model.RandomForces;
 import org.mechservice.sim.model.RandomTrees;
 import org.mechservice.sim.model.Scenes;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.capability.ExtendedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
@@ -104,7 +104,7 @@ class DataColumnsTest {
         new BuildOptions("DTR", "auto", compact, Set.of(ColumnGroup.FORCES), SETTINGS);
     Model built =
         ModelFactory.compile(model, options, ModelFactory.generate(model, options)).newInstance();
-    return ExtendedModel.columnsOf(built).columns(ColumnGroup.FORCES);
+    return ModelParts.of(built).columns().columns(ColumnGroup.FORCES);
   }
 
   /** The runtime JAR has the whole solver, so a model JAR needs none of it. */

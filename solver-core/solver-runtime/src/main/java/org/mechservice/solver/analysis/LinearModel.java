@@ -8,8 +8,8 @@ import java.util.Optional;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.capability.Defects;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.ResultTable;
-import org.mechservice.solver.api.capability.WatchedModel;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.RunNotes;
@@ -127,7 +127,7 @@ final class LinearModel implements ResultTable, RunNotes {
             Formulation.DSR.label(),
             open ? "none" : ClosureMethod.PROJECTION.label(),
             data.settings());
-    ExplicitModel model = (ExplicitModel) WatchedModel.bare(free.model(userForces));
+    ExplicitModel model = (ExplicitModel) ModelParts.of(free.model(userForces)).equations();
     model.initialState(y);
     double[] yDot = new double[y.length];
     int result = model.derivative(t, y, yDot);
