@@ -22,8 +22,9 @@ import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 
 /**
- * A mechanism whose loops are closed at the start and whose independent equations are counted: what
- * models of it are made from. Immutable, but for code that evaluates its equations.
+ * A mechanism with closed loops after assembly: its loops are closed at the start and the rank of
+ * its loop equations is known. Models are made from it. Immutable, apart from generated code that
+ * evaluates its equations.
  */
 public final class ClosedMechanism {
   private final TreeGeometry tree;
@@ -43,7 +44,7 @@ public final class ClosedMechanism {
    * Assembles a mechanism at the start of its run.
    *
    * @param formulation name of the formulation, for reports
-   * @param defaults settings the model carries; assembly is at their start
+   * @param defaults default settings of the model; assembly takes place at their start time
    */
   public ClosedMechanism(Mechanism mechanism, String formulation, RunSettings defaults) {
     tree = new TreeGeometry(mechanism);
@@ -95,14 +96,14 @@ public final class ClosedMechanism {
     return findings.stream().allMatch(finding -> finding.kind().isWarning());
   }
 
-  /** Returns what there is to say of the loops: corrections of the start, redundant equations. */
+  /** Returns the findings about the loops: corrections of the start, redundant equations. */
   public List<LoopFinding> findings() {
     return List.copyOf(findings);
   }
 
   /**
-   * Returns why independent coordinates are chosen badly at the start, if they are: penalty closure
-   * needs none (NUMERICS §3).
+   * Returns the reason why no good choice of independent coordinates exists at the start, if there
+   * is one. Penalty closure needs no such choice (NUMERICS §3).
    */
   public Optional<String> againstProjection() {
     return againstProjection;
@@ -119,14 +120,14 @@ public final class ClosedMechanism {
   }
 
   /**
-   * Returns the same with code that evaluates the terms of its equations; since code has a
-   * workspace, one model is to be made of it.
+   * Returns the same mechanism with generated code for the terms of its equations. The code has a
+   * workspace, so only one model may be made of the result.
    */
   public ClosedMechanism evaluatedBy(LoopTerms code) {
     return new ClosedMechanism(this, code);
   }
 
-  /** Returns a workspace of its equations: of its code if it has some. */
+  /** Returns a workspace of its equations, evaluated by generated code where there is any. */
   public ClosedTree newEquations(UserForceSource userForces) {
     return terms
         .<ClosedTree>map(code -> new GeneratedTreeTerms(this, userForces, code))
@@ -143,10 +144,7 @@ public final class ClosedMechanism {
     return tree.stateVelocityCount - rank;
   }
 
-  /**
-   * Returns whether motions or relations between coordinates are prescribed as functions of time,
-   * so that they do work.
-   */
+  /** Returns whether a prescribed motion or a coupling depends on time and therefore does work. */
   public boolean isMovedByTime() {
     List<Expression> prescribed = new ArrayList<>();
     tree.mechanism().motions().forEach(motion -> prescribed.addAll(motion.coordinates()));
