@@ -12,10 +12,12 @@ import org.mechservice.client.failure.ServiceException;
 import org.mechservice.client.jar.LocalModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.DependentStates;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.ProjectedStates;
 import org.mechservice.solver.catalogue.ClosureMethod;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.IntegrationMethod;
+import org.mechservice.solver.catalogue.MethodNames;
 
 /**
  * Every formulation, closure and integrator, tried on a scene: those that fit, built, and the
@@ -48,7 +50,7 @@ public record MethodList(List<Candidate> candidates, List<OmittedMethod> leftOut
     List<OmittedMethod> leftOut = new ArrayList<>();
     boolean loops = hasLoops(session);
     for (String formulation : FORMULATIONS) {
-      for (String closure : loops ? CLOSURES : List.of(SimulationMethod.OPEN)) {
+      for (String closure : loops ? CLOSURES : List.of(MethodNames.NONE)) {
         for (String integrator : INTEGRATORS) {
           SimulationMethod method = new SimulationMethod(formulation, closure, integrator);
           try {
@@ -72,8 +74,11 @@ public record MethodList(List<Candidate> candidates, List<OmittedMethod> leftOut
   /** Builds the model with the service's own choice; a refusal of it holds for all methods. */
   private static boolean hasLoops(MechSession session) {
     LocalModel chosen =
-        session.fetchModel(SimulationOptions.asInFile().formulation("auto").integrator("auto"));
-    Model model = chosen.newModel();
+        session.fetchModel(
+            SimulationOptions.asInFile()
+                .formulation(MethodNames.AUTO)
+                .integrator(MethodNames.AUTO));
+    Model model = ModelParts.of(chosen.newModel()).equations();
     return model instanceof DependentStates || model instanceof ProjectedStates;
   }
 
@@ -83,8 +88,6 @@ public record MethodList(List<Candidate> candidates, List<OmittedMethod> leftOut
         SimulationOptions.asInFile()
             .formulation(method.formulation())
             .integrator(method.integrator());
-    return method.closure().equals(SimulationMethod.OPEN)
-        ? options
-        : options.closure(method.closure());
+    return method.closure().equals(MethodNames.NONE) ? options : options.closure(method.closure());
   }
 }
