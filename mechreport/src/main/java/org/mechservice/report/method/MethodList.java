@@ -48,7 +48,7 @@ public record MethodList(List<Candidate> candidates, List<OmittedMethod> leftOut
   public static MethodList of(MechSession session) {
     List<Candidate> candidates = new ArrayList<>();
     List<OmittedMethod> leftOut = new ArrayList<>();
-    boolean loops = hasLoops(session);
+    boolean loops = hasLoops(chosenByService(session));
     for (String formulation : FORMULATIONS) {
       for (String closure : loops ? CLOSURES : List.of(MethodNames.NONE)) {
         for (String integrator : INTEGRATORS) {
@@ -72,14 +72,19 @@ public record MethodList(List<Candidate> candidates, List<OmittedMethod> leftOut
   }
 
   /** Builds the model with the service's own choice; a refusal of it holds for all methods. */
-  private static boolean hasLoops(MechSession session) {
+  private static Model chosenByService(MechSession session) {
     LocalModel chosen =
         session.fetchModel(
             SimulationOptions.asInFile()
                 .formulation(MethodNames.AUTO)
                 .integrator(MethodNames.AUTO));
-    Model model = ModelParts.of(chosen.newModel()).equations();
-    return model instanceof DependentStates || model instanceof ProjectedStates;
+    return chosen.newModel();
+  }
+
+  /** Returns whether the equations of a model close loops. */
+  static boolean hasLoops(Model model) {
+    Model equations = ModelParts.of(model).equations();
+    return equations instanceof DependentStates || equations instanceof ProjectedStates;
   }
 
   /** Returns the options that choose a method. */
