@@ -10,6 +10,7 @@ import org.mechservice.solver.catalogue.ClosureMethod;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -27,11 +28,9 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
  * @param reason why these
  */
 public record FormulationChoice(String formulation, String closure, String reason) {
-  private static final String AUTO = "AUTO";
   private static final String DTR = Formulation.DTR.label();
   private static final String DSR = Formulation.DSR.label();
   private static final String RESIDUAL_DERIVED = Formulation.RR_JF.label();
-  private static final String OPEN = "none";
   private static final String PROJECTION = ClosureMethod.PROJECTION.label();
 
   /** Loops that a reason names. */
@@ -48,8 +47,8 @@ public record FormulationChoice(String formulation, String closure, String reaso
    */
   public static FormulationChoice of(
       String formulation, String closure, RunSettings settings, Mechanism mechanism) {
-    String asked = formulation.toUpperCase(Locale.ROOT);
-    if (!asked.equals(AUTO) && Formulation.find(asked).isEmpty()) {
+    String asked = canonical(formulation);
+    if (!asked.equals(MethodNames.AUTO) && Formulation.find(asked).isEmpty()) {
       throw refused(
           "there is no formulation \""
               + formulation
@@ -60,6 +59,13 @@ public record FormulationChoice(String formulation, String closure, String reaso
     return mechanism.closures().isEmpty()
         ? open(asked, closure, settings.integrator(), mechanism)
         : closed(asked, closure, settings, mechanism);
+  }
+
+  /** Returns a request for a formulation as it is spelt here, whatever its case. */
+  private static String canonical(String formulation) {
+    return formulation.equalsIgnoreCase(MethodNames.AUTO)
+        ? MethodNames.AUTO
+        : formulation.toUpperCase(Locale.ROOT);
   }
 
   /** Returns the same choice with a further reason. */
@@ -85,7 +91,7 @@ public record FormulationChoice(String formulation, String closure, String reaso
 
   private static FormulationChoice open(
       String asked, String closure, String integrator, Mechanism mechanism) {
-    if (!closure.equals("auto") && !closure.equals(OPEN)) {
+    if (!closure.equals(MethodNames.AUTO) && !closure.equals(MethodNames.NONE)) {
       throw refused(
           "closure \""
               + closure
@@ -95,7 +101,7 @@ public record FormulationChoice(String formulation, String closure, String reaso
     }
     String chosen = asked;
     String reason = "asked for; it fits: the joints form a tree";
-    if (asked.equals(AUTO)) {
+    if (asked.equals(MethodNames.AUTO)) {
       boolean residual = takesResidual(integrator);
       chosen = residual ? RESIDUAL_DERIVED : DTR;
       reason =
@@ -107,19 +113,19 @@ public record FormulationChoice(String formulation, String closure, String reaso
           "asked for; it fits: the scene is an open chain, which articulated bodies solve in O(n)";
     }
     requireIntegrator(chosen, integrator);
-    return new FormulationChoice(chosen, OPEN, reason);
+    return new FormulationChoice(chosen, MethodNames.NONE, reason);
   }
 
   private static FormulationChoice closed(
       String asked, String closure, RunSettings settings, Mechanism mechanism) {
-    if (!asked.equals(AUTO) && !Formulation.of(asked).takesLoops()) {
+    if (!asked.equals(MethodNames.AUTO) && !Formulation.of(asked).takesLoops()) {
       throw refused(
           asked
               + " is for open chains; the scene closes loops at "
               + loops(mechanism)
               + "; use DSR, RR or RR-JF");
     }
-    boolean automatic = closure.equals("auto");
+    boolean automatic = closure.equals(MethodNames.AUTO);
     boolean penalty = PenaltySettings.isPenalty(closure);
     if (!automatic && !closure.equals(PROJECTION) && !penalty) {
       throw refused("there is no closure \"" + closure + "\"; use projection, penalty or auto");
@@ -129,7 +135,7 @@ public record FormulationChoice(String formulation, String closure, String reaso
     }
     String why = "the scene closes loops at " + loops(mechanism);
     String chosen = asked;
-    if (asked.equals(AUTO)) {
+    if (asked.equals(MethodNames.AUTO)) {
       chosen = takesResidual(settings.integrator()) ? RESIDUAL_DERIVED : DSR;
       why = "auto: " + why;
     } else {

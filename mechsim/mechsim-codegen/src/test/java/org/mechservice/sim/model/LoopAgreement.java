@@ -89,12 +89,12 @@ public record LoopAgreement(
     int bodies = 2 + seed % 6;
     Mechanism tree =
         seed % 3 == 0
-            ? RandomTrees.driven(seed, bodies)
+            ? RandomMechmlTrees.driven(seed, bodies)
             : seed % 3 == 1
-                ? RandomTrees.ofAllJoints(seed, bodies)
-                : RandomTrees.tree(seed, bodies);
-    Mechanism forced = seed % 2 == 0 ? tree : RandomForces.on(tree, seed);
-    return RandomLoops.on(forced, seed, 1 + seed % 2);
+                ? RandomMechmlTrees.ofAllJoints(seed, bodies)
+                : RandomMechmlTrees.tree(seed, bodies);
+    Mechanism forced = seed % 2 == 0 ? tree : RandomMechmlForces.on(tree, seed);
+    return RandomMechmlLoops.on(forced, seed, 1 + seed % 2);
   }
 
   /** Returns whether the loops can be closed at the start. */
@@ -150,7 +150,7 @@ public record LoopAgreement(
         Forms.of(mechanism, "RR", "penalty", users, ResidualModel.class);
     double[] closed = new double[reduced.data().description().stateCount()];
     reduced.data().initialState(closed);
-    double[] open = RandomTrees.state(3, mechanism);
+    double[] open = RandomMechmlTrees.state(3, mechanism);
     Forms<LinearisedModel> reducedStep =
         Forms.of(mechanism, "RR-JF", "projection", users, LinearisedModel.class);
     Forms<LinearisedModel> step =

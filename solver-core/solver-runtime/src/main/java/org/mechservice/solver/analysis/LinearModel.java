@@ -16,6 +16,7 @@ import org.mechservice.solver.api.run.RunNotes;
 import org.mechservice.solver.catalogue.ClosureMethod;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.force.user.UserForceSource;
 
@@ -125,7 +126,7 @@ final class LinearModel implements ResultTable, RunNotes {
         new CompactModel(
             data.mechanism(),
             Formulation.DSR.label(),
-            open ? "none" : ClosureMethod.PROJECTION.label(),
+            open ? MethodNames.NONE : ClosureMethod.PROJECTION.label(),
             data.settings());
     ExplicitModel model = (ExplicitModel) ModelParts.of(free.model(userForces)).equations();
     model.initialState(y);
