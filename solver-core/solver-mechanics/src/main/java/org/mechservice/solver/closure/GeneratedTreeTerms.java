@@ -74,10 +74,10 @@ final class GeneratedTreeTerms extends ClosedTree {
     extended = new double[tree.velocityCount];
     counted = new double[super.stateLength()];
     angles = new UnwrappedAngles(tree);
-    state = angles.behind(closed.start());
+    state = angles.behind(closed.start().state());
     beside = state.clone();
     // rows have learned here what they measure
-    placeData(closed.startTime(), state);
+    placeData(closed.start().time(), state);
   }
 
   @Override
