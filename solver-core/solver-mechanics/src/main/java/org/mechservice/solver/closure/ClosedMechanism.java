@@ -20,8 +20,9 @@ import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 
 /**
- * A mechanism whose loops are closed at the start and whose independent equations are counted: what
- * models of it are made from. Immutable, but for code that evaluates its equations.
+ * A mechanism with closed loops after assembly: its loops are closed at the start and the rank of
+ * its loop equations is known. Models are made from it. Immutable, apart from generated code that
+ * evaluates its equations.
  */
 public final class ClosedMechanism {
   private final ClosedStart start;
@@ -35,7 +36,7 @@ public final class ClosedMechanism {
    * Assembles a mechanism at the start of its run.
    *
    * @param formulation name of the formulation, for reports
-   * @param defaults settings the model carries; assembly is at their start
+   * @param defaults default settings of the model; assembly takes place at their start time
    */
   public ClosedMechanism(Mechanism mechanism, String formulation, RunSettings defaults) {
     start = new ClosedStart(mechanism, defaults.tStart());
@@ -80,14 +81,14 @@ public final class ClosedMechanism {
   }
 
   /**
-   * Returns the same with code that evaluates the terms of its equations; since code has a
-   * workspace, one model is to be made of it.
+   * Returns the same mechanism with generated code for the terms of its equations. The code has a
+   * workspace, so only one model may be made of the result.
    */
   public ClosedMechanism evaluatedBy(LoopTerms code) {
     return new ClosedMechanism(this, code);
   }
 
-  /** Returns a workspace of its equations: of its code if it has some. */
+  /** Returns a workspace of its equations, evaluated by generated code where there is any. */
   public ClosedTree newEquations(UserForceSource userForces) {
     return terms
         .<ClosedTree>map(code -> new GeneratedTreeTerms(this, userForces, code))
@@ -99,10 +100,7 @@ public final class ClosedMechanism {
     return tree().stateVelocityCount - start.rank();
   }
 
-  /**
-   * Returns whether motions or relations between coordinates are prescribed as functions of time,
-   * so that they do work.
-   */
+  /** Returns whether a prescribed motion or a coupling depends on time and therefore does work. */
   public boolean isMovedByTime() {
     List<Expression> prescribed = new ArrayList<>();
     tree().mechanism().motions().forEach(motion -> prescribed.addAll(motion.coordinates()));

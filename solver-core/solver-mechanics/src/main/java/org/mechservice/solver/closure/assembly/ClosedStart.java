@@ -7,8 +7,8 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
- * The start of a mechanism with loops: the closed position, how many equations are independent, and
- * what there is to report. Checking a model, choosing its formulation and running it need the same
+ * The start of a mechanism with loops: the closed position, the rank of the loop equations, and the
+ * findings about them. Checking a model, choosing its formulation and running it need the same
  * start, which for a large mechanism takes longer than to read its file. Immutable.
  */
 public final class ClosedStart {
@@ -46,14 +46,14 @@ public final class ClosedStart {
     return findings.stream().allMatch(finding -> finding.kind().isWarning());
   }
 
-  /** Returns what there is to say of the loops: corrections of the start, redundant equations. */
+  /** Returns the findings about the loops: corrections of the start, redundant equations. */
   public List<LoopFinding> findings() {
     return List.copyOf(findings);
   }
 
   /**
-   * Returns why independent coordinates are chosen badly at the start, if they are: penalty closure
-   * needs none (NUMERICS §3).
+   * Returns the reason why no good choice of independent coordinates exists at the start, if there
+   * is one. Penalty closure needs no such choice (NUMERICS §3).
    */
   public Optional<String> againstProjection() {
     return againstProjection;
