@@ -62,8 +62,8 @@ final class SceneParts {
    * @param motion after a sweep to the position; not modified
    * @param t the time of the position, s
    */
-  SceneParts(TreeGeometry tree, TreeMotion motion, double t) {
-    this.tree = tree;
+  SceneParts(TreeMotion motion, double t) {
+    tree = motion.tree();
     mechanism = tree.mechanism();
     this.motion = motion;
     this.t = t;

@@ -11,8 +11,7 @@ import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.check.CheckReport;
-import org.mechservice.solver.closure.ClosedMechanism;
-import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.view.scene.SceneDescription;
@@ -57,23 +56,23 @@ public final class SceneReader {
 
   private static SceneDescription scene(MechmlModel model, Map<String, String> geometries) {
     Mechanism mechanism = model.mechanism();
-    ClosedMechanism closed = new ClosedMechanism(mechanism, "", model.settings().run());
-    TreeGeometry tree = closed.tree();
-    TreeMotion motion = new TreeMotion(tree);
-    motion.sweep(closed.startTime(), closed.start());
-    SceneParts parts = new SceneParts(tree, motion, closed.startTime());
+    ClosedStart start = model.closedStart(model.settings().run().tStart());
+    TreeMotion motion = new TreeMotion(start.tree());
+    motion.sweep(start.time(), start.state());
+    SceneParts parts = new SceneParts(motion, start.time());
     CheckReport check = CheckReport.of(model);
     SceneVerdict verdict =
         new SceneVerdict(
             check.degreesOfFreedom(),
             check.loops().equations(),
             check.loops().redundant(),
-            closed.isAssembled(),
+            start.isAssembled(),
             check.warnings());
     return new SceneDescription(
         mechanism.name(),
         mechanism.root().name(),
         parts.rootPose(),
+        geometries.getOrDefault(mechanism.root().name(), ""),
         SceneParts.point(mechanism.gravity()),
         parts.bodies(geometries),
         parts.joints(),

@@ -85,9 +85,14 @@ class SceneReaderTest {
     Path file = folder.resolve("drawn.xml");
     Files.writeString(
         file,
-        pendulum.replaceFirst("<body name=\"(\\w+)\"", "<body name=\"$1\" graphSrc=\"a.wrl\""));
+        pendulum
+            .replace("<body name=\"bar1\">", "<body name=\"bar1\" graphSrc=\"bar.wrl\">")
+            .replace("<body name=\"Ground\">", "<body name=\"Ground\" graphSrc=\"hall.wrl\">"));
+    SceneDescription scene = read(file);
 
-    assertThat(read(file).bodies().get(0).geometry()).isEqualTo("a.wrl");
+    assertThat(scene.rootGeometry()).isEqualTo("hall.wrl");
+    assertThat(scene.bodies().get(0).geometry()).isEqualTo("bar.wrl");
+    assertThat(scene.bodies().get(1).geometry()).isEmpty();
   }
 
   @Test

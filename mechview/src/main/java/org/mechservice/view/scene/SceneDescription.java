@@ -9,6 +9,7 @@ import java.util.List;
  * @param name the model's name
  * @param rootName name of the body at rest
  * @param root where the body at rest is
+ * @param rootGeometry {@code graphSrc} of the body at rest; empty if none is given
  * @param gravity acceleration of free fall in world axes, m/s²
  * @param bodies the moving bodies in file order
  * @param joints joints of the tree in file order, then cut joints in file order
@@ -20,6 +21,7 @@ public record SceneDescription(
     String name,
     String rootName,
     BodyPose root,
+    String rootGeometry,
     Point3 gravity,
     List<SceneBody> bodies,
     List<SceneJoint> joints,
