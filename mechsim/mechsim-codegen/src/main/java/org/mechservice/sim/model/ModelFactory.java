@@ -39,8 +39,7 @@ public final class ModelFactory {
     String integrator = options.settings().integrator();
     StandaloneMain.requireIntegrator(integrator);
     FormulationChoice resolved =
-        FormulationChoice.of(
-            options.formulation(), options.closure(), options.settings(), mechanism);
+        FormulationChoice.of(options.formulation(), options.closure(), options.settings(), model);
     FormulationChoice choice =
         options
             .integratorReason()

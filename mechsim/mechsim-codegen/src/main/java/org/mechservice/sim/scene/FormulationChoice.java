@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.mechservice.mechml.MechmlModel;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.ClosureMethod;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.MethodNames;
-import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
@@ -46,7 +46,8 @@ public record FormulationChoice(String formulation, String closure, String reaso
    *     suit the others or the scene
    */
   public static FormulationChoice of(
-      String formulation, String closure, RunSettings settings, Mechanism mechanism) {
+      String formulation, String closure, RunSettings settings, MechmlModel model) {
+    Mechanism mechanism = model.mechanism();
     String asked = canonical(formulation);
     if (!asked.equals(MethodNames.AUTO) && Formulation.find(asked).isEmpty()) {
       throw refused(
@@ -58,7 +59,7 @@ public record FormulationChoice(String formulation, String closure, String reaso
     }
     return mechanism.closures().isEmpty()
         ? open(asked, closure, settings.integrator(), mechanism)
-        : closed(asked, closure, settings, mechanism);
+        : closed(asked, closure, settings, model);
   }
 
   /** Returns a request for a formulation as it is spelt here, whatever its case. */
@@ -117,7 +118,8 @@ public record FormulationChoice(String formulation, String closure, String reaso
   }
 
   private static FormulationChoice closed(
-      String asked, String closure, RunSettings settings, Mechanism mechanism) {
+      String asked, String closure, RunSettings settings, MechmlModel model) {
+    Mechanism mechanism = model.mechanism();
     if (!asked.equals(MethodNames.AUTO) && !Formulation.of(asked).takesLoops()) {
       throw refused(
           asked
@@ -143,7 +145,7 @@ public record FormulationChoice(String formulation, String closure, String reaso
       why = "asked for; it fits: " + why;
     }
     Optional<String> against =
-        automatic ? againstProjection(chosen, settings, mechanism) : Optional.empty();
+        automatic ? model.closedStart(settings.tStart()).againstProjection() : Optional.empty();
     String closedBy =
         automatic ? against.isPresent() ? PenaltySettings.CLOSURE : PROJECTION : closure;
     String reason =
@@ -151,11 +153,6 @@ public record FormulationChoice(String formulation, String closure, String reaso
             ? "auto: " + against.orElse("independent coordinates can be chosen")
             : "asked for";
     return new FormulationChoice(chosen, closedBy, why + "; closure " + closedBy + ", " + reason);
-  }
-
-  private static Optional<String> againstProjection(
-      String formulation, RunSettings settings, Mechanism mechanism) {
-    return new ClosedMechanism(mechanism, formulation, settings).againstProjection();
   }
 
   private static void requireUsable(String penalty) {

@@ -99,7 +99,7 @@ public record LoopAgreement(
 
   /** Returns whether the loops can be closed at the start. */
   public static boolean closes(Mechanism mechanism) {
-    return new ClosedMechanism(mechanism, "DSR", Scenes.SETTINGS).isAssembled();
+    return new ClosedMechanism(mechanism, "DSR", Scenes.SETTINGS).start().isAssembled();
   }
 
   public static <T> T code(Mechanism mechanism, String formulation, String closure, Class<T> type) {
@@ -129,8 +129,7 @@ public record LoopAgreement(
   /** Returns RR-JF with code for its derivatives, be they worth it or not. */
   public static GeneratedModel withDerivatives(MechmlModel file, BuildOptions options) {
     FormulationChoice choice =
-        FormulationChoice.of(
-            options.formulation(), options.closure(), options.settings(), file.mechanism());
+        FormulationChoice.of(options.formulation(), options.closure(), options.settings(), file);
     Links links = Links.of(file.mechanism());
     TermsClass terms = LoopTermsClass.derive(file, links, options, choice);
     return new ModelAssembly(file, options, choice).looped(links, terms);

@@ -75,10 +75,10 @@ final class GeneratedTreeTerms extends ClosedTree {
     extended = new double[tree.velocityCount];
     counted = new double[super.stateLength()];
     angles = new UnwrappedAngles(tree);
-    state = angles.behind(closed.start());
+    state = angles.behind(closed.start().state());
     beside = state.clone();
     // this call has set the sizes of the rows
-    placeData(closed.startTime(), state);
+    placeData(closed.start().time(), state);
   }
 
   @Override

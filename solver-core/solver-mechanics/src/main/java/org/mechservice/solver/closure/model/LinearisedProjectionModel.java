@@ -64,7 +64,7 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     TreePattern pattern = new TreePattern(work.tree, work.coupledLinks());
     jacobian = new ResidualJacobian(work.motion, pattern);
     iteration = new TreeIteration(work.tree, pattern, jacobian);
-    int rank = closed.rank();
+    int rank = closed.start().rank();
     int f = closed.freedom();
     boolean large = work.loops.isLarge();
     velocities = Partition.of(work.loops.jacobian, work.nv, rank, large);

@@ -47,14 +47,14 @@ public abstract class LoopModel
   private Optional<Defect> defect = Optional.empty();
 
   public LoopModel(ClosedMechanism closed, UserForceSource userForces) {
-    if (!closed.isAssembled()) {
+    if (!closed.start().isAssembled()) {
       throw new IllegalArgumentException(
           "the loops of " + closed.description().name() + " are not closed at the start");
     }
     this.closed = closed;
     work = closed.newEquations(userForces);
     derivative = new double[work.nq + work.nv];
-    closed.findings().forEach(this::note);
+    closed.start().findings().forEach(this::note);
   }
 
   @Override
@@ -64,7 +64,7 @@ public abstract class LoopModel
 
   @Override
   public void initialState(double[] y) {
-    System.arraycopy(closed.start(), 0, y, 0, closed.start().length);
+    System.arraycopy(closed.start().state(), 0, y, 0, closed.start().state().length);
   }
 
   /** Adds a note, up to {@link #MOST_NOTES} of each kind. */
@@ -156,7 +156,7 @@ public abstract class LoopModel
   /** Returns the multipliers and reactions of the last {@link #react}. */
   public final Reactions reactions() {
     if (reactions.isEmpty()) {
-      reactions = Optional.of(new Reactions(work.ofData(), closed.rank()));
+      reactions = Optional.of(new Reactions(work.ofData(), closed.start().rank()));
     }
     return reactions.get();
   }

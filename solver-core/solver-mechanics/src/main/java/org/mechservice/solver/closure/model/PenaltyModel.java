@@ -41,12 +41,13 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
     super(closed, userForces);
     this.settings = settings;
     projection = new LoopProjection(work, settings);
-    partition = Partition.of(work.loops.jacobian, work.nv, closed.rank(), work.loops.isLarge());
+    partition =
+        Partition.of(work.loops.jacobian, work.nv, closed.start().rank(), work.loops.isLarge());
     watch = new SingularityMonitor(work.loops, partition, this::note);
     right = new double[work.nv];
     offset = new double[work.loops.count()];
-    note(new Note(MessageCode.PENALTY_SETTINGS, closed.startTime(), false, settings.text()));
-    beginWatch(closed.startTime(), closed.start());
+    note(new Note(MessageCode.PENALTY_SETTINGS, closed.start().time(), false, settings.text()));
+    beginWatch(closed.start().time(), closed.start().state());
   }
 
   private void beginWatch(double t, double[] y) {

@@ -32,11 +32,11 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
    */
   public ProjectionModel(ClosedMechanism closed, UserForceSource userForces) {
     super(closed, userForces);
-    completion = new Completion(work, closed.rank(), this::note);
+    completion = new Completion(work, closed.start().rank(), this::note);
     if (work.isLarge()) {
       recursive = Optional.of(new RecursiveAccelerations(work, completion.ofVelocities()));
     }
-    if (!completion.begin(closed.startTime(), closed.start())) {
+    if (!completion.begin(closed.start().time(), closed.start().state())) {
       broken = Optional.of(completion.startsSingular());
     }
   }

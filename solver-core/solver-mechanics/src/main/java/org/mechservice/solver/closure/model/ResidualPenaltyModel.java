@@ -128,7 +128,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     ofVelocity = new double[m];
     ofPosition = new double[m];
     mu = new double[m];
-    independent = Partition.of(work.loops.jacobian, n, closed.rank(), work.loops.isLarge());
+    independent = Partition.of(work.loops.jacobian, n, closed.start().rank(), work.loops.isLarge());
     double[] sizes = new double[m];
     Arrays.setAll(sizes, row -> 1 / work.loops.size(row));
     independent.scale(sizes, work.units.velocities);
